@@ -1,0 +1,21 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+# The element kernels are compiled once per instruction set and chosen at start-up. Only these leaf
+# files, which include neither Eigen nor deal.II nor the standard library, get such flags: inline
+# functions shared with other files would otherwise need the newest processor everywhere.
+
+# Debug: the compiler would give up tracking the variables of the unrolled loops, and say so.
+set(kernel_flags -O3 -fno-math-errno -ffp-contract=fast -fno-var-tracking-assignments)
+set(kernel_flags_generic "")
+set(kernel_flags_sse2 -march=x86-64)
+set(kernel_flags_avx2 -march=haswell)
+set(kernel_flags_avx512 -march=skylake-avx512 -mprefer-vector-width=512)
+
+foreach(set generic sse2 avx2 avx512)
+  set(kernel ${PROJECT_SOURCE_DIR}/source/element/kernels_${set}.cc)
+  if(NOT set STREQUAL "generic" AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+    list(REMOVE_ITEM sources ${kernel})
+  elseif(EXISTS ${kernel})
+    set_property(SOURCE ${kernel} APPEND PROPERTY COMPILE_OPTIONS ${kernel_flags_${set}}
+                                                  ${kernel_flags})
+  endif()
+endforeach()

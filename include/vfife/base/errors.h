@@ -1,0 +1,46 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_base_errors_h
+#define vfife_base_errors_h
+
+#include <stdexcept>
+#include <string>
+
+namespace vfife
+{
+  /**
+   * The user's input cannot be used: exit code 1. The entry is a path such as
+   * "Gear pair/Gear/Body/Web thickness", by which the driver finds file and line; it may be empty.
+   */
+  class InputError : public std::runtime_error
+  {
+  public:
+    explicit InputError(const std::string &message)
+      : std::runtime_error(message)
+    {}
+
+    InputError(const std::string &entry, const std::string &message)
+      : std::runtime_error(message)
+      , entry_(entry)
+    {}
+
+    const std::string &entry() const
+    {
+      return entry_;
+    }
+
+  private:
+    std::string entry_;
+  };
+
+  /**
+   * The computation failed (energy, NaN, inverted element, runaway penetration, no convergence):
+   * exit code 2. The message names time, step, element or node, and cause.
+   */
+  class NumericalError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+} // namespace vfife
+
+#endif

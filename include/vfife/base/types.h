@@ -1,0 +1,42 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_base_types_h
+#define vfife_base_types_h
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+/**
+ * All of vfife. Internal units everywhere: mm, s, t, N, MPa (hence mJ for energy, N mm for
+ * torque, rad and rad/s for angles and speeds); only files and the screen use others, and say so.
+ */
+namespace vfife
+{
+  using Vector2 = Eigen::Vector2d;
+  using Vector3 = Eigen::Vector3d;
+  using Matrix3 = Eigen::Matrix3d;
+
+  constexpr double pi = 3.14159265358979323846;
+
+  /** One second of arc [rad]. */
+  constexpr double arcsecond = pi / (180. * 3600.);
+
+  /** Rigid placement y = rotation * x + translation. */
+  struct RigidMotion
+  {
+    Matrix3 rotation    = Matrix3::Identity();
+    Vector3 translation = Vector3::Zero();
+
+    Vector3 operator()(const Vector3 &x) const
+    {
+      return rotation * x + translation;
+    }
+  };
+
+  /** Rotation by @p angle [rad] about the unit vector @p axis (right-hand rule). */
+  inline Matrix3 rotation_about(const Vector3 &axis, const double angle)
+  {
+    return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+  }
+} // namespace vfife
+
+#endif

@@ -1,0 +1,147 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_contact_contact_h
+#define vfife_contact_contact_h
+
+#include <vfife/contact/broad_search.h>
+#include <vfife/contact/contact_options.h>
+#include <vfife/contact/contact_pass.h>
+#include <vfife/contact/contact_results.h>
+
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * Contact between two surfaces by unilateral penalty; the formulation is derived in
+   * doc/contact.md.
+   *
+   * Quadrature points x_s of the slave's facets are projected onto the master along its continuous
+   * normal field, x_s = y(xi, eta) + lambda n(xi, eta), and pressed with p = eps (-g) where the gap
+   *   g = n.(x_s - y) - delta_master(xi, eta) - delta_slave < 0.
+   * As x_s - y is parallel to n, forces on both bodies are equal and opposite in force and in
+   * moment. Areas are those of the undeformed slave. Units mm, s, t, N, MPa.
+   *
+   * Use: find_candidates() now and then; every step make positions and velocities of the active
+   * nodes available and call add_forces().
+   */
+  class Contact
+  {
+  public:
+    /** Copies what it needs of the surfaces. Throws InputError on unusable surfaces or options. */
+    Contact(const FacetSurface &slave, const FacetSurface &master, const ContactOptions &options);
+
+    /**
+     * Finds the pairs of groups (teeth) whose facets come nearer than @p margin [mm] when the
+     * undeformed surfaces move rigidly; it must cover deformation and relative motion until the
+     * next call, and search_skin(). What is known of pairs that remain is kept. Deterministic: all
+     * ranks find the same from the same input.
+     */
+    void find_candidates(const RigidMotion &slave, const RigidMotion &master, double margin);
+
+    /** Surface nodes whose positions and velocities must be valid in add_forces(), sorted. */
+    const std::vector<unsigned int> &active_slave_nodes() const
+    {
+      return active_slave_nodes_;
+    }
+    const std::vector<unsigned int> &active_master_nodes() const
+    {
+      return active_master_nodes_;
+    }
+
+    /** (slave group, master group), sorted. */
+    const std::vector<std::pair<unsigned int, unsigned int>> &candidate_pairs() const
+    {
+      return candidate_pairs_;
+    }
+
+    /**
+     * Penalty [N/mm^3], see ContactOptions::penalty_for, and the least nodal mass per tributary
+     * area [t/mm^2], which scales the gap-rate damping c = 2 ratio sqrt(eps m/A) and bounds the
+     * friction's slope. Without it (0) the mass for which the penalty is penalty_fraction of the
+     * stability limit at the step's dt is taken.
+     */
+    void   set_penalty(double penalty, double mass_per_area = 0.);
+    double penalty() const
+    {
+      return penalty_;
+    }
+
+    /**
+     * Adds the contact forces [N] of the slave facets f with f % n_parts == part (of master facets
+     * in the second of two passes) to 3 doubles per surface node. @p dt is the time step [s]. Keep
+     * `part` for an object: a change costs a wide search. Throws NumericalError when a position is
+     * not finite.
+     */
+    void add_forces(const SurfaceMotion &slave,
+                    const SurfaceMotion &master,
+                    double               dt,
+                    unsigned int         part,
+                    unsigned int         n_parts,
+                    double              *slave_forces,
+                    double              *master_forces);
+
+    /** Of this part in the last add_forces(), in the order of candidate_pairs(). */
+    const std::vector<GroupPairResult> &results() const
+    {
+      return results_;
+    }
+
+    /**
+     * The point with the smallest gap (negative: penetration) of this part over all candidate
+     * pairs, also when open: gaps within +- @p reach [mm] are looked at, found without warm start.
+     * The gap is infinite when there is none.
+     */
+    ContactPoint smallest_gap(const SurfaceMotion &slave,
+                              const SurfaceMotion &master,
+                              double               reach,
+                              unsigned int         part    = 0,
+                              unsigned int         n_parts = 1);
+
+    /** Undeformed tributary areas of the surface nodes [mm^2]. */
+    const std::vector<double> &slave_node_areas() const
+    {
+      return passes_.front().slave().node_areas();
+    }
+    const std::vector<double> &master_node_areas() const
+    {
+      return passes_.front().master().node_areas();
+    }
+
+    /** Least mass/area [t/mm^2] over the surface nodes with area; masses [t] by surface node. */
+    double mass_per_area(const std::vector<double> &slave_masses,
+                         const std::vector<double> &master_masses) const;
+
+    /** Points under pressure in the last add_forces() (this part); its position arrays must still
+     * be valid. */
+    std::vector<ContactPoint> points() const;
+
+    /** Motion between wide searches [mm]. */
+    double search_skin() const;
+
+    /**
+     * Penetration beyond which nothing is taken for contact [mm]. A largest_penetration near it
+     * means runaway: stop the run, or the force will vanish.
+     */
+    double depth_limit() const;
+
+    /** Points kept for possible contact, and wide searches so far. */
+    std::size_t n_listed_points() const;
+    std::size_t n_wide_searches() const;
+
+  private:
+    ContactLaw law(double dt) const;
+
+    ContactOptions           options_;
+    std::vector<ContactPass> passes_; ///< one, or two with swapped roles
+    BroadSearch              broad_search_;
+    double                   penalty_;
+    double                   mass_per_area_ = 0.;
+
+    std::vector<std::pair<unsigned int, unsigned int>> candidate_pairs_;
+    std::vector<unsigned int>                          active_slave_nodes_, active_master_nodes_;
+    std::vector<GroupPairResult>                       results_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,147 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_contact_contact_pass_h
+#define vfife_contact_contact_pass_h
+
+#include <vfife/contact/contact_law.h>
+#include <vfife/contact/contact_results.h>
+#include <vfife/contact/group_path.h>
+#include <vfife/contact/local_search.h>
+
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * One direction of a contact: the quadrature points of the slave against the facets of the
+   * master.
+   *
+   * Every pair of groups keeps a list of the points that may touch before the groups have moved by
+   * the skin, each with its last projection. A point with gap g sleeps until the path of its groups
+   * has grown by 0.8 g, a point beyond the border until half the way to the border: so most of a
+   * list costs one comparison a step.
+   */
+  class ContactPass
+  {
+  public:
+    /** @p share scales all areas (one half for each of two passes). */
+    ContactPass(const FacetSurface   &slave,
+                const FacetSurface   &master,
+                const ContactOptions &options,
+                double                share);
+
+    /** Pairs of groups to look at (sorted); lists of pairs that remain are kept. */
+    void set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs);
+
+    /** See Contact::add_forces. */
+    void add_forces(const SurfaceMotion &slave,
+                    const SurfaceMotion &master,
+                    const ContactLaw    &law,
+                    unsigned int         part,
+                    unsigned int         n_parts,
+                    double              *slave_forces,
+                    double              *master_forces);
+
+    /** See Contact::smallest_gap. */
+    ContactPoint smallest_gap(const SurfaceMotion &slave,
+                              const SurfaceMotion &master,
+                              double               reach,
+                              unsigned int         part,
+                              unsigned int         n_parts);
+
+    const std::vector<GroupPairResult> &results() const
+    {
+      return results_;
+    }
+
+    /** Appends the points with pressure of the last add_forces(). */
+    void append_points(std::vector<ContactPoint> &points, bool swapped) const;
+
+    const SurfaceGeometry &slave() const
+    {
+      return slave_;
+    }
+    const SurfaceGeometry &master() const
+    {
+      return master_;
+    }
+    double skin() const
+    {
+      return skin_;
+    }
+    double depth_limit() const
+    {
+      return depth_limit_;
+    }
+    /** Points listed for the current pairs, and wide searches made so far (for timing and tests).
+     */
+    std::size_t n_listed_points() const;
+    std::size_t n_wide_searches() const
+    {
+      return n_wide_searches_;
+    }
+
+  private:
+    struct ListedPoint
+    {
+      double       awake_at; ///< path of the pair at which the point must be looked at again [mm]
+      unsigned int slave_facet, rule_point;
+      Projection   projection;
+      double       area, slave_offset;
+      double       gap, pressure; ///< of the last evaluation
+    };
+
+    struct Pair
+    {
+      unsigned int             slave_group, master_group;
+      bool                     listed   = false;
+      double                   built_at = 0.; ///< path at the wide search [mm]
+      std::vector<ListedPoint> points;
+    };
+
+    void    update_paths(const SurfaceMotion &slave, const SurfaceMotion &master);
+    Vector3 slave_point(unsigned int facet, unsigned int rule_point) const;
+    void    find_points(
+         Pair &pair, double open_reach, double depth_reach, unsigned int part, unsigned int n_parts);
+    bool    find_closest(const std::vector<unsigned int> &facets,
+                         const Vector3                   &x,
+                         const Vector3                   &slave_normal,
+                         double                           reach,
+                         Projection                      &projection);
+    void    add_pair(Pair             &pair,
+                     const ContactLaw &law,
+                     GroupPairResult  &result,
+                     double           *slave_forces,
+                     double           *master_forces);
+    bool    locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path);
+    void    press(ListedPoint      &point,
+                  const Vector3    &x,
+                  const Vector3    &normal,
+                  const ContactLaw &law,
+                  GroupPairResult  &result,
+                  double           *slave_forces,
+                  double           *master_forces);
+    Vector3 add_friction(const ListedPoint &point,
+                         const Vector3     &x,
+                         const Vector3     &normal,
+                         const Vector3     &relative_velocity,
+                         double             area,
+                         const ContactLaw  &law,
+                         GroupPairResult   &result,
+                         double            *master_forces);
+    double  fading_weight(const Projection &projection) const;
+
+    SurfaceGeometry                   slave_, master_;
+    std::vector<FacetQuadraturePoint> rule_;
+    std::vector<double>               point_areas_, point_offsets_; ///< facet by facet
+    double                            edge_fading_, skin_, depth_limit_;
+
+    GroupPath                    slave_path_, master_path_;
+    std::vector<Pair>            pairs_;
+    std::vector<GroupPairResult> results_;
+    unsigned int                 part_ = 0, n_parts_ = 0;
+    std::size_t                  n_wide_searches_ = 0;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,19 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_broken_element_h
+#define vfife_dynamics_broken_element_h
+
+#include <string>
+
+namespace vfife
+{
+  struct Model;
+  struct State;
+
+  /**
+   * In words for a failure's message: the element of this rank with the least Jacobian relative to the undeformed one in the last measured state,
+   * and the first node whose position is no longer finite now.
+   */
+  std::string find_broken_element(const Model &model, const State &last_measured, const State &now);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,57 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_dynamics_options_h
+#define vfife_dynamics_dynamics_options_h
+
+#include <vfife/element/frame_kind.h>
+#include <vfife/element/stiffness.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /** Which angular velocity of a body its damping is relative to. */
+  enum class DampingRate
+  {
+    momentum,  ///< L_axis / I_axis: the damper exerts no torque about the axis
+    mean_speed ///< mass-weighted mean of |v|/r, the paper's Eq. (8): unsigned, not torque-free
+  };
+
+  enum class Start
+  {
+    static_preload, ///< rotating-frame equilibrium under centrifugal force, torque and contact, then release
+    ramp            ///< centrifugal equilibrium, then the torque grows linearly
+  };
+
+  /** How the equilibrium before the start is found (dynamic relaxation). */
+  struct RelaxationOptions
+  {
+    double       tolerance        = 1e-6;  ///< residual force norm over the norm of the applied forces
+    unsigned int largest_steps    = 60000; ///< failure beyond
+
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /** Section Dynamics. */
+  struct DynamicsOptions
+  {
+    FrameKind         frame        = FrameKind::polar;
+    StiffnessKind     stiffness    = StiffnessKind::incompatible_modes;
+    double            safety       = 0.9;   ///< step over the stable step of the worst element
+    double            damping      = 1000.; ///< zeta [1/s]
+    double            mesh_damping = 2000.; ///< zeta_k [1/s]
+    DampingRate       damping_rate = DampingRate::momentum;
+    Start             start        = Start::static_preload;
+    double            energy_limit = 0.5;   ///< energy error at which a run is given up [-]
+    RelaxationOptions relaxation;
+
+    void declare(dealii::ParameterHandler &prm);
+    void check(const std::string &section) const;
+  };
+} // namespace vfife
+
+#endif

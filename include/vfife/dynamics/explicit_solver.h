@@ -1,0 +1,101 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_explicit_solver_h
+#define vfife_dynamics_explicit_solver_h
+
+#include <vfife/dynamics/constraint_motion.h>
+#include <vfife/dynamics/contact_system.h>
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/torque_loads.h>
+#include <vfife/dynamics/vfife_operator.h>
+#include <vfife/model/observer.h>
+
+namespace vfife
+{
+  class Log;
+  class Timers;
+
+  /**
+   * Explicit VFIFE dynamics of a model: central differences of mass points under the forces of massless hexahedra, contact, loads, damping
+   * relative to the turning bodies, and constraints.
+   */
+  class ExplicitSolver
+  {
+  public:
+    ExplicitSolver(const Model &model, const DynamicsOptions &options, const Communicator &communicator, Log &log, Timers &timers);
+
+    VfifeOperator &vfife_operator();
+    ContactSystem &contact();
+
+    /** Largest stable step times safety, after the contact's vote [s]; penalties are set for set_step(). */
+    double stable_step();
+
+    /** The step of the run [s], at most stable_step(). Sets the penalties that follow from it. */
+    void set_step(double dt);
+
+    /** Undeformed bodies at time zero, turning as rigid bodies at their rates (velocities at -dt/2). */
+    void start(State &state);
+
+    /** Replaces velocities by those of rigid turning at the bodies' rates, positions unchanged (after a preload). */
+    void set_rigid_velocities(State &state) const;
+
+    /**
+     * Integrates from state.time to @p end_time. Throws NumericalError (non-finite or runaway energy, runaway penetration) after observers
+     * have seen the last state.
+     */
+    void run(State &state, double end_time, Observers &observers);
+
+    /** Of each body in the last run(). */
+    const std::vector<DampingAudit> &damping_audit() const;
+
+    /** The rigid motion of each body that follows from its momentum. */
+    std::vector<RigidVelocity> compute_rigid_rates(const State &state) const;
+
+  private:
+    /** Steps between broad searches of the contact. */
+    static constexpr unsigned int search_interval = 20;
+
+    struct StepPowers
+    {
+      double drive = 0, torque = 0, damping = 0, mesh = 0, contact = 0;
+    };
+
+    void begin_run(State &state);
+    void compute_forces(State &state, bool keep_contact_forces);
+    void set_damping(const State &state);
+    void update_nodes(State &state);
+    void advance_bodies(State &state);
+
+    void add_work(double factor);
+    void update_ledger(double strain, bool first);
+    /** Copies the state for the observers, measures it, and returns the strain energy [mJ]. */
+    double take_measurements(const State &state);
+    void   show(Observers &observers, bool last);
+    void measure_contact();
+    void check(const State &state, bool measured) const;
+    void add_audit();
+    void finish_audit(const std::vector<RigidVelocity> &rates_at_start, double duration);
+
+    const Model           &model_;
+    const DynamicsOptions &options_;
+    const Communicator    &communicator_;
+    Log                   &log_;
+    Timers                &timers_;
+    VfifeOperator          operator_;
+    ContactSystem          contact_;
+    ConstraintMotion       constraints_;
+    TorqueLoads            torques_;
+    double                 dt_ = 0;
+
+    std::vector<double>                 forces_, contact_forces_;
+    std::vector<RigidVelocity>          rigid_;
+    std::vector<BodyDamping>            damping_;
+    std::vector<ConstraintMotion::Sums> sums_; ///< of the last update, over all ranks
+    StepPowers                          powers_;
+    double                              drive_torque_ = 0;
+    EnergyLedger                        ledger_, ledger_at_start_;
+    std::vector<DampingAudit>           audit_;
+    State                               observed_;
+  };
+} // namespace vfife
+
+#endif

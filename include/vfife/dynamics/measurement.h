@@ -1,0 +1,33 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_measurement_h
+#define vfife_dynamics_measurement_h
+
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+  class VfifeOperator;
+
+  /**
+   * Mass-weighted mean rotation of @p nodes of a body about its axis beyond the turn @p turned of the whole body since time zero [rad].
+   * Collective.
+   */
+  double measure_rotation(const Body                      &body,
+                          const std::vector<unsigned int> &nodes,
+                          double                           turned,
+                          const State                     &state,
+                          const Communicator              &communicator);
+
+  /** Sets angles and transmission errors of the measurements from positions. Collective. */
+  void measure_transmission(const Model &model, State &state, const Communicator &communicator);
+
+  /** Displacement in the turning body and stress at the probes; elements' nodal stresses averaged. Collective. */
+  std::vector<ProbeValue>
+  measure_probes(const Model &model, const State &state, const VfifeOperator &vfife, const Communicator &communicator);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,74 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_relaxation_h
+#define vfife_dynamics_relaxation_h
+
+#include <vfife/dynamics/constraint_motion.h>
+#include <vfife/dynamics/contact_system.h>
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/torque_loads.h>
+#include <vfife/dynamics/vfife_operator.h>
+
+namespace vfife
+{
+  class Log;
+
+  /** How a relaxation went. */
+  struct RelaxationReport
+  {
+    unsigned int steps    = 0;
+    double       residual = 0; ///< norm of unbalanced forces over norm of applied ones
+  };
+
+  /**
+   * Static equilibrium of a model by the traditional VFIFE, i.e. explicit steps with virtual damping,
+   *   M a + c M v = F   (Eq. (1) of the paper),
+   * in the frames that turn with the bodies: prescribed rotations stand still and the centrifugal force m omega^2 r, r in the deformed state, is
+   * applied. The masses M are fictitious, scaled element by element to one common stable step, and the damping follows the lowest frequency that the motion
+   * itself shows (Rayleigh quotient of the last step; Underwood 1983). It stops on the residual, not on a time.
+   */
+  class Relaxation
+  {
+  public:
+    Relaxation(const Model             &model,
+               const RelaxationOptions &options,
+               VfifeOperator           &vfife,
+               ContactSystem           &contact,
+               const Communicator      &communicator,
+               Log                     &log);
+
+    /** What acts beside internal forces. */
+    struct Loads
+    {
+      bool centrifugal = true;
+      double torque    = 1; ///< part of the full torque
+      bool contact     = true;
+      bool hold_rotation = false; ///< free rotations are held
+    };
+
+    /**
+     * Moves the positions of @p state into equilibrium; velocities are left alone. Throws NumericalError when the residual does not fall below the tolerance, with its
+     * history.
+     */
+    RelaxationReport solve(State &state, const Loads &loads);
+
+  private:
+    void   add_applied(const State &state, const Loads &loads, std::vector<double> &forces);
+    double norm(const std::vector<double> &forces, const Partition &partition) const;
+    void   move(State                     &state,
+                const std::vector<double> &masses,
+                double                     damping,
+                ConstraintMotion          &constraints,
+                std::vector<double>       &velocity);
+
+    const Model             &model_;
+    const RelaxationOptions &options_;
+    VfifeOperator           &operator_;
+    ContactSystem           &contact_;
+    const Communicator      &communicator_;
+    Log                     &log_;
+    TorqueLoads              torques_;
+    std::vector<double>      forces_, no_velocity_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,122 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_vfife_operator_h
+#define vfife_dynamics_vfife_operator_h
+
+#include <vfife/dynamics/halo_exchange.h>
+#include <vfife/dynamics/pack_layout.h>
+#include <vfife/element/frame_kind.h>
+#include <vfife/element/kernels.h>
+#include <vfife/element/stiffness.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+  struct Model;
+
+  /** The element that decides the time step. */
+  struct LimitingElement
+  {
+    double      frequency = 0; ///< largest circular frequency of the free element [rad/s]
+    std::string body;
+    unsigned    element  = 0;  ///< of the body
+    Vector3     centroid = Vector3::Zero(); ///< body frame [mm]
+
+    double stable_step() const
+    {
+      return 2. / frequency;
+    }
+  };
+
+  /**
+   * The internal forces of massless hexahedra between mass points (VFIFE): partition over ranks, packed layout, congruence classes, kernels
+   * of the best instruction set. Built once for a model.
+   */
+  class VfifeOperator
+  {
+  public:
+    VfifeOperator(const Model &model, FrameKind frame, StiffnessKind stiffness, const Communicator &communicator);
+
+    VfifeOperator(const VfifeOperator &) = delete;
+    VfifeOperator &operator=(const VfifeOperator &) = delete;
+
+    const Partition &partition() const;
+    FrameKind        frame() const;
+    StiffnessKind    stiffness() const;
+
+    /** Length of nodal arrays: 4 doubles a local node and one node that unused lanes write to. */
+    std::size_t array_size() const;
+
+    /** Sets @p forces [N] (4 a node, on all copies of a node) to the internal forces at @p positions [mm]. Collective. */
+    void compute_internal_forces(const double *positions, double *forces);
+
+    /** Strain energy of all elements of the model [mJ]. Collective. */
+    double compute_strain_energy(const double *positions);
+
+    /** The worst element over all ranks. */
+    const LimitingElement &limiting_element() const;
+
+    /** Lumped masses of the local nodes [t]. */
+    const std::vector<double> &masses() const;
+
+    /**
+     * Nodal masses for a relaxation with pseudo time step 1: every element's share is scaled such that its largest frequency is 2 @p fraction.
+     * Summed over ranks. Collective.
+     */
+    std::vector<double> compute_relaxation_masses(double fraction);
+
+    /** Elements of the model on this rank that a local node belongs to (searched: for a few nodes at observations). */
+    const std::vector<std::uint32_t> &elements_at(std::uint32_t local_node) const;
+
+    std::size_t n_local_elements() const;
+    std::size_t n_congruence_classes() const;
+    const char *instruction_set() const;
+
+    /** Sums nodal records over ranks, see HaloExchange. */
+    void add_over_ranks(double *values);
+
+  private:
+    struct Group
+    {
+      std::vector<std::uint32_t> nodes;
+      std::vector<double>        constants;
+      std::vector<std::uint32_t> constants_row;
+      std::vector<std::uint32_t> element; ///< of the model, or absent
+      ElementPacks               packs;
+    };
+
+    void add_group(const Model &model, unsigned int body, bool shared);
+    void compute_class_data(const Model &model);
+    void find_limiting_element(const Model &model);
+
+    const Communicator        &communicator_;
+    FrameKind                  frame_;
+    StiffnessKind              stiffness_;
+    std::vector<std::uint32_t> rank_of_element_;
+    std::vector<BodyPacks>     body_packs_;
+    Partition                  partition_;
+    HaloExchange               halo_;
+    const ElementKernels      &kernels_;
+    std::vector<Group>         groups_;
+    std::vector<double>        masses_;
+    LimitingElement            limiting_element_;
+    std::vector<double>        energy_forces_, element_energies_;
+
+    /** Per body and class: constants of the kernel, lumped masses of the element's nodes, largest frequency. */
+    struct ClassData
+    {
+      std::vector<double>                constants;
+      std::vector<std::array<double, 8>> masses;
+      std::vector<double>                frequency;
+    };
+    std::vector<ClassData>                                 class_data_;
+    std::vector<std::uint32_t>                             first_element_; ///< per body
+    mutable std::map<std::uint32_t, std::vector<std::uint32_t>> elements_at_; ///< found so far
+    std::vector<std::vector<std::array<std::uint32_t, 8>>> local_elements_; ///< local nodes of each row of BodyPacks::elements
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,44 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_element_material_h
+#define vfife_element_material_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /**
+   * Isotropic linear elastic material. The defaults are the reference steel.
+   */
+  struct Material
+  {
+    std::string name           = "steel";
+    double      density        = 7.85e-9; ///< [t/mm^3]
+    double      youngs_modulus = 206000.; ///< [MPa]
+    double      poissons_ratio = 0.29;    ///< [-]
+
+    /** Declares "density", "Young's modulus" and "Poisson's ratio" in the subsection entered. */
+    void declare(dealii::ParameterHandler &prm);
+
+    /** Throws InputError when a value is not possible (entries named relative to @p section). */
+    void check(const std::string &section) const;
+
+    /** First Lame constant, E nu / ((1 + nu)(1 - 2 nu)) [MPa]. */
+    double lambda() const
+    {
+      return youngs_modulus * poissons_ratio / ((1. + poissons_ratio) * (1. - 2. * poissons_ratio));
+    }
+
+    /** Second Lame constant, the shear modulus [MPa]. */
+    double mu() const
+    {
+      return youngs_modulus / (2. * (1. + poissons_ratio));
+    }
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,39 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_element_stress_h
+#define vfife_element_stress_h
+
+#include <vfife/element/frame.h>
+#include <vfife/element/stiffness.h>
+
+namespace vfife
+{
+  /** Components xx yy zz xy yz zx [MPa]. */
+  using Stress = Eigen::Matrix<double, 6, 1>;
+
+  /** u = R^T (x - x_0) - (X - X_0) [mm], R of compute_frame(): what deforms the element. */
+  Vector24
+  compute_local_displacements(const HexahedronNodes &X, const HexahedronNodes &x, FrameKind frame);
+
+  /**
+   * Stresses at the 8 nodes [MPa], one column a node, in the axes of the reference configuration @p
+   * X (turned with the element). Evaluated at the 2x2x2 points with the bubbles of @p kind
+   * recovered, then extrapolated trilinearly; exact at the nodes of rectangular elements in pure
+   * bending.
+   */
+  Eigen::Matrix<double, 6, 8> compute_nodal_stresses(const HexahedronNodes &X,
+                                                     const HexahedronNodes &x,
+                                                     const Material        &material,
+                                                     StiffnessKind          kind,
+                                                     FrameKind              frame);
+
+  /** Mean stress over the volume [MPa], same axes: that of the mean gradients, for every kind. */
+  Stress compute_mean_stress(const HexahedronNodes &X,
+                             const HexahedronNodes &x,
+                             const Material        &material,
+                             FrameKind              frame);
+
+  /** Von Mises' equivalent stress [MPa]. */
+  double von_mises(const Stress &stress);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,109 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_gear_flank_h
+#define vfife_gear_flank_h
+
+#include <vfife/base/types.h>
+#include <vfife/gear/machine_settings.h>
+
+namespace vfife
+{
+  enum class FlankSide
+  {
+    concave,
+    convex
+  };
+
+  /** A point of a generated surface: position [mm], unit normal into the metal, and the surface's
+   * own parameters. */
+  struct SurfacePoint
+  {
+    Vector3 position = Vector3::Zero();
+    Vector3 normal   = Vector3::Zero();
+    double  t        = 0; ///< angle about the cutter axis [rad]
+    double  phi      = 0; ///< cradle rotation [rad]
+    double  s =
+      0; ///< distance from the blade tip along the blade (flank) [mm] or lambda (fillet) [rad]
+  };
+
+  /** Whether the point lies on a lower flank of a tooth: the metal is at larger polar angles about
+   * the axis. */
+  inline bool is_on_lower_flank(const SurfacePoint &point)
+  {
+    return point.position[0] * point.normal[1] - point.position[1] * point.normal[0] > 0.;
+  }
+
+  /** A point of a flank with the derivatives of position [mm/rad] and normal [1/rad] by t and phi.
+   */
+  struct SurfaceDerivatives
+  {
+    SurfacePoint point;
+    Vector3      position_t, position_phi;
+    Vector3      normal_t, normal_phi;
+  };
+
+  /**
+   * Tooth flank and fillet cut by one side of a face-milling cutter (method: Litvin & Fuentes, Gear
+   * Geometry and Applied Theory; derivation in doc/gear.md). Body frame: z from the apex to the
+   * back, apex at the origin.
+   */
+  class Flank
+  {
+  public:
+    /** Throws InputError when the settings have no ratio of roll or no point radius. */
+    Flank(const MachineSettings &settings, double pitch_angle);
+
+    const MachineSettings &settings() const;
+    FlankSide              side() const;
+
+    /** The flank as explicit surface of (t, phi). */
+    SurfacePoint evaluate(double t, double phi) const;
+    /** The same with its first derivatives. */
+    SurfaceDerivatives derivatives(double t, double phi) const;
+
+    /** The flank at cone coordinates (L, h); throws InputError when there is none. */
+    SurfacePoint point_at(double L, double h) const;
+    /**
+     * The fillet at cone distance L, blade edge angle lambda in [0, 90 deg - blade angle]; throws
+     * InputError when there is none.
+     */
+    SurfacePoint fillet_at(double L, double lambda) const;
+
+    /** Principal curvatures k1 <= k2 [1/mm], + bends to the metal. */
+    Vector2 principal_curvatures(const SurfacePoint &point) const;
+    /** Symmetric tensor K in the body frame, K normal = 0, whose curvature along a tangent d is d.K
+     * d [1/mm]. */
+    Matrix3 curvature_tensor(const SurfacePoint &point) const;
+    /** Spiral angle at a point: of the flank's trace on the cone through it, to the cone's
+     * generatrix [rad]. */
+    double spiral_angle(const SurfacePoint &point) const;
+    /** Cone coordinates (L, h) of a position in the body frame. */
+    Vector2 cone_coordinates(const Vector3 &position) const;
+
+    /** Ratio of roll at which the blade's point (t, s) generates while the cradle is at rest, phi =
+     * 0. */
+    static double ratio_of_roll_at(const MachineSettings &settings, double t, double s);
+
+    /** Where the straight part of the blade starts: distance from the (sharp) tip along the blade
+     * [mm]. */
+    double straight_start() const;
+
+  private:
+    /** Point of the cutter relative to the apex, and unit normal, both in the blank frame at psi =
+     * 0. */
+    struct BlankFramePoint;
+    BlankFramePoint fillet_equations(double t, double phi, double lambda) const;
+
+    /** Newton's start: the cutter passes the pitch generatrix at distance L with the cradle at
+     * rest. */
+    Vector2 start(double L) const;
+    Vector3 into_blank_frame(const Vector3 &v) const;
+
+    MachineSettings settings_;
+    double          cos_pitch_, sin_pitch_;
+    double          sin_blade_, cos_blade_;
+    double          sin_root_, cos_root_;
+    Vector3         apex_; ///< O in the machine frame
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,140 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_gear_gear_pair_h
+#define vfife_gear_gear_pair_h
+
+#include <vfife/gear/flank_contact.h>
+#include <vfife/gear/gear_member.h>
+
+#include <array>
+#include <string>
+
+namespace vfife
+{
+  /** What the user gives of one member: content of "Gear pair/Pinion" and "Gear pair/Gear". */
+  struct GearMemberOptions
+  {
+    double          cutter_diameter = 0; ///< twice the mean of the point radii; 0: not given [mm]
+    Blank           blank;
+    MachineSettings concave{Blade::outside};
+    MachineSettings convex{Blade::inside};
+
+    void declare(dealii::ParameterHandler &prm);
+    void check(const std::string &section) const;
+  };
+
+  /** What the user gives of a pair: content of "Gear pair" without the bodies and meshes. */
+  struct GearPairOptions
+  {
+    GearMemberOptions pinion, gear;
+    double            backlash = 0.12; ///< normal to the flanks at the mean point [mm]
+
+    /** Mounting errors: they move the members after the pair has been designed without them. */
+    double pinion_axial_shift = 0; ///< > 0 away from the apex [mm]
+    double gear_axial_shift   = 0; ///< > 0 away from the apex [mm]
+    double offset             = 0; ///< of the pinion axis along +y of the fixed frame [mm]
+    double shaft_angle_error  = 0; ///< > 0 opens the shaft angle [rad]
+
+    /** Declares Pinion and Gear {Blank, Concave flank, Convex flank} and Mounting in the present
+     * section. */
+    void declare(dealii::ParameterHandler &prm);
+
+    /** With what follows from the rest: pitch angles, one point radius of a spread-blade gear, its
+     * ratio of roll. */
+    GearPairOptions completed() const;
+
+    /** Throws InputError for missing, impossible or contradictory entries, after completing. */
+    void check(const std::string &section = "Gear pair") const;
+  };
+
+  /** Drive: the pinion turns about + its axis (apex to back) and pushes the gear. */
+  enum class MeshSide
+  {
+    drive,
+    coast
+  };
+
+  /**
+   * Where the unloaded flanks touch with the exact speed ratio, members mounted without errors.
+   * Points are those of the *generated* flanks, in the body frames (the pinion's lower flank before
+   * it is turned by thickness_turn()).
+   */
+  struct MeanContact
+  {
+    double       rot1 = 0, rot2 = 0; ///< rotations at which the generated flanks touch [rad]
+    SurfacePoint pinion, gear;
+    Vector2      pinion_L_h, gear_L_h; ///< cone coordinates (L, h) [mm]
+    Vector3      position, normal;     ///< fixed frame; normal out of the gear, into the pinion
+    double       arm           = 0;    ///< |(P x n)_z| about the gear axis [mm]
+    double       ratio_of_roll = 0;    ///< of the pinion flank
+  };
+
+  /**
+   * A mounted spiral bevel pair with shaft angle 90 deg. Fixed frame: common apex at the origin,
+   * pinion axis (apex to back) +x, gear axis +z; positive rotations of the placements turn about +
+   * the own axis, so the pair runs with rot2' = -rot1' z1/z2. Derivations in doc/gear.md.
+   */
+  class GearPair
+  {
+  public:
+    /** Completes and checks the options, derives what is missing; InputError when the flanks cannot
+     * mesh. */
+    explicit GearPair(const GearPairOptions &options);
+
+    /** The options with everything derived filled in. */
+    const GearPairOptions &options() const;
+
+    /** Tooth 0 of both members are the teeth of the drive side's mean contact. */
+    const GearMember &pinion() const;
+    const GearMember &gear() const;
+    FlankSide         pinion_side(MeshSide side) const;
+    FlankSide         gear_side(MeshSide side) const;
+
+    /** Gear speed over pinion speed, z1/z2. */
+    double speed_ratio() const;
+
+    const MeanContact &mean_contact(MeshSide side) const;
+
+    /** Rotations at the drive side's mean contact: without mounting errors both members touch there
+     * [rad]. */
+    double rot1_reference() const;
+    double rot2_reference() const;
+
+    /** DELTA: turn of the pinion's lower flank against the upper one, which sets the backlash
+     * [rad]. */
+    double thickness_turn() const;
+
+    /** Gear rotation from drive to coast contact with the pinion held, at the mean point [rad]. */
+    double backlash_angle() const;
+
+    /** Body frame to fixed frame; rotation is rot1 or rot2 [rad]. */
+    RigidMotion pinion_placement(double rotation) const;
+    RigidMotion gear_placement(double rotation) const;
+
+    /** The equations of contact between the generated flanks of a side. */
+    FlankContact flank_contact(MeshSide side) const;
+
+  private:
+    /** What is derived before the members can be put together. */
+    struct Design
+    {
+      GearPairOptions            options;
+      FlankSide                  pinion_upper = FlankSide::concave, gear_upper = FlankSide::convex;
+      std::array<MeanContact, 2> mean_contact;
+      double                     thickness_turn = 0, backlash_angle = 0;
+
+      MachineSettings &pinion_settings(FlankSide side);
+      Flank            gear_flank(FlankSide side) const;
+    };
+
+    static Design derive(const GearPairOptions &options);
+    /** Finds the mean contact of a side and fills in the pinion's ratio of roll if it is not given.
+     */
+    static MeanContact find_mean_contact(Design &design, MeshSide side);
+
+    Design      design_;
+    RigidMotion pinion_frame_, gear_frame_; ///< with the mounting errors
+    GearMember  pinion_, gear_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,49 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_mesh_body_mesh_h
+#define vfife_mesh_body_mesh_h
+
+#include <vfife/base/facet_surface.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * The hexahedral mesh of one body in its body frame [mm]: a deal.II triangulation (node = vertex
+   * index, all vertices used, element = active cell index, local node order deal.II's lexicographic
+   * one) with named node sets and named surfaces. For a gear: axis z, apex at the origin; cells are
+   * ordered sector by sector (tooth by tooth).
+   */
+  struct BodyMesh
+  {
+    std::string               name;
+    dealii::Triangulation<3>  triangulation;
+    unsigned int              n_sectors = 1; ///< rotated copies about z that the body consists of
+    std::vector<unsigned int> sector;        ///< tooth number of each cell (0 where n_sectors is 1)
+
+    /** Sorted node lists, e.g. "bore", "web front" (towards the apex), "web back", "node A front".
+     */
+    std::map<std::string, std::vector<unsigned int>> node_sets;
+    /** e.g. "concave", "convex" (flanks with true normals and offsets, one group a tooth). */
+    std::map<std::string, FacetSurface> surfaces;
+  };
+
+  /** Eight nodes of a hexahedron in deal.II's lexicographic order. */
+  using CellNodes = std::array<unsigned int, 8>;
+
+  /**
+   * Creates the triangulation of @p mesh from nodes [mm] and right-handed hexahedra, keeping the
+   * numbers of both: node i is vertex i, hexahedron e the active cell e. Throws NumericalError
+   * where deal.II had to renumber, InputError for a node that no hexahedron uses.
+   */
+  void create_triangulation(BodyMesh                     &mesh,
+                            const std::vector<Vector3>   &nodes,
+                            const std::vector<CellNodes> &hexahedra);
+} // namespace vfife
+
+#endif

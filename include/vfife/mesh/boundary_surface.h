@@ -1,0 +1,33 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_mesh_boundary_surface_h
+#define vfife_mesh_boundary_surface_h
+
+#include <vfife/base/facet_surface.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  /** A face of the boundary: area centre [mm] and unit outward normal. */
+  using BoundaryFaceSelection = std::function<bool(const Vector3 &centre, const Vector3 &normal)>;
+
+  /**
+   * Plain facets (no offsets) on the boundary faces that @p select takes, corners counter-clockwise
+   * seen from outside, area-weighted mean normals at the nodes, neighbours found. Surface nodes are
+   * numbered as first met. Throws InputError when no face is taken.
+   */
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
+                                   const std::string              &name,
+                                   const BoundaryFaceSelection    &select);
+
+  /** The same for the boundary faces whose four nodes are all in the sorted list @p nodes. */
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3>  &triangulation,
+                                   const std::string               &name,
+                                   const std::vector<unsigned int> &nodes);
+} // namespace vfife
+
+#endif

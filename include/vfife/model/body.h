@@ -1,0 +1,80 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_body_h
+#define vfife_model_body_h
+
+#include <vfife/base/types.h>
+#include <vfife/element/hexahedron.h>
+#include <vfife/element/material.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  struct BodyMesh;
+
+  /** The line about which a body turns, in the fixed frame. */
+  struct Axis
+  {
+    Vector3 point     = Vector3::Zero();
+    Vector3 direction = Vector3::UnitZ();
+  };
+
+  /**
+   * A deformable body: mesh, material, lumped masses, and where it is and how it turns at time zero. Nodes and elements are
+   * numbered as the mesh's vertices and active cells; first_node shifts them into the model's numbering.
+   */
+  class Body
+  {
+  public:
+    /** Computes masses; throws InputError naming the first inverted element. */
+    Body(std::string name, std::unique_ptr<BodyMesh> mesh, const Material &material);
+    Body(Body &&) noexcept;
+    ~Body();
+
+    const std::string &name() const;
+    const BodyMesh    &mesh() const;
+    const Material    &material() const;
+
+    unsigned int n_nodes() const;
+    unsigned int n_elements() const;
+
+    /** Undeformed node positions in the body frame [mm]. */
+    const std::vector<Vector3> &node_positions() const;
+    /** Row-sum lumped masses [t]. */
+    const std::vector<double> &node_masses() const;
+    /** Nodes of each element, lexicographic (x fastest). */
+    const std::vector<std::array<std::uint32_t, 8>> &elements() const;
+    HexahedronNodes                                  element_nodes(unsigned int element) const;
+
+    /** Sorted (or ordered by sector) nodes of a named set; throws InputError with the nearest known name. */
+    const std::vector<unsigned int> &node_set(const std::string &set) const;
+    bool                             has_node_set(const std::string &set) const;
+
+    double mass() const;
+    /** Moment of inertia of the lumped masses about the body's axis of rotation [t mm^2]. */
+    double axial_inertia() const;
+
+    RigidMotion  placement;                ///< body frame -> fixed frame at time zero
+    Axis         axis;                     ///< axis of rotation, fixed frame
+    bool         turns_on_axis = false;    ///< held by bearings: rigid motion is a rotation about the axis
+    double       rate          = 0;        ///< angular velocity about the axis at time zero [rad/s]
+    Vector3      velocity      = Vector3::Zero(); ///< translation velocity at time zero (bodies without bearings) [mm/s]
+    unsigned int first_node    = 0;
+    unsigned int first_element = 0;
+
+  private:
+    std::string                               name_;
+    std::unique_ptr<BodyMesh>                 mesh_;
+    Material                                  material_;
+    std::vector<Vector3>                      node_positions_;
+    std::vector<double>                       node_masses_;
+    std::vector<std::array<std::uint32_t, 8>> elements_;
+    double                                    mass_ = 0;
+  };
+} // namespace vfife
+
+#endif

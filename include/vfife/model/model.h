@@ -1,0 +1,86 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_model_h
+#define vfife_model_model_h
+
+#include <vfife/contact/contact_options.h>
+#include <vfife/model/body.h>
+#include <vfife/model/transmission.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  enum class ConstraintKind
+  {
+    held,                ///< nodes do not move
+    prescribed_rotation, ///< nodes follow the body's rate about its axis exactly
+    free_rotation,       ///< radial and axial displacement held, each node free tangentially
+    rigid_hub            ///< as before, but all nodes share one rotation
+  };
+
+  struct Constraint
+  {
+    std::string               name;
+    ConstraintKind            kind = ConstraintKind::held;
+    unsigned int              body = 0;
+    std::vector<unsigned int> nodes; ///< of the body
+  };
+
+  /**
+   * A torque about the body's axis, applied as tangential nodal forces of constant traction. History: linear ramp from zero over
+   * ramp_time, then constant (ramp_time 0: full from the start).
+   */
+  struct Torque
+  {
+    std::string               name;
+    unsigned int              body = 0;
+    std::vector<unsigned int> nodes;         ///< of the body
+    std::vector<double>       areas;         ///< area that belongs to each node [mm^2]
+    double                    value     = 0; ///< [N mm], + about the axis direction
+    double                    ramp_time = 0; ///< [s]
+  };
+
+  /** Two surfaces that may touch. */
+  struct ContactPair
+  {
+    std::string    side; ///< "drive", "coast", or a user's name
+    unsigned int   slave_body  = 0;
+    std::string    slave_surface;
+    unsigned int   master_body = 0;
+    std::string    master_surface;
+    ContactOptions options;
+  };
+
+  /** A node whose displacement and stress are recorded. */
+  struct Probe
+  {
+    std::string  name;
+    unsigned int body = 0;
+    unsigned int node = 0; ///< of the body
+  };
+
+  /** Everything that is computed with, but for the state: read-only while a solver runs. */
+  struct Model
+  {
+    std::vector<Body>           bodies;
+    std::vector<Constraint>     constraints;
+    std::vector<Torque>         torques;
+    std::vector<ContactPair>    contacts;
+    std::vector<Probe>          probes;
+    std::optional<Transmission> transmission; ///< where two of the bodies are a gear pair
+
+    /** Appends a body and numbers its nodes and elements; returns its index. */
+    unsigned int add_body(Body &&body);
+    unsigned int n_nodes() const;
+    unsigned int n_elements() const;
+  };
+
+  /**
+   * Area of the mesh's boundary faces that belongs to each of @p nodes (a quarter of every face whose four nodes are all in the set) [mm^2].
+   */
+  std::vector<double> compute_nodal_areas(const Body &body, const std::vector<unsigned int> &nodes);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,31 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_observer_h
+#define vfife_model_observer_h
+
+#include <memory>
+#include <vector>
+
+namespace vfife
+{
+  struct Model;
+  struct State;
+
+  /** Looks at a run and changes nothing. All functions are called on all ranks. */
+  class Observer
+  {
+  public:
+    virtual ~Observer() = default;
+
+    /** Whether observe() is wanted at this state; the solver measures first (State::measured). Equal on all ranks. */
+    virtual bool due(const State &state) const = 0;
+
+    virtual void observe(const Model &model, const State &state) = 0;
+
+    /** After the last step, and after a failure with the last state that was reached. */
+    virtual void finish(const Model &model, const State &state);
+  };
+
+  using Observers = std::vector<std::unique_ptr<Observer>>;
+} // namespace vfife
+
+#endif

@@ -1,0 +1,46 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_output_options_h
+#define vfife_output_output_options_h
+
+#include <vfife/base/log.h>
+
+#include <cstdint>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  struct Transmission;
+
+  /** Section Output: how often which file is written. */
+  struct OutputOptions
+  {
+    /** Samples a tooth mesh; for models without a gear pair: steps between samples. */
+    unsigned int history_every = 50;
+    /** Tooth meshes (for models without a gear pair: samples) between field files, 0: none. */
+    unsigned int fields_every = 0;
+    /** Wall time between checkpoints [s], 0: none. */
+    double    checkpoint_every = 0;
+    Verbosity verbosity        = Verbosity::normal;
+
+    void declare(dealii::ParameterHandler &prm);
+    /** Throws InputError when the entries contradict each other. */
+    void check(const std::string &section) const;
+
+    /**
+     * Steps between samples of the histories for a step of @p dt [s]: as many as fit into a tooth
+     * mesh divided by history_every, at least 1; history_every itself without @p transmission
+     * (nullptr).
+     */
+    std::uint64_t compute_history_steps(const Transmission *transmission, double dt) const;
+
+    /** Steps between field files, a multiple of the history's; 0: no fields. */
+    std::uint64_t compute_field_steps(const Transmission *transmission, double dt) const;
+  };
+} // namespace vfife
+
+#endif

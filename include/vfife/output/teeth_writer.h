@@ -1,0 +1,37 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_teeth_writer_h
+#define vfife_output_teeth_writer_h
+
+#include <vfife/base/table.h>
+#include <vfife/model/observer.h>
+#include <vfife/output/csv_stream.h>
+
+#include <cstdint>
+
+namespace vfife
+{
+  /**
+   * teeth.csv, long format: one line a sample and tooth pair in contact: time [s], side, pinion
+   * tooth, gear tooth, force [N] (magnitude of the resultant), torque [N m] on the gear, largest
+   * pressure [MPa], area [mm^2]. Models without a gear pair have slave group and master group
+   * instead of the teeth.
+   */
+  class TeethWriter : public Observer
+  {
+  public:
+    TeethWriter(const OutputFolder &folder, const Model &model, std::uint64_t steps_between);
+
+    bool due(const State &state) const override;
+    void observe(const Model &model, const State &state) override;
+    void finish(const Model &model, const State &state) override;
+
+    const Table &table() const;
+
+  private:
+    std::uint64_t steps_between_;
+    Table         table_;
+    CsvStream     file_;
+  };
+} // namespace vfife
+
+#endif

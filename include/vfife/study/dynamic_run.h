@@ -1,0 +1,41 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_dynamic_run_h
+#define vfife_study_dynamic_run_h
+
+#include <vfife/base/timers.h>
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/output/output_options.h>
+#include <vfife/output/summary.h>
+#include <vfife/study/deflection_parts.h>
+#include <vfife/study/gear_case.h>
+#include <vfife/study/study_kind.h>
+
+namespace vfife
+{
+  class ExplicitSolver;
+  class OutputFolder;
+
+  /** Study kind `run`: explicit dynamics of a gear pair from the start to the last tooth mesh, with all results. */
+  class DynamicRun : public StudyKind
+  {
+  public:
+    void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
+    void check() const override;
+    void inspect(Communicator &communicator, Log &log) override;
+    void run(OutputFolder &folder, Log &log) override;
+
+  private:
+    void            log_step(const Model &model, ExplicitSolver &solver, double dt, Log &log) const;
+    DeflectionParts preload(const Model &model, ExplicitSolver &solver, State &state, const Communicator &communicator, Log &log) const;
+    RunSummary      start_summary(const Model &model, ExplicitSolver &solver, double dt, const Communicator &communicator) const;
+    void            finish_summary(const Model &model, ExplicitSolver &solver, const State &state, const Table &history, RunSummary &summary, Log &log) const;
+
+    double          swing_period_meshes() const;
+
+    GearCase        gear_case_;
+    DynamicsOptions dynamics_;
+    OutputOptions   output_;
+  };
+} // namespace vfife
+
+#endif

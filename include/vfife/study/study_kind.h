@@ -1,0 +1,37 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_study_kind_h
+#define vfife_study_study_kind_h
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  class Communicator;
+  class Log;
+  class OutputFolder;
+  class ParameterFile;
+
+  /** One kind of thing that a user can ask for. Called in the order of the functions, on all ranks. */
+  class StudyKind
+  {
+  public:
+    virtual ~StudyKind() = default;
+
+    /** Declares all sections that the kind reads. Names that decide what is declared are read from @p file. */
+    virtual void declare(dealii::ParameterHandler &prm, const ParameterFile &file) = 0;
+
+    /** Throws InputError when entries contradict each other. */
+    virtual void check() const = 0;
+
+    /** --check: builds the model and says what a run would be, without running. */
+    virtual void inspect(Communicator &communicator, Log &log) = 0;
+
+    /** Does it and writes the results. */
+    virtual void run(OutputFolder &folder, Log &log) = 0;
+  };
+} // namespace vfife
+
+#endif

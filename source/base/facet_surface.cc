@@ -1,0 +1,58 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/facet_surface.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace vfife
+{
+  namespace
+  {
+    /** One side of a facet, with the nodes of its ends in order of their numbers. */
+    struct FacetSide
+    {
+      unsigned int low, high, facet, side;
+      bool         upwards; ///< the facet runs along it from the lower to the higher node
+
+      bool operator<(const FacetSide &other) const
+      {
+        return std::tie(low, high, facet) < std::tie(other.low, other.high, other.facet);
+      }
+    };
+  } // namespace
+
+  void find_neighbours(FacetSurface &surface)
+  {
+    // corners in the order (0,0), (1,0), (1,1), (0,1): side k runs from corner k to corner k+1
+    std::vector<FacetSide> sides;
+    sides.reserve(4 * surface.facets.size());
+    for (unsigned int f = 0; f < surface.facets.size(); ++f)
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const unsigned int a = surface.facets[f][k], b = surface.facets[f][(k + 1) % 4];
+          sides.push_back({std::min(a, b), std::max(a, b), f, k, a < b});
+        }
+    std::sort(sides.begin(), sides.end());
+
+    const unsigned int none = FacetSurface::no_facet;
+    surface.neighbours.assign(surface.facets.size(), {{none, none, none, none}});
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+      {
+        const FacetSide &one = sides[i], &two = sides[i + 1];
+        if (one.low != two.low || one.high != two.high)
+          continue;
+        const std::string facets = "facets " + std::to_string(one.facet) + " and " +
+                                   std::to_string(two.facet) + " of surface \"" + surface.name +
+                                   "\"";
+        if (i + 2 < sides.size() && sides[i + 2].low == one.low && sides[i + 2].high == one.high)
+          throw InputError(facets + " share an edge with a third one: a surface must not branch");
+        if (one.upwards == two.upwards)
+          throw InputError(
+            facets +
+            " are not oriented alike: corners must run counter-clockwise seen from outside");
+        surface.neighbours[one.facet][one.side] = two.facet;
+        surface.neighbours[two.facet][two.side] = one.facet;
+      }
+  }
+} // namespace vfife

@@ -1,0 +1,214 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/contact/contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vfife
+{
+  namespace
+  {
+    std::vector<ContactPass> make_passes(const FacetSurface   &slave,
+                                         const FacetSurface   &master,
+                                         const ContactOptions &options)
+    {
+      options.check("");
+      std::vector<ContactPass> passes;
+      if (options.discretization == ContactDiscretization::two_pass)
+        {
+          passes.emplace_back(slave, master, options, 0.5);
+          passes.emplace_back(master, slave, options, 0.5);
+        }
+      else
+        passes.emplace_back(slave, master, options, 1.);
+      return passes;
+    }
+
+    using GroupPair = std::pair<unsigned int, unsigned int>;
+
+    GroupPair swapped(const GroupPair &pair)
+    {
+      return {pair.second, pair.first};
+    }
+
+    void add_swapped(const GroupPairResult &from, GroupPairResult &to)
+    {
+      to.force -= from.force;
+      to.moment -= from.moment;
+      to.largest_pressure    = std::max(to.largest_pressure, from.largest_pressure);
+      to.largest_penetration = std::max(to.largest_penetration, from.largest_penetration);
+      to.area += from.area;
+      to.normal_force += from.normal_force;
+      to.energy += from.energy;
+      to.damping_power += from.damping_power;
+      to.friction_power += from.friction_power;
+    }
+  } // namespace
+
+
+  Contact::Contact(const FacetSurface   &slave,
+                   const FacetSurface   &master,
+                   const ContactOptions &options)
+    : options_(options)
+    , passes_(make_passes(slave, master, options))
+    , broad_search_(passes_.front().slave(), passes_.front().master())
+    , penalty_(options.penalty_from_step ? 0. : options.penalty)
+  {
+  }
+
+
+  void
+  Contact::find_candidates(const RigidMotion &slave, const RigidMotion &master, const double margin)
+  {
+    candidate_pairs_ = broad_search_.find_pairs(slave, master, margin);
+    passes_[0].set_pairs(candidate_pairs_);
+    if (passes_.size() == 2)
+      {
+        std::vector<GroupPair> pairs;
+        for (const GroupPair &pair : candidate_pairs_)
+          pairs.push_back(swapped(pair));
+        passes_[1].set_pairs(pairs);
+      }
+    results_.clear();
+
+    active_slave_nodes_.clear();
+    active_master_nodes_.clear();
+    for (const GroupPair &pair : candidate_pairs_)
+      {
+        const auto &s = passes_[0].slave().group_nodes(pair.first);
+        const auto &m = passes_[0].master().group_nodes(pair.second);
+        active_slave_nodes_.insert(active_slave_nodes_.end(), s.begin(), s.end());
+        active_master_nodes_.insert(active_master_nodes_.end(), m.begin(), m.end());
+      }
+    for (auto *nodes : {&active_slave_nodes_, &active_master_nodes_})
+      {
+        std::sort(nodes->begin(), nodes->end());
+        nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
+      }
+  }
+
+
+  void Contact::set_penalty(const double penalty, const double mass_per_area)
+  {
+    if (!(penalty > 0. && std::isfinite(penalty)) || !(mass_per_area >= 0.))
+      throw InputError("Contact/penalty",
+                       "the contact's penalty and mass per area must be positive numbers");
+    penalty_       = penalty;
+    mass_per_area_ = mass_per_area;
+  }
+
+
+  ContactLaw Contact::law(const double dt) const
+  {
+    const double mass =
+      mass_per_area_ > 0. ? mass_per_area_ : penalty_ * dt * dt / options_.penalty_fraction;
+    ContactLaw law;
+    law.penalty             = penalty_;
+    law.damping             = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
+    law.friction            = options_.friction_coefficient;
+    law.regularization      = options_.regularization_velocity;
+    law.mass_per_area_by_dt = dt > 0. ? mass / dt : 0.;
+    return law;
+  }
+
+
+  void Contact::add_forces(const SurfaceMotion &slave,
+                           const SurfaceMotion &master,
+                           const double         dt,
+                           const unsigned int   part,
+                           const unsigned int   n_parts,
+                           double              *slave_forces,
+                           double              *master_forces)
+  {
+    if (!(penalty_ > 0.))
+      throw NumericalError("contact: no penalty has been set (Contact::set_penalty)");
+    const ContactLaw law = this->law(dt);
+    passes_[0].add_forces(slave, master, law, part, n_parts, slave_forces, master_forces);
+    results_ = passes_[0].results();
+    if (passes_.size() == 2)
+      {
+        passes_[1].add_forces(master, slave, law, part, n_parts, master_forces, slave_forces);
+        for (std::size_t i = 0; i < results_.size(); ++i)
+          add_swapped(passes_[1].results()[i], results_[i]);
+      }
+  }
+
+
+  ContactPoint Contact::smallest_gap(const SurfaceMotion &slave,
+                                     const SurfaceMotion &master,
+                                     const double         reach,
+                                     const unsigned int   part,
+                                     const unsigned int   n_parts)
+  {
+    ContactPoint smallest = passes_[0].smallest_gap(slave, master, reach, part, n_parts);
+    if (passes_.size() == 2)
+      {
+        ContactPoint other = passes_[1].smallest_gap(master, slave, reach, part, n_parts);
+        other.swapped      = true;
+        if (other.gap < smallest.gap)
+          smallest = other;
+      }
+    return smallest;
+  }
+
+
+  double Contact::mass_per_area(const std::vector<double> &slave_masses,
+                                const std::vector<double> &master_masses) const
+  {
+    double     least = std::numeric_limits<double>::infinity();
+    const auto add = [&least](const std::vector<double> &masses, const std::vector<double> &areas) {
+      if (masses.size() != areas.size())
+        throw InputError("contact: there must be one mass for every surface node");
+      for (std::size_t i = 0; i < areas.size(); ++i)
+        if (areas[i] > 0.)
+          least = std::min(least, masses[i] / areas[i]);
+    };
+    add(slave_masses, slave_node_areas());
+    add(master_masses, master_node_areas());
+    return least;
+  }
+
+
+  std::vector<ContactPoint> Contact::points() const
+  {
+    std::vector<ContactPoint> points;
+    for (std::size_t i = 0; i < passes_.size(); ++i)
+      passes_[i].append_points(points, i == 1);
+    return points;
+  }
+
+
+  double Contact::search_skin() const
+  {
+    double skin = passes_[0].skin();
+    for (const ContactPass &pass : passes_)
+      skin = std::max(skin, pass.skin());
+    return skin;
+  }
+
+
+  double Contact::depth_limit() const
+  {
+    return passes_[0].depth_limit();
+  }
+
+
+  std::size_t Contact::n_listed_points() const
+  {
+    std::size_t n = 0;
+    for (const ContactPass &pass : passes_)
+      n += pass.n_listed_points();
+    return n;
+  }
+
+
+  std::size_t Contact::n_wide_searches() const
+  {
+    std::size_t n = 0;
+    for (const ContactPass &pass : passes_)
+      n += pass.n_wide_searches();
+    return n;
+  }
+} // namespace vfife

@@ -1,0 +1,128 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/contact/contact_options.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  const Choices<ContactDiscretization> &contact_discretizations()
+  {
+    static const Choices<ContactDiscretization> choices = {
+      {"surface points", ContactDiscretization::surface_points},
+      {"two pass", ContactDiscretization::two_pass},
+      {"nodes", ContactDiscretization::nodes}};
+    return choices;
+  }
+
+
+  const Choices<ContactSurfaceKind> &contact_surface_kinds()
+  {
+    static const Choices<ContactSurfaceKind> choices = {
+      {"true flank", ContactSurfaceKind::true_flank},
+      {"flat facets", ContactSurfaceKind::flat_facets}};
+    return choices;
+  }
+
+
+  void ContactOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm,
+                   "discretization",
+                   discretization,
+                   contact_discretizations(),
+                   "Where pressure is sampled: Gauss points of the slave's facets, the mean of "
+                   "both directions, or the corners of the slave's facets");
+    declare_choice(prm,
+                   "surface",
+                   surface,
+                   contact_surface_kinds(),
+                   "What the facets stand for: the true surface by offsets and true normals, or "
+                   "themselves");
+    declare_integer(
+      prm, "points per facet", points_per_facet, "Gauss points of a facet per direction", 1, 10);
+    declare_switch(prm,
+                   "penalty from step",
+                   penalty_from_step,
+                   "Take the penalty from the stability limit of the time step");
+    declare_number(prm,
+                   "penalty fraction",
+                   penalty_fraction,
+                   "Penalty times dt^2 over the least nodal mass per area of both surfaces",
+                   {0., 2., true});
+    declare_quantity(prm,
+                     "penalty",
+                     penalty,
+                     "N/mm^3",
+                     "Pressure per penetration, used when it is not taken from the step",
+                     Range::positive());
+    declare_number(prm,
+                   "damping ratio",
+                   damping_ratio,
+                   "Gap-rate damping over the critical damping of a surface node on the penalty",
+                   Range::between(0., 1.));
+    declare_number(prm,
+                   "friction coefficient",
+                   friction_coefficient,
+                   "Coulomb friction",
+                   Range::between(0., 2.));
+    declare_quantity(prm,
+                     "regularization velocity",
+                     regularization_velocity,
+                     "mm/s",
+                     "Sliding speed at which friction has reached 0.7 of its full value",
+                     Range::positive());
+    declare_number(prm,
+                   "edge fading",
+                   edge_fading,
+                   "Part of a border facet of the master over which the pressure fades to zero",
+                   Range::between(0., 1.));
+    declare_quantity(prm,
+                     "search skin",
+                     search_skin,
+                     "mm",
+                     "Motion after which the wide search is repeated; 0: a fifth of a facet",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "depth limit",
+                     depth_limit,
+                     "mm",
+                     "Deepest penetration that is taken for contact; 0: half a facet",
+                     Range::not_negative());
+  }
+
+
+  void ContactOptions::check(const std::string &section) const
+  {
+    const auto entry = [&section](const std::string &name) {
+      return section.empty() ? name : section + "/" + name;
+    };
+    if (points_per_facet < 1 || points_per_facet > 10)
+      throw InputError(entry("points per facet"), "1 to 10 points per direction are possible");
+    if (penalty_from_step && !(penalty_fraction > 0. && penalty_fraction <= 2.))
+      throw InputError(
+        entry("penalty fraction"),
+        "the fraction must be positive and at most 2, beyond which no step is stable");
+    if (!penalty_from_step && !(penalty > 0. && std::isfinite(penalty)))
+      throw InputError(entry("penalty"), "the penalty must be a positive number of N/mm^3");
+    if (!(damping_ratio >= 0. && damping_ratio <= 1.))
+      throw InputError(entry("damping ratio"), "the damping ratio must lie between 0 and 1");
+    if (!(friction_coefficient >= 0.))
+      throw InputError(entry("friction coefficient"), "friction must not be negative");
+    if (friction_coefficient > 0. && !(regularization_velocity > 0.))
+      throw InputError(entry("regularization velocity"),
+                       "friction needs a positive regularization velocity");
+    if (!(edge_fading >= 0. && edge_fading <= 1.))
+      throw InputError(entry("edge fading"), "the fading part must lie between 0 and 1");
+    if (!(search_skin >= 0.))
+      throw InputError(entry("search skin"), "the skin must not be negative");
+    if (!(depth_limit >= 0.))
+      throw InputError(entry("depth limit"), "the depth limit must not be negative");
+  }
+
+
+  double ContactOptions::penalty_for(const double mass_per_area, const double dt) const
+  {
+    return penalty_from_step ? penalty_fraction * mass_per_area / (dt * dt) : penalty;
+  }
+} // namespace vfife

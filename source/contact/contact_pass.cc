@@ -1,0 +1,293 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/contact/broad_search.h>
+#include <vfife/contact/contact_pass.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace vfife
+{
+  namespace
+  {
+    /** A gap changes by the motion times at most this: the normal field is not exactly that of the
+     * facets. */
+    constexpr double gap_per_motion = 1.25;
+
+    std::array<Vector3, 4> current_corners(const SurfaceGeometry &surface, const unsigned int facet)
+    {
+      const auto &k = surface.corners(facet);
+      return {{surface.node(k[0]), surface.node(k[1]), surface.node(k[2]), surface.node(k[3])}};
+    }
+  } // namespace
+
+
+  ContactPass::ContactPass(const FacetSurface   &slave,
+                           const FacetSurface   &master,
+                           const ContactOptions &options,
+                           const double          share)
+    : slave_(slave, options.surface)
+    , master_(master, options.surface)
+    , rule_(facet_quadrature(options.discretization, options.points_per_facet))
+    , edge_fading_(options.edge_fading)
+    , skin_(options.search_skin > 0. ? options.search_skin : 0.2 * master_.mean_facet_size())
+    , depth_limit_(options.depth_limit > 0.
+                     ? options.depth_limit
+                     : 0.5 * std::min(slave_.mean_facet_size(), master_.mean_facet_size()))
+    , slave_path_(slave_.n_groups())
+    , master_path_(master_.n_groups())
+  {
+    for (unsigned int f = 0; f < slave_.n_facets(); ++f)
+      for (const auto &q : rule_)
+        {
+          point_areas_.push_back(share * q.weight * slave_.area_element(f, q.xi, q.eta));
+          point_offsets_.push_back(slave_.offset(f, q.xi, q.eta));
+        }
+  }
+
+
+  void ContactPass::set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs)
+  {
+    std::vector<Pair>         kept;
+    std::vector<unsigned int> slave_groups, master_groups;
+    for (const auto &groups : pairs)
+      {
+        const auto old = std::find_if(pairs_.begin(), pairs_.end(), [&groups](const Pair &pair) {
+          return pair.slave_group == groups.first && pair.master_group == groups.second;
+        });
+        if (old != pairs_.end())
+          kept.push_back(std::move(*old));
+        else
+          {
+            kept.emplace_back();
+            kept.back().slave_group  = groups.first;
+            kept.back().master_group = groups.second;
+          }
+        slave_groups.push_back(groups.first);
+        master_groups.push_back(groups.second);
+      }
+    pairs_ = std::move(kept);
+    for (auto *groups : {&slave_groups, &master_groups})
+      {
+        std::sort(groups->begin(), groups->end());
+        groups->erase(std::unique(groups->begin(), groups->end()), groups->end());
+      }
+    slave_path_.set_active(slave_groups);
+    master_path_.set_active(master_groups);
+    results_.clear();
+  }
+
+
+  std::size_t ContactPass::n_listed_points() const
+  {
+    std::size_t n = 0;
+    for (const Pair &pair : pairs_)
+      n += pair.points.size();
+    return n;
+  }
+
+
+  Vector3 ContactPass::slave_point(const unsigned int facet, const unsigned int rule_point) const
+  {
+    const auto &k = slave_.corners(facet);
+    const auto &N = rule_[rule_point].shape;
+    return N[0] * slave_.node(k[0]) + N[1] * slave_.node(k[1]) + N[2] * slave_.node(k[2]) +
+           N[3] * slave_.node(k[3]);
+  }
+
+
+  bool ContactPass::find_closest(const std::vector<unsigned int> &facets,
+                                 const Vector3                   &x,
+                                 const Vector3                   &slave_normal,
+                                 const double                     reach,
+                                 Projection                      &best)
+  {
+    // A point that lies over a facet is preferred to the border of another that is a little nearer.
+    constexpr double border_handicap = 1.5;
+
+    double nearest = reach;
+    bool   found   = false;
+    for (const unsigned int facet : facets)
+      {
+        if (Box::around(current_corners(master_, facet), 0.).distance(x) > nearest)
+          continue;
+        const FacetState &state  = master_.state(facet);
+        const Vector3     normal = state.normal(0.5, 0.5);
+        Projection        projection;
+        projection.facet  = facet;
+        projection.lambda = (x - state.position(0.5, 0.5)).dot(normal) / normal.squaredNorm();
+        if (!project_on_facet(state, master_.border_sides(facet), x, projection))
+          continue;
+        const double xi  = std::min(1., std::max(0., projection.xi));
+        const double eta = std::min(1., std::max(0., projection.eta));
+        if (state.normal(xi, eta).dot(slave_normal) > 0.)
+          continue; // a back side
+        double distance = clamped_distance(state, x, projection);
+        if (!projection.inside)
+          distance *= border_handicap;
+        if (distance <= nearest)
+          {
+            nearest = distance;
+            best    = projection;
+            found   = true;
+          }
+      }
+    return found;
+  }
+
+
+  void ContactPass::find_points(Pair              &pair,
+                                const double       open_reach,
+                                const double       depth_reach,
+                                const unsigned int part,
+                                const unsigned int n_parts)
+  {
+    ++n_wide_searches_;
+    pair.points.clear();
+    const auto      &group = master_.group_facets(pair.master_group);
+    std::vector<Box> boxes;
+    boxes.reserve(group.size());
+    for (const unsigned int f : group)
+      boxes.push_back(Box::around(current_corners(master_, f), 0.));
+    const BoxTree tree(boxes);
+
+    // 1.5: the handicap of border points in find_closest().
+    const double reach = 1.5 * (std::max(open_reach, depth_reach) + slave_.largest_offset() +
+                                master_.largest_offset());
+    std::vector<unsigned int> near;
+    for (const unsigned int facet : slave_.group_facets(pair.slave_group))
+      {
+        if (facet % n_parts != part)
+          continue;
+        tree.find(Box::around(current_corners(slave_, facet), reach), near);
+        if (near.empty())
+          continue;
+        for (unsigned int &f : near)
+          f = group[f];
+        const Vector3 slave_normal = slave_.vector_area(facet);
+        for (unsigned int q = 0; q < rule_.size(); ++q)
+          {
+            const Vector3 x = slave_point(facet, q);
+            ListedPoint   point;
+            if (!find_closest(near, x, slave_normal, reach, point.projection))
+              continue;
+            // The neighbour decides about points at the very edge of two facets.
+            Projection walked = point.projection;
+            if (project_walking(master_, x, walked))
+              point.projection = walked;
+
+            const std::size_t i = static_cast<std::size_t>(facet) * rule_.size() + q;
+            const Projection &p = point.projection;
+            point.slave_facet   = facet;
+            point.rule_point    = q;
+            point.area          = point_areas_[i];
+            point.slave_offset  = point_offsets_[i];
+            point.awake_at      = -std::numeric_limits<double>::infinity();
+            point.pressure      = 0.;
+            point.gap           = std::numeric_limits<double>::infinity();
+            if (p.inside)
+              {
+                point.gap = p.lambda * master_.state(p.facet).normal(p.xi, p.eta).norm() -
+                            master_.offset(p.facet, p.xi, p.eta) - point.slave_offset;
+                if (point.gap >= open_reach || point.gap <= -depth_reach)
+                  continue;
+              }
+            pair.points.push_back(point);
+          }
+      }
+  }
+
+
+  void ContactPass::update_paths(const SurfaceMotion &slave, const SurfaceMotion &master)
+  {
+    slave_.bind(slave);
+    master_.bind(master);
+    slave_path_.update(slave_, master.body);
+    master_path_.update(master_, master.body);
+  }
+
+
+  void ContactPass::add_forces(const SurfaceMotion &slave,
+                               const SurfaceMotion &master,
+                               const ContactLaw    &law,
+                               const unsigned int   part,
+                               const unsigned int   n_parts,
+                               double              *slave_forces,
+                               double              *master_forces)
+  {
+    update_paths(slave, master);
+    if (part != part_ || n_parts != n_parts_)
+      for (Pair &pair : pairs_)
+        pair.listed = false;
+    part_    = part;
+    n_parts_ = n_parts;
+
+    results_.resize(pairs_.size());
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      {
+        Pair        &pair = pairs_[i];
+        const double path =
+          slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
+        if (!pair.listed || path - pair.built_at > skin_)
+          {
+            find_points(
+              pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_, part, n_parts);
+            pair.listed   = true;
+            pair.built_at = path;
+          }
+        results_[i]              = GroupPairResult();
+        results_[i].slave_group  = pair.slave_group;
+        results_[i].master_group = pair.master_group;
+        add_pair(pair, law, results_[i], slave_forces, master_forces);
+      }
+  }
+
+
+  ContactPoint ContactPass::smallest_gap(const SurfaceMotion &slave,
+                                         const SurfaceMotion &master,
+                                         const double         reach,
+                                         const unsigned int   part,
+                                         const unsigned int   n_parts)
+  {
+    slave_.bind(slave);
+    master_.bind(master);
+    ContactPoint smallest;
+    for (const Pair &pair : pairs_)
+      {
+        Pair all         = {};
+        all.slave_group  = pair.slave_group;
+        all.master_group = pair.master_group;
+        find_points(all, reach, reach, part, n_parts);
+        for (const ListedPoint &point : all.points)
+          if (point.gap < smallest.gap)
+            {
+              smallest.position     = slave_point(point.slave_facet, point.rule_point);
+              smallest.slave_facet  = point.slave_facet;
+              smallest.master_facet = point.projection.facet;
+              smallest.xi           = point.projection.xi;
+              smallest.eta          = point.projection.eta;
+              smallest.gap          = point.gap;
+            }
+      }
+    return smallest;
+  }
+
+
+  void ContactPass::append_points(std::vector<ContactPoint> &points, const bool swapped) const
+  {
+    for (const Pair &pair : pairs_)
+      for (const ListedPoint &point : pair.points)
+        if (point.pressure > 0.)
+          {
+            ContactPoint out;
+            out.swapped      = swapped;
+            out.position     = slave_point(point.slave_facet, point.rule_point);
+            out.slave_facet  = point.slave_facet;
+            out.master_facet = point.projection.facet;
+            out.xi           = point.projection.xi;
+            out.eta          = point.projection.eta;
+            out.gap          = point.gap;
+            out.pressure     = point.pressure;
+            points.push_back(out);
+          }
+  }
+} // namespace vfife

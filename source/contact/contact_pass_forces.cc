@@ -1,0 +1,218 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of ContactPass that runs every step.
+#include <vfife/contact/contact_pass.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Share of a gap that the groups may move before its point is looked at again (1/1.25). */
+    constexpr double sleep_per_gap = 0.8;
+
+    /** Cosine between the normals below which slave and master count as facing each other. */
+    constexpr double facing_cosine = -0.2;
+
+    inline void add_to(double *forces, const unsigned int node, const Vector3 &f)
+    {
+      double *target = forces + 3 * static_cast<std::size_t>(node);
+      target[0] += f[0];
+      target[1] += f[1];
+      target[2] += f[2];
+    }
+
+    /** 0 at t = 0, 1 from t = 1 on, without kink. */
+    inline double smooth_step(const double t)
+    {
+      return t <= 0. ? 0. : t >= 1. ? 1. : t * t * (3. - 2. * t);
+    }
+  } // namespace
+
+
+  double ContactPass::fading_weight(const Projection &p) const
+  {
+    const unsigned int border = master_.border_sides(p.facet);
+    if (border == 0 || edge_fading_ <= 0.)
+      return 1.;
+    const double scale  = 1. / edge_fading_;
+    double       weight = 1.;
+    if (border & 1u)
+      weight *= smooth_step(p.eta * scale);
+    if (border & 2u)
+      weight *= smooth_step((1. - p.xi) * scale);
+    if (border & 4u)
+      weight *= smooth_step((1. - p.eta) * scale);
+    if (border & 8u)
+      weight *= smooth_step(p.xi * scale);
+    return weight;
+  }
+
+
+  bool
+  ContactPass::locate(const Pair &pair, ListedPoint &point, const Vector3 &x, const double path)
+  {
+    Projection &p = point.projection;
+    if (!project_walking(master_, x, p))
+      {
+        // Lost: look through the whole group. Finding nothing means out of reach until the next
+        // wide search.
+        const double reach = 1.5 * (depth_limit_ + 3. * skin_);
+        if (!find_closest(master_.group_facets(pair.master_group),
+                          x,
+                          slave_.vector_area(point.slave_facet),
+                          reach,
+                          p))
+          {
+            // Start the next attempt from a defined state, not at once.
+            p.xi = p.eta   = 0.5;
+            p.lambda       = 0.;
+            p.inside       = false;
+            point.awake_at = path + 0.25 * skin_;
+            return false;
+          }
+      }
+    if (p.inside)
+      return true;
+
+    const FacetState &state   = master_.state(p.facet);
+    const double      xi      = std::min(1., std::max(0., p.xi));
+    const double      eta     = std::min(1., std::max(0., p.eta));
+    const double      lateral = (state.position(p.xi, p.eta) - state.position(xi, eta)).norm();
+    // The last part is for the tolerance beyond the border, within which a point is inside.
+    point.awake_at = path + std::max(0., 0.5 * lateral - 0.002 * master_.mean_facet_size());
+    return false;
+  }
+
+
+  void ContactPass::add_pair(Pair             &pair,
+                             const ContactLaw &law,
+                             GroupPairResult  &result,
+                             double           *slave_forces,
+                             double           *master_forces)
+  {
+    const double path =
+      slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
+    for (ListedPoint &point : pair.points)
+      {
+        if (path < point.awake_at)
+          continue;
+        point.pressure  = 0.;
+        const Vector3 x = slave_point(point.slave_facet, point.rule_point);
+        if (!locate(pair, point, x, path))
+          continue;
+        const Projection &p      = point.projection;
+        const Vector3     m      = master_.state(p.facet).normal(p.xi, p.eta);
+        const double      length = std::sqrt(m.squaredNorm());
+        point.gap = p.lambda * length - master_.offset(p.facet, p.xi, p.eta) - point.slave_offset;
+        if (point.gap >= 0.)
+          {
+            point.awake_at = path + sleep_per_gap * point.gap;
+            continue;
+          }
+        if (point.gap > -depth_limit_)
+          press(point, x, m / length, law, result, slave_forces, master_forces);
+      }
+  }
+
+
+  void ContactPass::press(ListedPoint      &point,
+                          const Vector3    &x,
+                          const Vector3    &normal,
+                          const ContactLaw &law,
+                          GroupPairResult  &result,
+                          double           *slave_forces,
+                          double           *master_forces)
+  {
+    const Vector3 slave_normal = slave_.vector_area(point.slave_facet);
+    if (normal.dot(slave_normal) > facing_cosine * slave_normal.norm())
+      return;
+    const Projection &p        = point.projection;
+    const double      area     = point.area * fading_weight(p);
+    result.largest_penetration = std::max(result.largest_penetration, -point.gap);
+    if (area <= 0.)
+      return;
+
+    const auto &shape          = rule_[point.rule_point].shape;
+    const auto  weights        = bilinear_weights(p.xi, p.eta);
+    const auto &slave_corners  = slave_.corners(point.slave_facet);
+    const auto &master_corners = master_.corners(p.facet);
+    Vector3     velocity       = Vector3::Zero();
+    const bool  needs_velocity = law.damping > 0. || law.friction > 0.;
+    if (needs_velocity)
+      for (unsigned int k = 0; k < 4; ++k)
+        velocity += shape[k] * slave_.velocity(slave_corners[k]) -
+                    weights[k] * master_.velocity(master_corners[k]);
+
+    const double gap_rate   = normal.dot(velocity);
+    const double pressure   = law.pressure(point.gap, gap_rate);
+    const double elastic    = -law.penalty * point.gap;
+    point.pressure          = pressure;
+    result.largest_pressure = std::max(result.largest_pressure, pressure);
+    result.energy -= 0.5 * elastic * point.gap * area;
+    result.damping_power -= (pressure - elastic) * gap_rate * area;
+    if (pressure <= 0.)
+      return;
+
+    const Vector3 normal_force = (pressure * area) * normal;
+    Vector3       force        = normal_force;
+    if (law.friction > 0.)
+      force += add_friction(point, x, normal, velocity, area, law, result, master_forces);
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        add_to(slave_forces, slave_corners[k], shape[k] * force);
+        add_to(master_forces, master_corners[k], -weights[k] * force);
+      }
+    result.force += force;
+    result.moment += x.cross(force);
+    result.area += area;
+    result.normal_force += pressure * area;
+  }
+
+
+  Vector3 ContactPass::add_friction(const ListedPoint &point,
+                                    const Vector3     &x,
+                                    const Vector3     &normal,
+                                    const Vector3     &relative_velocity,
+                                    const double       area,
+                                    const ContactLaw  &law,
+                                    GroupPairResult   &result,
+                                    double            *master_forces)
+  {
+    // Slave and master points are apart by `distance` along the normal (gap and offsets), so
+    // friction makes a couple. Normal forces h_k n on the master's corners balance it: h_k = alpha
+    // N_k,xi + beta N_k,eta sum to zero and have the moment (alpha y_xi + beta y_eta) x n. The
+    // velocity that they work on completes the slip, which then vanishes for any rigid motion of
+    // both bodies together.
+    const Projection &p        = point.projection;
+    const FacetState &state    = master_.state(p.facet);
+    const auto       &corners  = master_.corners(p.facet);
+    const Vector3     y_xi     = state.y[1] + p.eta * state.y[3];
+    const Vector3     y_eta    = state.y[2] + p.xi * state.y[3];
+    const double      distance = (x - state.position(p.xi, p.eta)).dot(normal);
+    const double      by_det   = 1. / y_xi.dot(y_eta.cross(normal));
+    const Vector3     dual_xi  = by_det * y_eta.cross(normal);
+    const Vector3     dual_eta = by_det * normal.cross(y_xi);
+
+    const double shape_xi[4]  = {p.eta - 1., 1. - p.eta, p.eta, -p.eta};
+    const double shape_eta[4] = {p.xi - 1., -p.xi, p.xi, 1. - p.xi};
+    double       tilt_xi = 0., tilt_eta = 0.;
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        const double v_n = normal.dot(master_.velocity(corners[k]));
+        tilt_xi += shape_xi[k] * v_n;
+        tilt_eta += shape_eta[k] * v_n;
+      }
+    const Vector3 slip = relative_velocity - normal.dot(relative_velocity) * normal +
+                         distance * (tilt_xi * dual_xi + tilt_eta * dual_eta);
+    const Vector3 force = area * law.friction_traction(point.pressure, slip);
+    const double  alpha = distance * force.dot(dual_xi);
+    const double  beta  = distance * force.dot(dual_eta);
+    for (unsigned int k = 0; k < 4; ++k)
+      add_to(master_forces, corners[k], (alpha * shape_xi[k] + beta * shape_eta[k]) * normal);
+    result.friction_power -= force.dot(slip);
+    return force;
+  }
+} // namespace vfife

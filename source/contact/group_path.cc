@@ -1,0 +1,55 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/contact/group_path.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace vfife
+{
+  GroupPath::GroupPath(const unsigned int n_groups)
+    : lengths_(n_groups, 0.)
+    , previous_(n_groups)
+  {
+  }
+
+
+  void GroupPath::set_active(const std::vector<unsigned int> &groups)
+  {
+    std::vector<bool> keep(previous_.size(), false);
+    for (const unsigned int g : groups)
+      keep[g] = true;
+    for (unsigned int g = 0; g < previous_.size(); ++g)
+      if (!keep[g])
+        previous_[g].clear();
+    active_ = groups;
+  }
+
+
+  void GroupPath::update(const SurfaceGeometry &surface, const RigidMotion &frame)
+  {
+    const Matrix3 back = frame.rotation.transpose();
+    for (const unsigned int g : active_)
+      {
+        const auto &nodes    = surface.group_nodes(g);
+        auto       &previous = previous_[g];
+        const bool  known    = !previous.empty();
+        previous.resize(nodes.size());
+        double largest = 0., sum = 0.;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          {
+            const Vector3 now = back * (surface.node(nodes[i]) - frame.translation);
+            const double  d2  = known ? (now - previous[i]).squaredNorm() : now.squaredNorm();
+            largest           = std::max(largest, d2);
+            sum += d2; // unlike a maximum, a sum keeps a NaN
+            previous[i] = now;
+          }
+        if (!std::isfinite(sum))
+          throw NumericalError("contact: a position in group (tooth) " + std::to_string(g) +
+                               " of a contact surface is not finite");
+        if (known)
+          lengths_[g] += std::sqrt(largest);
+      }
+  }
+} // namespace vfife

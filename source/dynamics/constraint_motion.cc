@@ -1,0 +1,249 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/communicator.h>
+#include <vfife/dynamics/constraint_motion.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    Vector3 record(const double *values, const std::uint32_t local)
+    {
+      return Eigen::Map<const Vector3>(values + 4 * static_cast<std::size_t>(local));
+    }
+
+    void set_record(double *values, const std::uint32_t local, const Vector3 &v)
+    {
+      Eigen::Map<Vector3>(values + 4 * static_cast<std::size_t>(local)) = v;
+    }
+
+    bool turns_freely(const ConstraintKind kind)
+    {
+      return kind == ConstraintKind::free_rotation || kind == ConstraintKind::rigid_hub;
+    }
+  } // namespace
+
+  UpdateAxis ConstraintMotion::axis_of(const Body &body)
+  {
+    return {body.turns_on_axis, body.axis.point, body.axis.direction};
+  }
+
+  ConstraintMotion::ConstraintMotion(const Model &model, const Partition &partition, const Communicator &communicator)
+    : communicator_(communicator)
+  {
+    std::vector<std::uint8_t> taken(partition.n_local(), 0);
+    for (const Constraint &constraint : model.constraints)
+      {
+        const Body &body = model.bodies[constraint.body];
+        Group       group{constraint.kind, constraint.body, body.axis, body.rate, {}};
+        for (const unsigned int node : constraint.nodes)
+          {
+            const std::uint32_t local = partition.local_node[body.first_node + node];
+            if (local == Partition::absent)
+              continue;
+            if (taken[local])
+              throw InputError("node " + std::to_string(node) + " of body \"" + body.name() +
+                               "\" is in two constraints; the second one is \"" + constraint.name + "\"");
+            taken[local]       = 1;
+            const double mass  = body.node_masses()[node];
+            const Vector3 start = body.placement(body.node_positions()[node]) - body.axis.point;
+            group.nodes.push_back({local, partition.owned[local] != 0, mass, mass, start});
+          }
+        groups_.push_back(std::move(group));
+      }
+    for (const Body &body : model.bodies)
+      axes_.push_back(axis_of(body));
+  }
+
+  void ConstraintMotion::set_masses(const std::vector<double> &masses)
+  {
+    for (Group &group : groups_)
+      for (Node &node : group.nodes)
+        node.moved_mass = masses[node.local];
+  }
+
+  void ConstraintMotion::clear_masses(State &state) const
+  {
+    for (const Group &group : groups_)
+      for (const Node &node : group.nodes)
+        state.position[4 * static_cast<std::size_t>(node.local) + 3] =
+          state.velocity[4 * static_cast<std::size_t>(node.local) + 3] = 0.;
+  }
+
+  void ConstraintMotion::read(const State &state, const MotionFrame frame)
+  {
+    for (Group &group : groups_)
+      if (turns_freely(group.kind))
+        for (Node &node : group.nodes)
+          {
+            const Vector3 r       = state.node_position(node.local) - group.axis.point;
+            const Vector3 a       = group.axis.direction;
+            const Vector3 start_r = node.start - a.dot(node.start) * a;
+            node.angle            = std::atan2(a.dot(start_r.cross(r)), start_r.dot(r));
+            node.rate             = 0;
+            if (frame == MotionFrame::fixed)
+              {
+                // The velocity is the chord of the last step: 2 rho sin(rate dt/2)/dt.
+                const Vector3 v   = state.node_velocity(node.local);
+                const double  rho = start_r.norm();
+                const Vector3 middle = r - 0.5 * state.dt * v;
+                const double  sense  = a.dot(middle.cross(v)) < 0 ? -1. : 1.;
+                node.rate = sense * 2. / state.dt * std::asin(std::min(1., v.norm() * state.dt / (2. * rho)));
+              }
+          }
+  }
+
+  void ConstraintMotion::save(const double *positions, const double *velocities)
+  {
+    for (Group &group : groups_)
+      for (Node &node : group.nodes)
+        {
+          node.old_position = record(positions, node.local);
+          node.old_velocity = record(velocities, node.local);
+        }
+  }
+
+  Vector3 ConstraintMotion::turned(const Axis &axis, const Vector3 &start, const double angle)
+  {
+    const Vector3 &a = axis.direction;
+    return axis.point + std::cos(angle) * start + std::sin(angle) * a.cross(start) +
+           (1. - std::cos(angle)) * a.dot(start) * a;
+  }
+
+  void ConstraintMotion::turn_freely(Group             &group,
+                                     const double       dt,
+                                     const BodyDamping &damping,
+                                     const double      *forces) const
+  {
+    const Vector3 &a          = group.axis.direction;
+    const double   half       = 0.5 * damping.zeta * dt;
+    const double   rigid_rate = a.dot(damping.rigid.omega), slip = a.dot(damping.mesh.omega);
+    const auto     accelerate = [&](double &rate, const double acceleration) {
+      rate = ((1. - half) * rate + dt * (acceleration - slip) + 2. * half * rigid_rate) / (1. + half);
+    };
+
+    if (group.kind == ConstraintKind::free_rotation)
+      {
+        for (Node &node : group.nodes)
+          {
+            const Vector3 e = a.cross(node.old_position - group.axis.point);
+            accelerate(node.rate, e.dot(record(forces, node.local)) / (node.moved_mass * e.squaredNorm()));
+          }
+        return;
+      }
+
+    std::vector<double> torque_and_inertia(2, 0.);
+    for (const Node &node : group.nodes)
+      if (node.owned)
+        {
+          const Vector3 e = a.cross(node.old_position - group.axis.point);
+          torque_and_inertia[0] += e.dot(record(forces, node.local));
+          torque_and_inertia[1] += node.moved_mass * e.squaredNorm();
+        }
+    communicator_.sum(torque_and_inertia);
+    for (Node &node : group.nodes)
+      accelerate(node.rate, torque_and_inertia[0] / torque_and_inertia[1]);
+  }
+
+  void ConstraintMotion::add_sums(const Group       &group,
+                                  const Node        &node,
+                                  const double       dt,
+                                  const BodyDamping &damping,
+                                  const Vector3     &force,
+                                  const Vector3     &x,
+                                  const Vector3     &v,
+                                  const UpdateAxis  &axis,
+                                  Sums              &sums)
+  {
+    if (!node.owned)
+      return;
+    const Vector3 mean = 0.5 * (node.old_velocity + v);
+    sums.update.kinetic += 0.5 * node.mass * node.old_velocity.dot(v);
+    add_node_moments(axis, node.mass, x, v, sums.update);
+    if (turns_freely(group.kind))
+      {
+        const Vector3 relative = mean - damping.rigid.at(node.old_position);
+        sums.update.damping_power += damping.zeta * node.mass * relative.dot(mean);
+        sums.update.mesh_power += node.mass * damping.mesh.at(node.old_position).dot(mean);
+        sums.update.damping_torque -=
+          damping.zeta * node.mass * group.axis.direction.cross(node.old_position - group.axis.point).dot(relative);
+      }
+    else if (group.kind == ConstraintKind::prescribed_rotation)
+      {
+        const Vector3 reaction = node.mass / dt * (v - node.old_velocity) - force;
+        sums.drive_power += reaction.dot(mean);
+        sums.drive_torque += group.axis.direction.dot((node.old_position - group.axis.point).cross(reaction));
+      }
+  }
+
+  void ConstraintMotion::apply(const double                    time,
+                               const double                    dt,
+                               const MotionFrame               frame,
+                               const std::vector<BodyDamping> &damping,
+                               const double                   *forces,
+                               double                         *positions,
+                               double                         *velocities,
+                               std::vector<Sums>              &sums)
+  {
+    for (Group &group : groups_)
+      {
+        if (turns_freely(group.kind))
+          turn_freely(group, dt, damping[group.body], forces);
+        const bool   turns = group.kind == ConstraintKind::prescribed_rotation && frame == MotionFrame::fixed;
+        const double angle = turns ? group.rate * (time + dt) : 0.;
+        const Matrix3 rotation = rotation_about(group.axis.direction, angle);
+        for (Node &node : group.nodes)
+          {
+            Vector3 x;
+            if (turns_freely(group.kind))
+              {
+                node.angle += dt * node.rate;
+                x = turned(group.axis, node.start, node.angle);
+              }
+            else
+              x = group.axis.point + rotation * node.start;
+            const Vector3 v = (x - node.old_position) / dt;
+            set_record(positions, node.local, x);
+            set_record(velocities, node.local, v);
+            add_sums(group,
+                     node,
+                     dt,
+                     damping[group.body],
+                     record(forces, node.local),
+                     x,
+                     v,
+                     axes_[group.body],
+                     sums[group.body]);
+          }
+      }
+  }
+
+  void ConstraintMotion::add_moments(const State &state, std::vector<UpdateSums> &sums) const
+  {
+    for (const Group &group : groups_)
+      for (const Node &node : group.nodes)
+        if (node.owned)
+          add_node_moments(axes_[group.body],
+                           node.mass,
+                           state.node_position(node.local),
+                           state.node_velocity(node.local),
+                           sums[group.body]);
+  }
+
+  void ConstraintMotion::project(const double *positions, double *forces, const bool rotation_is_free) const
+  {
+    for (const Group &group : groups_)
+      for (const Node &node : group.nodes)
+        {
+          Vector3 f = Vector3::Zero();
+          if (rotation_is_free && turns_freely(group.kind))
+            {
+              const Vector3 t = group.axis.direction.cross(record(positions, node.local) - group.axis.point).normalized();
+              f               = t.dot(record(forces, node.local)) * t;
+            }
+          set_record(forces, node.local, f);
+        }
+  }
+} // namespace vfife

@@ -1,0 +1,386 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/log.h>
+#include <vfife/base/timers.h>
+#include <vfife/dynamics/broken_element.h>
+#include <vfife/dynamics/explicit_solver.h>
+#include <vfife/dynamics/mean_speed.h>
+#include <vfife/dynamics/measurement.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  ExplicitSolver::ExplicitSolver(const Model           &model,
+                                 const DynamicsOptions &options,
+                                 const Communicator    &communicator,
+                                 Log                   &log,
+                                 Timers                &timers)
+    : model_(model)
+    , options_(options)
+    , communicator_(communicator)
+    , log_(log)
+    , timers_(timers)
+    , operator_(model, options.frame, options.stiffness, communicator)
+    , contact_(model, operator_.partition(), communicator)
+    , constraints_(model, operator_.partition(), communicator)
+    , torques_(model, operator_.partition())
+    , forces_(operator_.array_size())
+  {}
+
+  VfifeOperator &ExplicitSolver::vfife_operator()
+  {
+    return operator_;
+  }
+
+  ContactSystem &ExplicitSolver::contact()
+  {
+    return contact_;
+  }
+
+  double ExplicitSolver::stable_step()
+  {
+    return contact_.vote_on_step(options_.safety * operator_.limiting_element().stable_step());
+  }
+
+  void ExplicitSolver::set_step(const double dt)
+  {
+    dt_ = dt;
+    contact_.set_penalties(dt);
+  }
+
+  void ExplicitSolver::start(State &state)
+  {
+    state.partition = operator_.partition();
+    state.time      = 0;
+    state.step      = 0;
+    state.dt        = dt_;
+    state.position.assign(operator_.array_size(), 0.);
+    state.velocity.assign(operator_.array_size(), 0.);
+    state.body_motion.clear();
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const Body &body = model_.bodies[b];
+        state.body_motion.push_back(body.placement);
+        for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+          {
+            const Vector3 x = body.placement(body.node_positions()[state.partition.global_node[i] - body.first_node]);
+            Eigen::Map<Vector3>(state.position.data() + 4 * static_cast<std::size_t>(i)) = x;
+            state.position[4 * static_cast<std::size_t>(i) + 3] = 1. / operator_.masses()[i];
+            state.velocity[4 * static_cast<std::size_t>(i) + 3] = operator_.masses()[i];
+          }
+      }
+    constraints_.clear_masses(state);
+    set_rigid_velocities(state);
+  }
+
+  void ExplicitSolver::set_rigid_velocities(State &state) const
+  {
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const Body   &body = model_.bodies[b];
+        const Matrix3 back = rotation_about(body.axis.direction, -body.rate * dt_);
+        for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+          {
+            // The chord of the step before time zero: central differences then start without an error of first order.
+            const Vector3 r = state.node_position(i) - body.axis.point;
+            Eigen::Map<Vector3>(state.velocity.data() + 4 * static_cast<std::size_t>(i)) =
+              body.velocity + (r - back * r) / dt_;
+          }
+      }
+  }
+
+  std::vector<RigidVelocity> ExplicitSolver::compute_rigid_rates(const State &state) const
+  {
+    std::vector<UpdateSums> sums(model_.bodies.size());
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+        if (state.partition.owned[i])
+          add_node_moments(ConstraintMotion::axis_of(model_.bodies[b]),
+                           operator_.masses()[i],
+                           state.node_position(i),
+                           state.node_velocity(i),
+                           sums[b]);
+    std::vector<RigidVelocity> rates;
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        sum_over_ranks(sums[b], communicator_);
+        rates.push_back(
+          compute_momentum_rate(ConstraintMotion::axis_of(model_.bodies[b]), model_.bodies[b].mass(), sums[b]));
+      }
+    return rates;
+  }
+
+  void ExplicitSolver::begin_run(State &state)
+  {
+    state.dt = dt_;
+    constraints_.read(state, MotionFrame::fixed);
+    rigid_   = compute_rigid_rates(state);
+    ledger_  = EnergyLedger();
+    powers_  = StepPowers();
+    audit_.assign(model_.bodies.size(), DampingAudit());
+    sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
+    damping_.assign(model_.bodies.size(), BodyDamping());
+  }
+
+  void ExplicitSolver::compute_forces(State &state, const bool keep_contact_forces)
+  {
+    {
+      const auto scope = timers_.time(timers_.section("element forces"));
+      operator_.compute_internal_forces(state.position.data(), forces_.data());
+    }
+    {
+      const auto scope = timers_.time(timers_.section("contact"));
+      if (state.step % search_interval == 0)
+        contact_.search(state.body_motion, rigid_, state.position.data(), search_interval * dt_);
+      if (keep_contact_forces)
+        state.contact_force = forces_;
+      contact_.add_forces(state.body_motion, state.position.data(), state.velocity.data(), dt_, forces_.data());
+      if (keep_contact_forces)
+        for (std::size_t i = 0; i < forces_.size(); ++i)
+          state.contact_force[i] = forces_[i] - state.contact_force[i];
+    }
+    torques_.add_forces(state.time, state.position.data(), forces_.data());
+  }
+
+  void ExplicitSolver::set_damping(const State &state)
+  {
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const Body &body  = model_.bodies[b];
+        damping_[b].zeta  = options_.damping;
+        damping_[b].rigid = rigid_[b];
+        if (options_.damping_rate == DampingRate::mean_speed && body.turns_on_axis && options_.damping > 0)
+          damping_[b].rigid = compute_mean_speed_rate(body, state, b, communicator_);
+
+        damping_[b].mesh = RigidVelocity();
+        if (model_.transmission && model_.transmission->driven == b)
+          {
+            const Transmission &t    = *model_.transmission;
+            const double        rate = body.axis.direction.dot(rigid_[b].omega) - t.driven_sense * t.driven_rate();
+            damping_[b].mesh.omega    = options_.mesh_damping * rate * body.axis.direction;
+            damping_[b].mesh.velocity = -damping_[b].mesh.omega.cross(body.axis.point);
+          }
+      }
+  }
+
+  void ExplicitSolver::update_nodes(State &state)
+  {
+    const auto scope = timers_.time(timers_.section("nodal update"));
+    powers_         = StepPowers();
+    powers_.torque  = torques_.half_power(state.velocity.data());
+    constraints_.save(state.position.data(), state.velocity.data());
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        sums_[b]        = ConstraintMotion::Sums();
+        sums_[b].update = vfife::update_nodes(state.partition.first_local_node[b],
+                                              state.partition.first_local_node[b + 1],
+                                              dt_,
+                                              damping_[b],
+                                              ConstraintMotion::axis_of(model_.bodies[b]),
+                                              state.partition.owned.data(),
+                                              forces_.data(),
+                                              state.position.data(),
+                                              state.velocity.data());
+      }
+    constraints_.apply(state.time,
+                       dt_,
+                       MotionFrame::fixed,
+                       damping_,
+                       forces_.data(),
+                       state.position.data(),
+                       state.velocity.data(),
+                       sums_);
+    powers_.torque += torques_.half_power(state.velocity.data());
+
+    drive_torque_ = 0;
+    powers_.torque = communicator_.sum(powers_.torque);
+    for (auto &s : sums_)
+      {
+        sum_over_ranks(s.update, communicator_, {&s.drive_power, &s.drive_torque});
+        powers_.drive += s.drive_power;
+        powers_.damping += s.update.damping_power;
+        powers_.mesh += s.update.mesh_power;
+        drive_torque_ += s.drive_torque;
+      }
+    powers_.contact = contact_.lost_power();
+  }
+
+  void ExplicitSolver::advance_bodies(State &state)
+  {
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const Body &body = model_.bodies[b];
+        rigid_[b]        = compute_momentum_rate(ConstraintMotion::axis_of(body), body.mass(), sums_[b].update);
+        RigidMotion  &motion = state.body_motion[b];
+        const Vector3 turn   = dt_ * rigid_[b].omega;
+        const double  angle  = turn.norm();
+        const Matrix3 step   = angle > 0 ? rotation_about(turn / angle, angle) : Matrix3(Matrix3::Identity());
+        const Vector3 pivot  = body.turns_on_axis ? body.axis.point : Vector3(sums_[b].update.first_moment / body.mass());
+        const Vector3 drift  = body.turns_on_axis ? Vector3(Vector3::Zero()) : Vector3(dt_ * rigid_[b].at(pivot));
+        motion.rotation      = step * motion.rotation;
+        motion.translation   = pivot + step * (motion.translation + drift - pivot);
+      }
+  }
+
+  void ExplicitSolver::add_work(const double factor)
+  {
+    ledger_.drive_work += factor * dt_ * powers_.drive;
+    ledger_.torque_work += factor * dt_ * powers_.torque;
+    ledger_.damping_loss += factor * dt_ * powers_.damping;
+    ledger_.mesh_damping_loss += factor * dt_ * powers_.mesh;
+    ledger_.contact_loss += factor * dt_ * powers_.contact;
+  }
+
+  void ExplicitSolver::update_ledger(const double strain, const bool first)
+  {
+    ledger_.kinetic = ledger_.kinetic_relative = 0;
+    for (const auto &s : sums_)
+      ledger_.kinetic += s.update.kinetic;
+    ledger_.kinetic_relative = ledger_.kinetic;
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      ledger_.kinetic_relative -=
+        compute_rigid_kinetic_energy(ConstraintMotion::axis_of(model_.bodies[b]), model_.bodies[b].mass(), sums_[b].update);
+    ledger_.strain  = strain;
+    ledger_.contact = contact_.energy();
+    if (first)
+      {
+        ledger_.start    = ledger_.kinetic + ledger_.strain + ledger_.contact;
+        ledger_at_start_ = ledger_;
+      }
+    ledger_.scale = std::max(ledger_.scale,
+                             std::abs(ledger_.strain - ledger_at_start_.strain) +
+                               std::abs(ledger_.contact - ledger_at_start_.contact) +
+                               std::abs(ledger_.kinetic_relative - ledger_at_start_.kinetic_relative) +
+                               std::abs(ledger_.damping_loss + ledger_.mesh_damping_loss + ledger_.contact_loss));
+  }
+
+  void ExplicitSolver::measure_contact()
+  {
+    Measurements &m = observed_.measured;
+    m.teeth         = contact_.collect_results();
+    m.contact_force = m.contact_torque = m.largest_penetration = 0;
+    m.teeth_in_contact = m.teeth.size();
+    for (const ToothContact &tooth : m.teeth)
+      {
+        m.contact_force += tooth.force.norm();
+        m.contact_torque += tooth.torque;
+        m.largest_penetration = std::max(m.largest_penetration, tooth.penetration);
+      }
+  }
+
+  void ExplicitSolver::check(const State &state, const bool measured) const
+  {
+    const auto where = [&] {
+      return " at time " + std::to_string(1e3 * state.time) + " ms, step " + std::to_string(state.step);
+    };
+    double kinetic = 0;
+    for (const auto &s : sums_)
+      kinetic += s.update.kinetic;
+    if (!std::isfinite(kinetic))
+      throw NumericalError("the motion is no longer finite" + where() + ": " + find_broken_element(model_, observed_, state) +
+                           "; a smaller Dynamics/Safety or a softer contact may help");
+    if (measured && !(std::abs(ledger_.error()) < options_.energy_limit))
+      throw NumericalError("the energy error is " + std::to_string(ledger_.error()) + where() + " (limit " +
+                           std::to_string(options_.energy_limit) + ", Dynamics/Energy limit): the integration is unstable");
+  }
+
+  void ExplicitSolver::add_audit()
+  {
+    for (unsigned int b = 0; b < audit_.size(); ++b)
+      {
+        audit_[b].net_torque += dt_ * sums_[b].update.damping_torque;
+        audit_[b].power += dt_ * sums_[b].update.damping_power;
+      }
+  }
+
+  void ExplicitSolver::finish_audit(const std::vector<RigidVelocity> &rates_at_start, const double duration)
+  {
+    for (unsigned int b = 0; b < audit_.size(); ++b)
+      {
+        audit_[b].net_torque /= duration + dt_;
+        audit_[b].power /= duration + dt_;
+        audit_[b].body = model_.bodies[b].name();
+        audit_[b].spin_drift = (rigid_[b].omega - rates_at_start[b].omega).dot(model_.bodies[b].axis.direction);
+      }
+  }
+
+  const std::vector<DampingAudit> &ExplicitSolver::damping_audit() const
+  {
+    return audit_;
+  }
+
+  void ExplicitSolver::run(State &state, const double end_time, Observers &observers)
+  {
+    begin_run(state);
+    const std::uint64_t first_step = state.step;
+    const std::uint64_t n_steps    = std::llround((end_time - state.time) / dt_);
+    const double        start      = state.time;
+    const auto          rates      = rigid_;
+    try
+      {
+        for (;;)
+          {
+            const bool first = state.step == first_step;
+            const bool last  = state.step == first_step + n_steps;
+            const bool due   = first || last || std::any_of(observers.begin(), observers.end(), [&](const auto &observer) {
+                               return observer->due(state);
+                             });
+            compute_forces(state, due);
+            const double strain = due ? take_measurements(state) : 0.;
+            set_damping(state);
+            update_nodes(state);
+            add_work(first ? 0. : 0.5); // the trapezoidal rule counts half of the first and last steps
+            if (due)
+              {
+                update_ledger(strain, first);
+                show(observers, last);
+              }
+            check(state, due);
+            add_work(0.5);
+            add_audit();
+            if (last)
+              break;
+            advance_bodies(state);
+            ++state.step;
+            state.time = start + (state.step - first_step) * dt_;
+          }
+      }
+    catch (const NumericalError &)
+      {
+        state = observed_;
+        for (const auto &observer : observers)
+          observer->finish(model_, observed_);
+        throw;
+      }
+    state = observed_;
+    finish_audit(rates, state.time - start);
+    for (const auto &observer : observers)
+      observer->finish(model_, observed_);
+  }
+
+  double ExplicitSolver::take_measurements(const State &state)
+  {
+    const auto scope = timers_.time(timers_.section("measurement"));
+    observed_        = state;
+    measure_transmission(model_, observed_, communicator_);
+    observed_.measured.probes = measure_probes(model_, observed_, operator_, communicator_);
+    measure_contact();
+    return operator_.compute_strain_energy(state.position.data());
+  }
+
+  void ExplicitSolver::show(Observers &observers, const bool last)
+  {
+    const auto scope                = timers_.time(timers_.section("observers"));
+    observed_.measured.energy       = ledger_;
+    observed_.measured.drive_torque = drive_torque_;
+    observed_.measured.body_rates.clear();
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      observed_.measured.body_rates.push_back(model_.bodies[b].axis.direction.dot(rigid_[b].omega));
+    for (const auto &observer : observers)
+      if (last || observer->due(observed_))
+        observer->observe(model_, observed_);
+  }
+} // namespace vfife

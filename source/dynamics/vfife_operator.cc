@@ -1,0 +1,247 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/communicator.h>
+#include <vfife/dynamics/vfife_operator.h>
+#include <vfife/element/reduced_stiffness.h>
+#include <vfife/element/stable_step.h>
+#include <vfife/model/model.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  VfifeOperator::VfifeOperator(const Model         &model,
+                               const FrameKind      frame,
+                               const StiffnessKind  stiffness,
+                               const Communicator  &communicator)
+    : communicator_(communicator)
+    , frame_(frame)
+    , stiffness_(stiffness)
+    , rank_of_element_(assign_elements(model, communicator.size()))
+    , body_packs_(make_packs(model, rank_of_element_, communicator.rank()))
+    , partition_(make_partition(model, body_packs_, rank_of_element_, communicator.rank()))
+    , halo_(model, partition_, rank_of_element_, communicator)
+    , kernels_(select_kernels(frame, best_instruction_set()))
+  {
+    compute_class_data(model);
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      {
+        add_group(model, b, true);
+        add_group(model, b, false);
+      }
+    for (Group &group : groups_)
+      group.packs = {group.element.size() / n_lanes,
+                     group.nodes.data(),
+                     group.constants.data(),
+                     group.constants_row.empty() ? nullptr : group.constants_row.data()};
+
+    masses_.reserve(partition_.n_local());
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      for (std::uint32_t i = partition_.first_local_node[b]; i < partition_.first_local_node[b + 1]; ++i)
+        masses_.push_back(model.bodies[b].node_masses()[partition_.global_node[i] - model.bodies[b].first_node]);
+
+    energy_forces_.resize(array_size());
+    std::size_t largest_group = 0;
+    for (const Group &group : groups_)
+      largest_group = std::max(largest_group, group.element.size());
+    element_energies_.resize(largest_group);
+    find_limiting_element(model);
+  }
+
+  void VfifeOperator::compute_class_data(const Model &model)
+  {
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      {
+        const Body      &body  = model.bodies[b];
+        const BodyPacks &packs = body_packs_[b];
+        ClassData        data;
+        for (const std::uint32_t e : packs.classes.representative)
+          {
+            const HexahedronNodes X       = body.element_nodes(e);
+            const auto            reduced = compute_reduced_stiffness(X, body.material(), stiffness_);
+            const auto            mass    = compute_lumped_mass(X, body.material().density);
+
+            data.constants.resize(data.constants.size() + n_element_constants);
+            write_constants(reduced, body.material(), data.constants.data() + data.constants.size() - n_element_constants);
+            std::array<double, 8> masses;
+            std::copy_n(mass.data(), 8, masses.begin());
+            data.masses.push_back(masses);
+            data.frequency.push_back(compute_largest_frequency(expand(reduced, body.material()), mass));
+          }
+        class_data_.push_back(std::move(data));
+
+        std::vector<std::array<std::uint32_t, 8>> local(packs.elements.size());
+        for (std::size_t row = 0; row < local.size(); ++row)
+          for (unsigned int i = 0; i < 8; ++i)
+            local[row][i] = partition_.local_node[body.first_node + body.elements()[packs.elements[row]][i]];
+        local_elements_.push_back(std::move(local));
+        first_element_.push_back(body.first_element);
+      }
+  }
+
+  void VfifeOperator::add_group(const Model &model, const unsigned int b, const bool shared)
+  {
+    const BodyPacks &packs = body_packs_[b];
+    const auto      &rows  = shared ? packs.shared_packs : packs.own_packs;
+    if (rows.empty())
+      return;
+
+    const std::uint32_t dummy = partition_.n_local();
+    const ClassData    &data  = class_data_[b];
+    Group               group;
+    group.nodes.resize(8 * rows.size());
+    if (!shared)
+      group.constants.assign(rows.size() * n_element_constants, 0.);
+    for (std::size_t slot = 0; slot < rows.size(); ++slot)
+      {
+        const std::size_t pack = slot / n_lanes, lane = slot % n_lanes;
+        const bool        used = rows[slot] != Partition::absent;
+        group.element.push_back(used ? model.bodies[b].first_element + packs.elements[rows[slot]] : Partition::absent);
+        for (unsigned int i = 0; i < 8; ++i)
+          group.nodes[(pack * 8 + i) * n_lanes + lane] = used ? local_elements_[b][rows[slot]][i] : dummy;
+        if (!shared && used)
+          for (unsigned int k = 0; k < n_element_constants; ++k)
+            group.constants[(pack * n_element_constants + k) * n_lanes + lane] =
+              data.constants[static_cast<std::size_t>(packs.classes.class_of[rows[slot]]) * n_element_constants + k];
+      }
+    if (shared)
+      {
+        group.constants     = data.constants;
+        group.constants_row = packs.shared_class;
+      }
+    groups_.push_back(std::move(group));
+  }
+
+  void VfifeOperator::find_limiting_element(const Model &model)
+  {
+    double       largest = 0;
+    unsigned int body = 0, element = 0;
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      for (std::size_t c = 0; c < class_data_[b].frequency.size(); ++c)
+        if (class_data_[b].frequency[c] > largest)
+          {
+            largest = class_data_[b].frequency[c];
+            body    = b;
+            element = body_packs_[b].classes.representative[c];
+          }
+
+    limiting_element_.frequency = communicator_.max(largest);
+    // Several ranks may hold an element of the worst class: the lowest number is reported.
+    const double none   = model.n_elements();
+    const double global = largest == limiting_element_.frequency ? model.bodies[body].first_element + element : none;
+    const double first  = communicator_.min(global);
+    for (const Body &candidate : model.bodies)
+      if (first >= candidate.first_element && first < candidate.first_element + candidate.n_elements())
+        {
+          limiting_element_.body     = candidate.name();
+          limiting_element_.element  = static_cast<unsigned int>(first) - candidate.first_element;
+          limiting_element_.centroid = compute_centroid(candidate.element_nodes(limiting_element_.element));
+        }
+  }
+
+  void VfifeOperator::compute_internal_forces(const double *positions, double *forces)
+  {
+    std::fill_n(forces, array_size(), 0.);
+    for (const Group &group : groups_)
+      kernels_.add_internal_forces(group.packs, 0, group.packs.n_packs, positions, forces);
+    halo_.add_over_ranks(forces);
+  }
+
+  double VfifeOperator::compute_strain_energy(const double *positions)
+  {
+    double sum = 0;
+    for (const Group &group : groups_)
+      {
+        kernels_.add_internal_forces_and_energies(
+          group.packs, 0, group.packs.n_packs, positions, energy_forces_.data(), element_energies_.data());
+        for (std::size_t slot = 0; slot < group.element.size(); ++slot)
+          if (group.element[slot] != Partition::absent)
+            sum += element_energies_[slot];
+      }
+    return communicator_.sum(sum);
+  }
+
+  std::vector<double> VfifeOperator::compute_relaxation_masses(const double fraction)
+  {
+    std::vector<double> records(array_size(), 0.);
+    for (unsigned int b = 0; b < body_packs_.size(); ++b)
+      for (std::size_t row = 0; row < local_elements_[b].size(); ++row)
+        {
+          const std::uint32_t c     = body_packs_[b].classes.class_of[row];
+          const double        scale = std::pow(class_data_[b].frequency[c] / (2 * fraction), 2);
+          for (unsigned int i = 0; i < 8; ++i)
+            records[4 * static_cast<std::size_t>(local_elements_[b][row][i])] += scale * class_data_[b].masses[c][i];
+        }
+    halo_.add_over_ranks(records.data());
+
+    std::vector<double> masses(partition_.n_local());
+    for (std::size_t i = 0; i < masses.size(); ++i)
+      masses[i] = records[4 * i];
+    return masses;
+  }
+
+  const std::vector<std::uint32_t> &VfifeOperator::elements_at(const std::uint32_t local_node) const
+  {
+    const auto [entry, is_new] = elements_at_.try_emplace(local_node);
+    if (is_new)
+      for (unsigned int b = 0; b < local_elements_.size(); ++b)
+        for (std::size_t row = 0; row < local_elements_[b].size(); ++row)
+          if (std::find(local_elements_[b][row].begin(), local_elements_[b][row].end(), local_node) !=
+              local_elements_[b][row].end())
+            entry->second.push_back(first_element_[b] + body_packs_[b].elements[row]);
+    return entry->second;
+  }
+
+  void VfifeOperator::add_over_ranks(double *values)
+  {
+    halo_.add_over_ranks(values);
+  }
+
+  const Partition &VfifeOperator::partition() const
+  {
+    return partition_;
+  }
+
+  FrameKind VfifeOperator::frame() const
+  {
+    return frame_;
+  }
+
+  StiffnessKind VfifeOperator::stiffness() const
+  {
+    return stiffness_;
+  }
+
+  std::size_t VfifeOperator::array_size() const
+  {
+    return 4 * (partition_.n_local() + 1);
+  }
+
+  const LimitingElement &VfifeOperator::limiting_element() const
+  {
+    return limiting_element_;
+  }
+
+  const std::vector<double> &VfifeOperator::masses() const
+  {
+    return masses_;
+  }
+
+  std::size_t VfifeOperator::n_local_elements() const
+  {
+    return partition_.elements.size();
+  }
+
+  std::size_t VfifeOperator::n_congruence_classes() const
+  {
+    std::size_t n = 0;
+    for (const BodyPacks &packs : body_packs_)
+      n += packs.classes.size.size();
+    return n;
+  }
+
+  const char *VfifeOperator::instruction_set() const
+  {
+    return name_of(best_instruction_set());
+  }
+} // namespace vfife

@@ -1,0 +1,56 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/element/frame.h>
+
+#include <Eigen/SVD>
+
+namespace vfife
+{
+  const Choices<FrameKind> &frame_choices()
+  {
+    static const Choices<FrameKind> choices = {{"polar", FrameKind::polar},
+                                               {"three nodes", FrameKind::three_nodes}};
+    return choices;
+  }
+
+
+  Matrix3 compute_mean_deformation_gradient(const HexahedronNodes &X, const HexahedronNodes &x)
+  {
+    // Relative to one node: the columns of b sum to zero only up to round-off.
+    return (x.colwise() - x.col(0).eval()) * compute_mean_gradients(X).transpose();
+  }
+
+
+  Matrix3 compute_polar_rotation(const Matrix3 &F)
+  {
+    const Eigen::JacobiSVD<Matrix3> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Matrix3                   R = svd.matrixU() * svd.matrixV().transpose();
+    if (!(svd.singularValues()[2] > 0.) || !(R.determinant() > 0.))
+      throw NumericalError("An element is turned inside out: its mean deformation gradient has "
+                           "no polar rotation.");
+    return R;
+  }
+
+
+  Matrix3 compute_triad(const HexahedronNodes &nodes)
+  {
+    const Vector3 side   = nodes.col(1) - nodes.col(0);
+    const Vector3 normal = side.cross(nodes.col(2) - nodes.col(0));
+    if (!(side.norm() > 0.) || !(normal.norm() > 0.))
+      throw NumericalError("The first three nodes of an element lie on one line: they give no "
+                           "three-node frame.");
+    Matrix3 triad;
+    triad.col(0) = side.normalized();
+    triad.col(2) = normal.normalized();
+    triad.col(1) = triad.col(2).cross(triad.col(0));
+    return triad;
+  }
+
+
+  Matrix3 compute_frame(const FrameKind kind, const HexahedronNodes &X, const HexahedronNodes &x)
+  {
+    return kind == FrameKind::polar
+             ? compute_polar_rotation(compute_mean_deformation_gradient(X, x))
+             : Matrix3(compute_triad(x) * compute_triad(X).transpose());
+  }
+} // namespace vfife

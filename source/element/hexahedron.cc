@@ -1,0 +1,110 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/element/hexahedron.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  Vector3 reference_corner(const unsigned int node)
+  {
+    return {node & 1u ? 1. : -1., node & 2u ? 1. : -1., node & 4u ? 1. : -1.};
+  }
+
+
+  Vector3 gauss_point(const unsigned int q)
+  {
+    return reference_corner(q) / std::sqrt(3.);
+  }
+
+
+  Eigen::Matrix<double, 8, 1> shape_functions(const Vector3 &xi)
+  {
+    Eigen::Matrix<double, 8, 1> N;
+    for (unsigned int a = 0; a < 8; ++a)
+      {
+        const Vector3 corner = reference_corner(a);
+        N[a] = (1. + corner[0] * xi[0]) * (1. + corner[1] * xi[1]) * (1. + corner[2] * xi[2]) / 8.;
+      }
+    return N;
+  }
+
+
+  HexahedronNodes reference_gradients(const Vector3 &xi)
+  {
+    HexahedronNodes gradients;
+    for (unsigned int a = 0; a < 8; ++a)
+      {
+        const Vector3 corner = reference_corner(a);
+        const Vector3 factor = Vector3::Ones() + corner.cwiseProduct(xi);
+        gradients.col(a)     = Vector3(corner[0] * factor[1] * factor[2],
+                                   corner[1] * factor[0] * factor[2],
+                                   corner[2] * factor[0] * factor[1]) /
+                           8.;
+      }
+    return gradients;
+  }
+
+
+  Matrix3 compute_jacobian(const HexahedronNodes &nodes, const Vector3 &xi)
+  {
+    return nodes * reference_gradients(xi).transpose();
+  }
+
+
+  double compute_volume(const HexahedronNodes &nodes)
+  {
+    double volume = 0.;
+    for (unsigned int q = 0; q < 8; ++q)
+      volume += compute_jacobian(nodes, gauss_point(q)).determinant();
+    return volume;
+  }
+
+
+  HexahedronNodes compute_mean_gradients(const HexahedronNodes &nodes)
+  {
+    HexahedronNodes integral = HexahedronNodes::Zero();
+    double          volume   = 0.;
+    for (unsigned int q = 0; q < 8; ++q)
+      {
+        const HexahedronNodes gradients   = reference_gradients(gauss_point(q));
+        const Matrix3         jacobian    = nodes * gradients.transpose();
+        const double          determinant = jacobian.determinant();
+        integral += determinant * jacobian.inverse().transpose() * gradients;
+        volume += determinant;
+      }
+    return integral / volume;
+  }
+
+
+  Eigen::Matrix<double, 8, 1> compute_lumped_mass(const HexahedronNodes &nodes,
+                                                  const double           density)
+  {
+    Eigen::Matrix<double, 8, 1> mass = Eigen::Matrix<double, 8, 1>::Zero();
+    for (unsigned int q = 0; q < 8; ++q)
+      {
+        const Vector3 xi = gauss_point(q);
+        mass += density * compute_jacobian(nodes, xi).determinant() * shape_functions(xi);
+      }
+    return mass;
+  }
+
+
+  double compute_least_jacobian(const HexahedronNodes &nodes)
+  {
+    double least = compute_jacobian(nodes, reference_corner(0)).determinant();
+    for (unsigned int a = 0; a < 8; ++a)
+      least = std::min({least,
+                        compute_jacobian(nodes, reference_corner(a)).determinant(),
+                        compute_jacobian(nodes, gauss_point(a)).determinant()});
+    return least;
+  }
+
+
+  Vector3 compute_centroid(const HexahedronNodes &nodes)
+  {
+    return nodes * compute_lumped_mass(nodes, 1.) / compute_volume(nodes);
+  }
+} // namespace vfife

@@ -1,0 +1,57 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/element/stress.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  Vector24 compute_local_displacements(const HexahedronNodes &X,
+                                       const HexahedronNodes &x,
+                                       const FrameKind        frame)
+  {
+    const Matrix3         R = compute_frame(frame, X, x);
+    const HexahedronNodes u =
+      R.transpose() * (x.colwise() - x.col(0).eval()) - (X.colwise() - X.col(0).eval());
+    return Eigen::Map<const Vector24>(u.data());
+  }
+
+
+  Eigen::Matrix<double, 6, 8> compute_nodal_stresses(const HexahedronNodes &X,
+                                                     const HexahedronNodes &x,
+                                                     const Material        &material,
+                                                     const StiffnessKind    kind,
+                                                     const FrameKind        frame)
+  {
+    const Vector24                    u       = compute_local_displacements(X, x, frame);
+    const Eigen::Matrix<double, 6, 6> D       = compute_elasticity(material);
+    const ElementStrains              strains = compute_element_strains(X, kind);
+    const Eigen::Matrix<double, 9, 1> bubbles = compute_bubble_recovery(strains, material) * u;
+
+    Eigen::Matrix<double, 6, 8> at_points;
+    for (unsigned int q = 0; q < 8; ++q)
+      at_points.col(q) = D * (strains.displacement[q] * u + strains.bubble[q] * bubbles);
+
+    // The points are the corners of a cube shrunk by sqrt(3).
+    Eigen::Matrix<double, 6, 8> at_nodes;
+    for (unsigned int a = 0; a < 8; ++a)
+      at_nodes.col(a) = at_points * shape_functions(std::sqrt(3.) * reference_corner(a));
+    return at_nodes;
+  }
+
+
+  Stress compute_mean_stress(const HexahedronNodes &X,
+                             const HexahedronNodes &x,
+                             const Material        &material,
+                             const FrameKind        frame)
+  {
+    return compute_elasticity(material) * compute_strain_matrix(compute_mean_gradients(X)) *
+           compute_local_displacements(X, x, frame);
+  }
+
+
+  double von_mises(const Stress &stress)
+  {
+    const Vector3 difference(stress[0] - stress[1], stress[1] - stress[2], stress[2] - stress[0]);
+    return std::sqrt(0.5 * difference.squaredNorm() + 3. * stress.tail<3>().squaredNorm());
+  }
+} // namespace vfife

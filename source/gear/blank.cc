@@ -1,0 +1,144 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters.h>
+#include <vfife/gear/blank.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<Hand> hands = {{"right", Hand::right}, {"left", Hand::left}};
+
+    /** The mean cone distance is printed with two decimals, the outer one often from the module. */
+    constexpr double cone_distance_tolerance = 0.005;
+
+    std::string degrees(const double angle)
+    {
+      std::ostringstream text;
+      text << angle * 180. / pi << " deg";
+      return text.str();
+    }
+
+    std::string millimetres(const double length)
+    {
+      std::ostringstream text;
+      text << length << " mm";
+      return text.str();
+    }
+  } // namespace
+
+  void Blank::declare(dealii::ParameterHandler &prm)
+  {
+    declare_integer(prm, "Number of teeth", teeth, "Number of teeth; 0: not given");
+    declare_choice(prm, "Hand of spiral", hand, hands, "Hand of the spiral");
+    const auto declare_angle = [&](const char *name, double &angle, const char *meaning) {
+      declare_quantity(prm, name, angle, "deg", meaning, Range::between(0., 90.));
+    };
+    declare_angle("Pitch angle",
+                  pitch_angle,
+                  "Angle of the pitch cone to the axis; 0: derived from the numbers of teeth");
+    declare_angle("Face angle", face_angle, "Angle of the tip cone to the axis; 0: not given");
+    declare_angle("Root angle", root_angle, "Angle of the root cone to the axis; 0: not given");
+    const auto declare_length = [&](const char *name, double &length, const char *meaning) {
+      declare_quantity(prm, name, length, "mm", meaning, Range::not_negative());
+    };
+    declare_length("Mean cone distance",
+                   mean_cone_distance,
+                   "Pitch apex to mid-face along the pitch cone; 0: not given");
+    declare_length("Outer cone distance",
+                   outer_cone_distance,
+                   "Pitch apex to the heel along the pitch cone; 0: not given");
+    declare_length("Face width",
+                   face_width,
+                   "Length of the teeth along the pitch cone; 0: not given");
+    declare_length("Mean addendum",
+                   mean_addendum,
+                   "Tip over the pitch cone at the mean cone distance; 0: not given");
+    declare_length("Mean dedendum",
+                   mean_dedendum,
+                   "Root under the pitch cone at the mean cone distance; 0: not given");
+  }
+
+  void Blank::check(const std::string &section) const
+  {
+    const auto require = [&](const std::string &name, const double value) {
+      if (value == 0.)
+        throw InputError(section + "/" + name,
+                         name + " is missing in section \"" + section + "\": it has no default");
+      if (!(value > 0.))
+        throw InputError(section + "/" + name, name + " must be positive");
+    };
+    require("Number of teeth", teeth);
+    require("Pitch angle", pitch_angle);
+    require("Face angle", face_angle);
+    require("Root angle", root_angle);
+    require("Mean cone distance", mean_cone_distance);
+    require("Outer cone distance", outer_cone_distance);
+    require("Face width", face_width);
+    require("Mean addendum", mean_addendum);
+    require("Mean dedendum", mean_dedendum);
+
+    const auto refuse = [&](const std::string &name, const std::string &message) {
+      throw InputError(section + "/" + name, message);
+    };
+    if (teeth < 5)
+      refuse("Number of teeth", "Number of teeth " + std::to_string(teeth) + " is below 5");
+    if (pitch_angle >= pi / 2)
+      refuse("Pitch angle", "Pitch angle " + degrees(pitch_angle) + " is not below 90 deg");
+    if (root_angle >= pitch_angle)
+      refuse("Root angle",
+             "Root angle " + degrees(root_angle) + " is not below the pitch angle " +
+               degrees(pitch_angle) + (root_angle > pitch_angle ? "; is it the face angle?" : ""));
+    if (face_angle <= pitch_angle)
+      refuse("Face angle",
+             "Face angle " + degrees(face_angle) + " is not above the pitch angle " +
+               degrees(pitch_angle) + (face_angle < pitch_angle ? "; is it the root angle?" : ""));
+    if (face_angle > pi / 2)
+      refuse("Face angle", "Face angle " + degrees(face_angle) + " exceeds 90 deg");
+    if (face_width >= outer_cone_distance)
+      refuse("Face width",
+             "Face width " + millimetres(face_width) + " is not below the outer cone distance " +
+               millimetres(outer_cone_distance));
+    const double middle = outer_cone_distance - face_width / 2;
+    if (std::abs(mean_cone_distance - middle) > cone_distance_tolerance * face_width)
+      refuse("Mean cone distance",
+             "Mean cone distance " + millimetres(mean_cone_distance) +
+               " contradicts outer cone distance less half the face width, " + millimetres(middle));
+    const double inner = inner_cone_distance();
+    if (addendum(inner) <= 0.)
+      refuse("Mean addendum",
+             "Mean addendum " + millimetres(mean_addendum) + " with the face angle " +
+               degrees(face_angle) + " leaves no addendum at the toe");
+    if (dedendum(inner) <= 0.)
+      refuse("Mean dedendum",
+             "Mean dedendum " + millimetres(mean_dedendum) + " with the root angle " +
+               degrees(root_angle) + " leaves no dedendum at the toe");
+  }
+
+  double Blank::addendum(const double cone_distance) const
+  {
+    return mean_addendum +
+           (cone_distance - mean_cone_distance) * std::tan(face_angle - pitch_angle);
+  }
+
+  double Blank::dedendum(const double cone_distance) const
+  {
+    return mean_dedendum +
+           (cone_distance - mean_cone_distance) * std::tan(pitch_angle - root_angle);
+  }
+
+  Vector2 Blank::cone_coordinates(const Vector2 &r_z) const
+  {
+    const double c = std::cos(pitch_angle), s = std::sin(pitch_angle);
+    return {r_z[1] * c + r_z[0] * s, r_z[0] * c - r_z[1] * s};
+  }
+
+  Vector2 Blank::meridian_point(const Vector2 &L_h) const
+  {
+    const double c = std::cos(pitch_angle), s = std::sin(pitch_angle);
+    return {L_h[0] * s + L_h[1] * c, L_h[0] * c - L_h[1] * s};
+  }
+} // namespace vfife

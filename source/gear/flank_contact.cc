@@ -1,0 +1,155 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/gear/flank_contact.h>
+#include <vfife/gear/newton.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  RigidMotion pinion_frame()
+  {
+    RigidMotion frame;
+    frame.rotation << 0., 0., 1., //
+      0., -1., 0.,                //
+      1., 0., 0.;
+    return frame;
+  }
+
+  RigidMotion gear_frame()
+  {
+    return {};
+  }
+
+  RigidMotion turned_frame(const RigidMotion &frame, const double rotation)
+  {
+    return {frame.rotation * rotation_about(Vector3::UnitZ(), rotation), frame.translation};
+  }
+
+  FlankContact::FlankContact(const Flank       &pinion,
+                             const Flank       &gear,
+                             const RigidMotion &pinion_frame,
+                             const RigidMotion &gear_frame,
+                             const double       speed_ratio,
+                             const double       length)
+    : pinion_(pinion)
+    , gear_(gear)
+    , pinion_frame_(pinion_frame)
+    , gear_frame_(gear_frame)
+    , speed_ratio_(speed_ratio)
+    , length_(length)
+  {
+  }
+
+  const Flank &FlankContact::pinion() const
+  {
+    return pinion_;
+  }
+
+  const Flank &FlankContact::gear() const
+  {
+    return gear_;
+  }
+
+  const RigidMotion &FlankContact::pinion_frame() const
+  {
+    return pinion_frame_;
+  }
+
+  const RigidMotion &FlankContact::gear_frame() const
+  {
+    return gear_frame_;
+  }
+
+  namespace
+  {
+    /** Position, normal and their derivatives by (t, phi, rotation) of a mounted flank, in the
+     * fixed frame. */
+    struct MountedPoint
+    {
+      Vector3 position, normal, axis,
+        arm; ///< arm: from the origin of the frame, which lies on the axis
+      Matrix3 d_position, d_normal;
+
+      MountedPoint(const Flank       &flank,
+                   const RigidMotion &frame,
+                   const double       t,
+                   const double       phi,
+                   const double       rotation)
+      {
+        const SurfaceDerivatives surface   = flank.derivatives(t, phi);
+        const RigidMotion        placement = turned_frame(frame, rotation);
+        const Matrix3           &R         = placement.rotation;
+        axis                               = R.col(2);
+        arm                                = R * surface.point.position;
+        position                           = arm + placement.translation;
+        normal                             = R * surface.point.normal;
+        d_position << R * surface.position_t, R * surface.position_phi, axis.cross(arm);
+        d_normal << R * surface.normal_t, R * surface.normal_phi, axis.cross(normal);
+      }
+    };
+  } // namespace
+
+  void FlankContact::evaluate(const Unknowns &x, Unknowns &residual, Jacobian &jacobian) const
+  {
+    const MountedPoint pinion(pinion_, pinion_frame_, x[t1], x[phi1], x[rot1]);
+    const MountedPoint gear(gear_, gear_frame_, x[t2], x[phi2], x[rot2]);
+
+    residual.head<3>()         = (pinion.position - gear.position) / length_;
+    jacobian.block<3, 3>(0, 0) = pinion.d_position / length_;
+    jacobian.block<3, 3>(0, 3) = -gear.d_position / length_;
+
+    // Two directions normal to the gear's normal. They are held fixed in the derivatives: at the
+    // solution the sum of normals vanishes and so does their contribution.
+    const Vector3 u = gear.normal.unitOrthogonal(), v = gear.normal.cross(u);
+    const Vector3 sum = pinion.normal + gear.normal;
+    unsigned int  row = 3;
+    for (const Vector3 &direction : {u, v})
+      {
+        residual[row]                = direction.dot(sum);
+        jacobian.block<1, 3>(row, 0) = direction.transpose() * pinion.d_normal;
+        jacobian.block<1, 3>(row, 3) = direction.transpose() * gear.d_normal;
+        ++row;
+      }
+
+    // n . (a1 x arm1 + ratio a2 x arm2) = 0 with each arm taken to its own flank's point
+    const Vector3 velocity =
+      pinion.axis.cross(pinion.arm) + speed_ratio_ * gear.axis.cross(gear.arm);
+    residual[5] = gear.normal.dot(velocity) / length_;
+    jacobian.block<1, 3>(5, 0) =
+      gear.normal.cross(pinion.axis).transpose() * pinion.d_position / length_;
+    jacobian.block<1, 3>(5, 3) =
+      (velocity.transpose() * gear.d_normal +
+       speed_ratio_ * gear.normal.cross(gear.axis).transpose() * gear.d_position) /
+      length_;
+  }
+
+  bool FlankContact::solve_at_rotation(Unknowns &x) const
+  {
+    constexpr Unknown free[5] = {t1, phi1, t2, phi2, rot2};
+    using Five                = Eigen::Matrix<double, 5, 1>;
+    const auto equations =
+      [&](const Five &y, Five &residual, Eigen::Matrix<double, 5, 5> &jacobian) {
+        Unknowns trial = x, all;
+        Jacobian all_derivatives;
+        for (unsigned int i = 0; i < 5; ++i)
+          trial[free[i]] = y[i];
+        evaluate(trial, all, all_derivatives);
+        residual = all.head<5>();
+        for (unsigned int i = 0; i < 5; ++i)
+          jacobian.col(i) = all_derivatives.col(free[i]).head<5>();
+      };
+    Five y;
+    for (unsigned int i = 0; i < 5; ++i)
+      y[i] = x[free[i]];
+    if (!solve_newton<5>(equations, y))
+      return false;
+    for (unsigned int i = 0; i < 5; ++i)
+      x[free[i]] = y[i];
+    // the equations of the normals are satisfied by equal ones too
+    const Vector3 n1 =
+      turned_frame(pinion_frame_, x[rot1]).rotation * pinion_.evaluate(x[t1], x[phi1]).normal;
+    const Vector3 n2 =
+      turned_frame(gear_frame_, x[rot2]).rotation * gear_.evaluate(x[t2], x[phi2]).normal;
+    return n1.dot(n2) < 0.;
+  }
+} // namespace vfife

@@ -1,0 +1,188 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/gear/tooth_contact.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Newton follows the path of contact in steps of this part of a pitch. */
+    constexpr double continuation_step = 0.25;
+
+    /** Farthest a tooth pair is followed from the mean contact [pitches]; no spiral bevel pair has
+     * more overlap. */
+    constexpr double farthest = 4.;
+
+    bool is_on_flank(const Blank        &blank,
+                     const Flank        &flank,
+                     const SurfacePoint &point,
+                     const Vector2      &L_h)
+    {
+      return L_h[0] >= blank.inner_cone_distance() && L_h[0] <= blank.outer_cone_distance &&
+             L_h[1] <= blank.addendum(L_h[0]) && point.s >= flank.straight_start();
+    }
+  } // namespace
+
+  UnloadedContact::UnloadedContact(const GearPair &pair, const MeshSide side)
+    : side_(side)
+    , contact_(pair.flank_contact(side))
+    , pinion_blank_(pair.pinion().blank())
+    , gear_blank_(pair.gear().blank())
+    , mean_(pair.mean_contact(side))
+    , speed_ratio_(pair.speed_ratio())
+    , turn_(pair.pinion().turn(pair.pinion_side(side)))
+  {
+  }
+
+  double UnloadedContact::pitch() const
+  {
+    return 2. * pi / pinion_blank_.teeth;
+  }
+
+  double UnloadedContact::reference() const
+  {
+    return mean_.rot1 - turn_;
+  }
+
+  bool UnloadedContact::find(const double rot1, const int pair, UnloadedContactPoint &point) const
+  {
+    const double target  = rot1 + turn_ + pair * pitch();
+    const double pitches = (target - mean_.rot1) / pitch();
+    if (std::abs(pitches) > farthest)
+      return false;
+
+    FlankContact::Unknowns x, previous;
+    x << mean_.pinion.t, mean_.pinion.phi, mean_.rot1, mean_.gear.t, mean_.gear.phi, mean_.rot2;
+    const unsigned int n_steps =
+      std::max(1u, static_cast<unsigned int>(std::ceil(std::abs(pitches) / continuation_step)));
+    const double step = (target - mean_.rot1) / n_steps;
+    previous          = x;
+    previous[FlankContact::rot2] += speed_ratio_ * step;
+    for (unsigned int i = 1; i <= n_steps; ++i)
+      {
+        const FlankContact::Unknowns last = x;
+        x += x - previous;
+        x[FlankContact::rot1] = mean_.rot1 + i * step;
+        if (!contact_.solve_at_rotation(x))
+          return false;
+        previous = last;
+      }
+
+    const double gear_pitch = 2. * pi / gear_blank_.teeth;
+    const double deviation =
+      x[FlankContact::rot2] - mean_.rot2 + speed_ratio_ * (target - mean_.rot1);
+    point.pair       = pair;
+    point.rot1       = rot1;
+    point.rot2       = x[FlankContact::rot2] + pair * gear_pitch;
+    point.lag        = side_ == MeshSide::drive ? deviation : -deviation;
+    point.pinion     = contact_.pinion().evaluate(x[FlankContact::t1], x[FlankContact::phi1]);
+    point.gear       = contact_.gear().evaluate(x[FlankContact::t2], x[FlankContact::phi2]);
+    point.pinion_L_h = contact_.pinion().cone_coordinates(point.pinion.position);
+    point.gear_L_h   = contact_.gear().cone_coordinates(point.gear.position);
+    const RigidMotion placement = turned_frame(contact_.gear_frame(), x[FlankContact::rot2]);
+    point.position              = placement(point.gear.position);
+    point.normal                = -(placement.rotation * point.gear.normal);
+    point.inside                = is_inside(point);
+    return true;
+  }
+
+  bool UnloadedContact::is_inside(const UnloadedContactPoint &point) const
+  {
+    return is_on_flank(pinion_blank_, contact_.pinion(), point.pinion, point.pinion_L_h) &&
+           is_on_flank(gear_blank_, contact_.gear(), point.gear, point.gear_L_h);
+  }
+
+  UnloadedContactPoint UnloadedContact::contact(const double rot1, const int pair) const
+  {
+    UnloadedContactPoint point;
+    if (!find(rot1, pair, point))
+      {
+        std::ostringstream message;
+        message << "unloaded tooth contact analysis: the flanks of tooth pair " << pair
+                << " do not touch at pinion rotation " << rot1 << " rad";
+        throw NumericalError(message.str());
+      }
+    return point;
+  }
+
+  UnloadedContactPoint UnloadedContact::touching(const double rot1) const
+  {
+    // pair k passes its mean contact at reference - k pitches; those within two pitches of it can
+    // be inside
+    const int            middle = static_cast<int>(std::lround((reference() - rot1) / pitch()));
+    UnloadedContactPoint best, point;
+    bool                 found = false;
+    for (int pair = middle - 2; pair <= middle + 2; ++pair)
+      if (find(rot1, pair, point) && point.inside && (!found || point.lag < best.lag))
+        {
+          best  = point;
+          found = true;
+        }
+    if (!found)
+      {
+        std::ostringstream message;
+        message << "unloaded tooth contact analysis: at pinion rotation " << rot1
+                << " rad no tooth pair touches inside its flanks (edge contact)";
+        throw NumericalError(message.str());
+      }
+    return best;
+  }
+
+  ContactEllipse UnloadedContact::ellipse(const UnloadedContactPoint &point,
+                                          const double                separation) const
+  {
+    // each flank bends to its own metal: the gap opens with the sum of both curvatures
+    const double  gear_pitch = 2. * pi / gear_blank_.teeth;
+    const Matrix3 R1 =
+      turned_frame(contact_.pinion_frame(), point.rot1 + turn_ + point.pair * pitch()).rotation;
+    const Matrix3 R2 =
+      turned_frame(contact_.gear_frame(), point.rot2 - point.pair * gear_pitch).rotation;
+    const Matrix3 relative =
+      R1 * contact_.pinion().curvature_tensor(point.pinion) * R1.transpose() +
+      R2 * contact_.gear().curvature_tensor(point.gear) * R2.transpose();
+
+    const Vector3               u = point.normal.unitOrthogonal(), v = point.normal.cross(u);
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents << u, v;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+    eigen.computeDirect(tangents.transpose() * relative * tangents);
+    ContactEllipse ellipse;
+    ellipse.relative_curvatures = eigen.eigenvalues();
+    ellipse.semi_axes           = (2. * separation / eigen.eigenvalues().array()).sqrt();
+    ellipse.major_direction     = tangents * eigen.eigenvectors().col(0);
+    return ellipse;
+  }
+
+  std::pair<double, double> UnloadedContact::path_range() const
+  {
+    const auto border = [&](const double direction) {
+      // walk outwards to the first point outside, then bisect
+      UnloadedContactPoint point;
+      const auto           inside = [&](const double pitches) {
+        return find(reference() + pitches * pitch(), 0, point) && point.inside;
+      };
+      constexpr double walk = 0.05;
+      double           in = 0., out = walk * direction;
+      while (inside(out) && std::abs(out) < farthest)
+        {
+          in = out;
+          out += walk * direction;
+        }
+      for (unsigned int i = 0; i < 40; ++i)
+        (inside((in + out) / 2) ? in : out) = (in + out) / 2;
+      return in * pitch();
+    };
+    return {border(-1.), border(1.)};
+  }
+
+  double UnloadedContact::contact_ratio() const
+  {
+    const std::pair<double, double> range = path_range();
+    return (range.second - range.first) / pitch();
+  }
+} // namespace vfife

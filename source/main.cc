@@ -1,0 +1,42 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/command_line.h>
+#include <vfife/base/failure.h>
+#include <vfife/base/log.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/study/study.h>
+
+#include <exception>
+#include <iostream>
+
+namespace
+{
+  /** Everything between start and end of MPI. */
+  void run(const int argc, const char *const *argv, vfife::Communicator &world)
+  {
+    const vfife::CommandLine line = vfife::parse_command_line(argc, argv);
+    if (line.help || line.version)
+      {
+        if (world.is_root())
+          std::cout << (line.help ? vfife::help_text() : vfife::version_text()) << std::flush;
+        return;
+      }
+    vfife::Log log(std::cout, world.is_root());
+    vfife::run_study(line, world, log);
+  }
+} // namespace
+
+/** Exit codes: 0 done, 1 the input cannot be used, 2 the computation failed. */
+int main(int argc, char **argv)
+{
+  vfife::MpiSession session(argc, argv);
+  vfife::Failure    failure;
+  try
+    {
+      run(argc, argv, session.world());
+    }
+  catch (...)
+    {
+      failure = vfife::describe_failure(std::current_exception());
+    }
+  return session.finish(failure);
+}

@@ -1,0 +1,98 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/mesh/boundary_surface.h>
+
+#include <algorithm>
+#include <map>
+
+namespace vfife
+{
+  namespace
+  {
+    using FaceNodes = std::array<unsigned int, 4>;
+    using FaceTest  = std::function<bool(const FaceNodes &, const std::array<Vector3, 4> &)>;
+
+    /** Corners of the faces of a right-handed hexahedron, counter-clockwise seen from outside. */
+    constexpr unsigned int outward_faces[6][4] = {
+      {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+
+    /** Twice the area vector of a quadrilateral. */
+    Vector3 area_vector(const std::array<Vector3, 4> &x)
+    {
+      return (x[2] - x[0]).cross(x[3] - x[1]);
+    }
+
+    FacetSurface collect_facets(const dealii::Triangulation<3> &triangulation,
+                                const std::string              &name,
+                                const FaceTest                 &takes)
+    {
+      FacetSurface                         surface;
+      std::map<unsigned int, unsigned int> surface_node;
+      surface.name = name;
+
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (unsigned int f = 0; f < 6; ++f)
+          {
+            if (!cell->face(f)->at_boundary())
+              continue;
+            FaceNodes              nodes;
+            std::array<Vector3, 4> x;
+            for (unsigned int v = 0; v < 4; ++v)
+              {
+                const auto &corner = cell->vertex(outward_faces[f][v]);
+                nodes[v]           = cell->vertex_index(outward_faces[f][v]);
+                x[v]               = Vector3(corner[0], corner[1], corner[2]);
+              }
+            if (!takes(nodes, x))
+              continue;
+
+            FaceNodes facet;
+            for (unsigned int v = 0; v < 4; ++v)
+              {
+                const auto found = surface_node.emplace(nodes[v], surface.nodes.size());
+                if (found.second)
+                  {
+                    surface.nodes.push_back(nodes[v]);
+                    surface.positions.push_back(x[v]);
+                    surface.normals.push_back(Vector3::Zero());
+                  }
+                facet[v] = found.first->second;
+                surface.normals[facet[v]] += area_vector(x);
+              }
+            surface.facets.push_back(facet);
+          }
+
+      if (surface.facets.empty())
+        throw InputError("surface " + name + " has no boundary face");
+      for (Vector3 &normal : surface.normals)
+        normal.normalize();
+      surface.group.assign(surface.facets.size(), 0);
+      find_neighbours(surface);
+      return surface;
+    }
+  } // namespace
+
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
+                                   const std::string              &name,
+                                   const BoundaryFaceSelection    &select)
+  {
+    return collect_facets(triangulation,
+                          name,
+                          [&select](const FaceNodes &, const std::array<Vector3, 4> &x) {
+                            const Vector3 centre = (x[0] + x[1] + x[2] + x[3]) / 4.;
+                            return select(centre, area_vector(x).normalized());
+                          });
+  }
+
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3>  &triangulation,
+                                   const std::string               &name,
+                                   const std::vector<unsigned int> &nodes)
+  {
+    return collect_facets(
+      triangulation, name, [&nodes](const FaceNodes &face, const std::array<Vector3, 4> &) {
+        return std::all_of(face.begin(), face.end(), [&nodes](const unsigned int i) {
+          return std::binary_search(nodes.begin(), nodes.end(), i);
+        });
+      });
+  }
+} // namespace vfife

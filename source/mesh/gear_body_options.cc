@@ -1,0 +1,238 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters.h>
+#include <vfife/mesh/conical_web.h>
+#include <vfife/mesh/gear_body.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double degree = pi / 180.;
+
+    const Choices<WebKind>       web_kinds       = {{"none", WebKind::none},
+                                                    {"conical", WebKind::conical},
+                                                    {"solid", WebKind::solid}};
+    const Choices<WebDirection>  web_directions  = {{"towards apex", WebDirection::apex},
+                                                    {"towards back", WebDirection::back}};
+    const Choices<WebAttachment> web_attachments = {{"toe", WebAttachment::toe}};
+
+    /** A web steeper to the rim than this would leave no room for cells between it and the rim. */
+    constexpr double largest_turn = 75. * degree;
+    /** Least part of the rim's thickness that stays free on either side of the web. */
+    constexpr double least_free_part = .08;
+
+    /** Root radius at cone distance L. */
+    Vector2 root_point(const Blank &blank, const double L)
+    {
+      return blank.meridian_point({L, -blank.dedendum(L)});
+    }
+
+    /** Refuses entries of one section. */
+    class Refusal
+    {
+    public:
+      explicit Refusal(const std::string &section)
+        : section_(section)
+      {
+      }
+
+      void unless(const bool condition, const std::string &entry, const std::string &message) const
+      {
+        if (!condition)
+          throw InputError(section_ + "/" + entry, section_ + "/" + entry + ": " + message);
+      }
+
+    private:
+      std::string section_;
+    };
+
+    std::string millimetres(const double value)
+    {
+      std::ostringstream text;
+      text << value << " mm";
+      return text.str();
+    }
+
+    void check_counts(const GearBodyOptions &options, const Refusal &refuse)
+    {
+      const auto at_least =
+        [&](const char *entry, const unsigned int count, const unsigned int least) {
+          refuse.unless(count >= least,
+                        std::string("Mesh/") + entry,
+                        std::to_string(count) + " is too few, at least " + std::to_string(least));
+        };
+      at_least("Cells lengthwise", options.cells_lengthwise, 1);
+      at_least("Cells across tooth", options.cells_across, 2);
+      at_least("Flank rows", options.flank_rows, 1);
+      at_least("Rim rows", options.rim_rows, 1);
+      if (options.web != WebKind::conical)
+        return;
+      at_least("Web layers", options.web_layers, 1);
+      at_least("Web rows", options.web_rows, 2);
+      at_least("Hub rows", options.hub_rows, 1);
+      at_least("Hub side cells", options.hub_side_cells, 1);
+      at_least("Rim rows", options.rim_rows, options.web_layers + 2);
+    }
+
+    void check_conical(const GearBodyOptions &options, const Blank &blank, const Refusal &refuse)
+    {
+      refuse.unless(options.web_thickness > 0.,
+                    "Body/Web thickness",
+                    "must be positive, not " + millimetres(options.web_thickness) +
+                      " (choose Web = none for a rim without web)");
+      refuse.unless(options.web_angle > 0. && options.web_angle <= pi / 2,
+                    "Body/Web angle",
+                    "must lie above 0 and not above 90 deg");
+      refuse.unless(options.hub_radius > options.bore_radius,
+                    "Body/Bore radius",
+                    millimetres(options.bore_radius) + " is not smaller than the hub radius " +
+                      millimetres(options.hub_radius));
+      refuse.unless(options.web_thickness <= (1. - 2. * least_free_part) * options.rim_thickness,
+                    "Body/Web thickness",
+                    millimetres(options.web_thickness) + " does not fit under the root of a rim " +
+                      millimetres(options.rim_thickness) + " thick");
+      const double turn = ConicalWeb::turn_from_toe(blank, options);
+      refuse.unless(std::abs(turn) <= largest_turn,
+                    "Body/Web angle",
+                    "a web at this angle and direction leaves the toe face at " +
+                      std::to_string(90. - std::abs(turn) / degree) +
+                      " deg to it; at least 15 deg are needed");
+
+      const double     L = blank.inner_cone_distance();
+      const ConicalWeb web(blank, options, -blank.dedendum(L));
+      const double     start = std::min(web.point(0., -.5 * options.web_thickness)[0],
+                                    web.point(0., .5 * options.web_thickness)[0]);
+      refuse.unless(options.hub_radius < start,
+                    "Body/Hub radius",
+                    millimetres(options.hub_radius) +
+                      " leaves no room for a web, which starts at r = " + millimetres(start));
+      refuse.unless(options.hub_length * std::sin(options.web_angle) > options.web_thickness,
+                    "Body/Hub length",
+                    millimetres(options.hub_length) + " is shorter than the web's foot on the hub");
+    }
+  } // namespace
+
+  void GearBodyOptions::declare(dealii::ParameterHandler &prm)
+  {
+    {
+      const Subsection section(prm, "Body");
+      declare_choice(
+        prm, "Web", web, web_kinds, "What carries the rim; none: its underside is held");
+      declare_quantity(prm,
+                       "Web thickness",
+                       web_thickness,
+                       "mm",
+                       "Thickness of the web, normal to it",
+                       Range::not_negative());
+      declare_quantity(prm,
+                       "Web angle",
+                       web_angle,
+                       "deg",
+                       "Support angle: mid-surface generatrix of the web to the axis",
+                       Range::between(0., 90.));
+      declare_choice(prm,
+                     "Web direction",
+                     web_direction,
+                     web_directions,
+                     "Where the web goes from the rim inward");
+      declare_choice(
+        prm, "Web attachment", web_attachment, web_attachments, "Where the web leaves the rim");
+      declare_quantity(prm,
+                       "Rim thickness",
+                       rim_thickness,
+                       "mm",
+                       "Metal under the root of a rim",
+                       Range::positive());
+      declare_quantity(prm,
+                       "Hub radius",
+                       hub_radius,
+                       "mm",
+                       "Outer radius of the hub ring that carries the web",
+                       Range::positive());
+      declare_quantity(prm,
+                       "Bore radius",
+                       bore_radius,
+                       "mm",
+                       "Radius of the bore of hub or solid body",
+                       Range::positive());
+      declare_quantity(prm,
+                       "Hub length",
+                       hub_length,
+                       "mm",
+                       "Length of the hub ring along the axis, centred on the web",
+                       Range::positive());
+    }
+    const Subsection section(prm, "Mesh");
+    declare_integer(prm, "Cells lengthwise", cells_lengthwise, "Cells along the face width", 1);
+    declare_integer(prm,
+                    "Cells across tooth",
+                    cells_across,
+                    "Cells from flank to flank; 2, 5, 8 let the web be coarser than the teeth",
+                    2);
+    declare_integer(prm, "Flank rows", flank_rows, "Cells from flank start to tip", 1);
+    declare_integer(
+      prm, "Rim rows", rim_rows, "Cells from root to underside, or to the bore of a solid body", 1);
+    declare_integer(prm, "Web layers", web_layers, "Cells through the thickness of the web", 1);
+    declare_integer(
+      prm, "Web rows", web_rows, "Cells along the web, the coarsening row included", 2);
+    declare_integer(prm, "Hub rows", hub_rows, "Cells from hub radius to bore", 1);
+    declare_integer(prm,
+                    "Hub side cells",
+                    hub_side_cells,
+                    "Cells of the hub along the axis on either side of the web",
+                    1);
+  }
+
+  void GearBodyOptions::check(const std::string &section, const Blank &blank) const
+  {
+    const Refusal refuse(section);
+    check_counts(*this, refuse);
+
+    const double  L     = blank.inner_cone_distance();
+    const Vector2 inner = root_point(blank, L);
+    if (web == WebKind::solid)
+      {
+        refuse.unless(bore_radius > 0. && bore_radius < inner[0],
+                      "Body/Bore radius",
+                      millimetres(bore_radius) +
+                        " must be positive and smaller than the root at the toe, " +
+                        millimetres(inner[0]));
+        return;
+      }
+    const double underside = blank.meridian_point({L, -blank.dedendum(L) - rim_thickness})[0];
+    refuse.unless(rim_thickness > 0., "Body/Rim thickness", "must be positive");
+    refuse.unless(underside > 0.,
+                  "Body/Rim thickness",
+                  millimetres(rim_thickness) + " reaches the axis at the toe");
+    if (web == WebKind::conical)
+      check_conical(*this, blank, refuse);
+  }
+
+  GearBodyOptions pinion_body_defaults()
+  {
+    GearBodyOptions options;
+    options.web              = WebKind::solid;
+    options.bore_radius      = 20.;
+    options.cells_lengthwise = 16;
+    options.flank_rows       = 9;
+    options.rim_rows         = 4;
+    return options;
+  }
+
+  GearBodyOptions coarse(GearBodyOptions options)
+  {
+    options.cells_lengthwise = options.web == WebKind::solid ? 6 : 4;
+    options.cells_across     = 2;
+    options.flank_rows       = 3;
+    options.rim_rows         = options.web == WebKind::solid ? 3 : 4;
+    options.web_layers       = 2;
+    options.web_rows         = 5;
+    options.hub_rows         = 2;
+    options.hub_side_cells   = 2;
+    return options;
+  }
+} // namespace vfife

@@ -1,0 +1,132 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/nearest_name.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body.h>
+
+namespace vfife
+{
+  Body::Body(std::string name, std::unique_ptr<BodyMesh> mesh, const Material &material)
+    : name_(std::move(name))
+    , mesh_(std::move(mesh))
+    , material_(material)
+  {
+    const auto &vertices = mesh_->triangulation.get_vertices();
+    node_positions_.reserve(vertices.size());
+    for (const auto &v : vertices)
+      node_positions_.emplace_back(v[0], v[1], v[2]);
+
+    elements_.reserve(mesh_->triangulation.n_active_cells());
+    for (const auto &cell : mesh_->triangulation.active_cell_iterators())
+      {
+        std::array<std::uint32_t, 8> nodes;
+        for (unsigned int i = 0; i < 8; ++i)
+          nodes[i] = cell->vertex_index(i);
+        elements_.push_back(nodes);
+      }
+
+    node_masses_.assign(n_nodes(), 0.);
+    for (unsigned int e = 0; e < n_elements(); ++e)
+      {
+        const HexahedronNodes nodes = element_nodes(e);
+        if (!(compute_least_jacobian(nodes) > 0))
+          {
+            const Vector3 c = nodes.rowwise().mean();
+            throw InputError("body \"" + name_ + "\": element " + std::to_string(e) + " at (" + std::to_string(c[0]) + ", " +
+                             std::to_string(c[1]) + ", " + std::to_string(c[2]) +
+                             ") mm of the body frame is inverted; change the mesh or body sizes");
+          }
+        const auto masses = compute_lumped_mass(nodes, material_.density);
+        for (unsigned int i = 0; i < 8; ++i)
+          node_masses_[elements_[e][i]] += masses[i];
+      }
+    for (const double m : node_masses_)
+      mass_ += m;
+  }
+
+  Body::Body(Body &&) noexcept = default;
+  Body::~Body()                = default;
+
+  const std::string &Body::name() const
+  {
+    return name_;
+  }
+
+  const BodyMesh &Body::mesh() const
+  {
+    return *mesh_;
+  }
+
+  const Material &Body::material() const
+  {
+    return material_;
+  }
+
+  unsigned int Body::n_nodes() const
+  {
+    return node_positions_.size();
+  }
+
+  unsigned int Body::n_elements() const
+  {
+    return elements_.size();
+  }
+
+  const std::vector<Vector3> &Body::node_positions() const
+  {
+    return node_positions_;
+  }
+
+  const std::vector<double> &Body::node_masses() const
+  {
+    return node_masses_;
+  }
+
+  const std::vector<std::array<std::uint32_t, 8>> &Body::elements() const
+  {
+    return elements_;
+  }
+
+  HexahedronNodes Body::element_nodes(const unsigned int element) const
+  {
+    HexahedronNodes nodes;
+    for (unsigned int i = 0; i < 8; ++i)
+      nodes.col(i) = node_positions_[elements_[element][i]];
+    return nodes;
+  }
+
+  bool Body::has_node_set(const std::string &set) const
+  {
+    return mesh_->node_sets.count(set) != 0;
+  }
+
+  const std::vector<unsigned int> &Body::node_set(const std::string &set) const
+  {
+    const auto found = mesh_->node_sets.find(set);
+    if (found != mesh_->node_sets.end())
+      return found->second;
+
+    std::vector<std::string> names;
+    std::string              list;
+    for (const auto &s : mesh_->node_sets)
+      {
+        names.push_back(s.first);
+        list += (list.empty() ? "" : ", ") + s.first;
+      }
+    throw InputError("body \"" + name_ + "\" has no node set \"" + set + "\"; did you mean \"" + nearest_name(set, names) +
+                     "\"? (sets: " + list + ")");
+  }
+
+  double Body::mass() const
+  {
+    return mass_;
+  }
+
+  double Body::axial_inertia() const
+  {
+    double inertia = 0;
+    for (unsigned int i = 0; i < n_nodes(); ++i)
+      inertia += node_masses_[i] * axis.direction.cross(placement(node_positions_[i]) - axis.point).squaredNorm();
+    return inertia;
+  }
+} // namespace vfife

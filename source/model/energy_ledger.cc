@@ -1,0 +1,15 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/model/state.h>
+
+namespace vfife
+{
+  double EnergyLedger::residual() const
+  {
+    return kinetic + strain + contact - start - drive_work - torque_work + damping_loss + mesh_damping_loss + contact_loss;
+  }
+
+  double EnergyLedger::error() const
+  {
+    return scale > 0 ? residual() / scale : 0.;
+  }
+} // namespace vfife

@@ -1,0 +1,60 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/model.h>
+
+#include <unordered_map>
+
+namespace vfife
+{
+  unsigned int Model::add_body(Body &&body)
+  {
+    body.first_node    = n_nodes();
+    body.first_element = n_elements();
+    bodies.push_back(std::move(body));
+    return bodies.size() - 1;
+  }
+
+  unsigned int Model::n_nodes() const
+  {
+    return bodies.empty() ? 0 : bodies.back().first_node + bodies.back().n_nodes();
+  }
+
+  unsigned int Model::n_elements() const
+  {
+    return bodies.empty() ? 0 : bodies.back().first_element + bodies.back().n_elements();
+  }
+
+  std::vector<double> compute_nodal_areas(const Body &body, const std::vector<unsigned int> &nodes)
+  {
+    std::unordered_map<unsigned int, unsigned int> row;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      row.emplace(nodes[i], i);
+
+    const auto         &x = body.node_positions();
+    std::vector<double> areas(nodes.size(), 0.);
+    for (const auto &cell : body.mesh().triangulation.active_cell_iterators())
+      {
+        if (!cell->at_boundary())
+          continue;
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->face(f)->at_boundary())
+              continue;
+            std::array<unsigned int, 4> v;
+            bool                        inside = true;
+            for (unsigned int i = 0; i < 4; ++i)
+              {
+                v[i]   = cell->face(f)->vertex_index(i);
+                inside = inside && row.count(v[i]) != 0;
+              }
+            if (!inside)
+              continue;
+            // A face's vertices are lexicographic: 0 and 3 are opposite. Half the cross product of the diagonals is its area.
+            const double area = 0.5 * (x[v[3]] - x[v[0]]).cross(x[v[2]] - x[v[1]]).norm();
+            for (unsigned int i = 0; i < 4; ++i)
+              areas[row[v[i]]] += 0.25 * area;
+          }
+      }
+    return areas;
+  }
+} // namespace vfife

@@ -1,0 +1,128 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/log.h>
+#include <vfife/base/parameter_file.h>
+#include <vfife/output/output_folder.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+namespace vfife
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Why the folder cannot be used, or nothing. */
+    std::string create(const std::string &path)
+    {
+      if (path.empty())
+        return "the output folder has no name";
+      std::error_code error;
+      if (fs::exists(path, error) && !fs::is_directory(path, error))
+        return "the output folder \"" + path +
+               "\" is a file; give another folder or remove the file";
+      fs::create_directories(path, error);
+      if (error)
+        return "the output folder \"" + path + "\" cannot be created: " + error.message();
+
+      // Permissions say less than trying: read-only file systems, full disks.
+      const std::string probe = path + "/.vfife_is_writable";
+      {
+        std::ofstream file(probe);
+        file << "x" << std::flush;
+        if (!file)
+          return "the output folder \"" + path + "\" cannot be written to: " + std::strerror(errno);
+      }
+      fs::remove(probe, error);
+      return "";
+    }
+
+    void create_on_root(const std::string &path, const Communicator &communicator)
+    {
+      const std::string reason = communicator.broadcast(communicator.is_root() ? create(path) : "");
+      if (!reason.empty())
+        throw InputError("Study/Output folder", reason);
+    }
+  } // namespace
+
+  OutputFolder::OutputFolder(std::string path, const Communicator &communicator)
+    : path_(std::move(path))
+    , communicator_(communicator)
+  {
+    create_on_root(path_, communicator_);
+  }
+
+  OutputFolder::~OutputFolder()
+  {
+    if (log_ != nullptr)
+      log_->stop_file();
+  }
+
+  const std::string &OutputFolder::path() const
+  {
+    return path_;
+  }
+
+  const Communicator &OutputFolder::communicator() const
+  {
+    return communicator_;
+  }
+
+  std::string OutputFolder::file(const std::string &name) const
+  {
+    return path_ + "/" + name;
+  }
+
+  bool OutputFolder::is_writer() const
+  {
+    return communicator_.is_root();
+  }
+
+  void OutputFolder::make_subfolder(const std::string &name) const
+  {
+    create_on_root(file(name), communicator_);
+  }
+
+  void OutputFolder::write_file(const std::string                         &name,
+                                const std::function<void(std::ostream &)> &write) const
+  {
+    const std::string path      = file(name);
+    const std::string temporary = path + ".part";
+    {
+      std::ofstream out(temporary, std::ios::binary);
+      if (!out)
+        throw InputError("Study/Output folder",
+                         "cannot write \"" + path + "\": " + std::strerror(errno));
+      write(out);
+      out.close();
+      if (!out)
+        throw std::runtime_error("cannot write \"" + path + "\": " + std::strerror(errno));
+    }
+    std::error_code error;
+    fs::rename(temporary, path, error);
+    if (error)
+      throw std::runtime_error("cannot write \"" + path + "\": " + error.message());
+  }
+
+  void OutputFolder::write_parameters(dealii::ParameterHandler &prm) const
+  {
+    if (is_writer())
+      write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });
+  }
+
+  void OutputFolder::attach_log(Log &log)
+  {
+    log_ = &log;
+    if (!is_writer())
+      return;
+    log_file_ = std::make_unique<std::ofstream>(file("run.log"));
+    if (!*log_file_)
+      throw InputError("Study/Output folder",
+                       "cannot write \"" + file("run.log") + "\": " + std::strerror(errno));
+    log.write_to(*log_file_);
+  }
+} // namespace vfife

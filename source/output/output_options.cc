@@ -1,0 +1,88 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters.h>
+#include <vfife/model/transmission.h>
+#include <vfife/output/output_options.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<Verbosity> &verbosities()
+    {
+      static const Choices<Verbosity> choices = {{"quiet", Verbosity::quiet},
+                                                 {"normal", Verbosity::normal},
+                                                 {"detailed", Verbosity::detailed}};
+      return choices;
+    }
+
+    /** Steps of @p dt in one tooth mesh, not rounded. */
+    double steps_per_mesh(const Transmission &transmission, const double dt)
+    {
+      return 1. / (transmission.mesh_frequency() * dt);
+    }
+  } // namespace
+
+  void OutputOptions::declare(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Output");
+    declare_integer(prm,
+                    "History every",
+                    history_every,
+                    "Samples of the histories in a tooth mesh; for models without a gear pair: "
+                    "steps from sample to sample",
+                    1);
+    declare_integer(prm,
+                    "Fields every",
+                    fields_every,
+                    "Tooth meshes (for models without a gear pair: samples of the histories) from "
+                    "field file to field file, 0 for none");
+    declare_quantity(prm,
+                     "Checkpoint every",
+                     checkpoint_every,
+                     "s",
+                     "Wall time from checkpoint to checkpoint, 0 for none",
+                     Range::not_negative());
+    declare_choice(prm,
+                   "Verbosity",
+                   verbosity,
+                   verbosities(),
+                   "What the screen shows: warnings only, the course of the run, details");
+  }
+
+  void OutputOptions::check(const std::string &section) const
+  {
+    if (history_every == 0)
+      throw InputError(section + "/History every", "must be at least 1");
+    if (!(checkpoint_every >= 0) || !std::isfinite(checkpoint_every))
+      throw InputError(section + "/Checkpoint every", "must be a wall time in seconds, 0 for none");
+  }
+
+  std::uint64_t OutputOptions::compute_history_steps(const Transmission *transmission,
+                                                     const double        dt) const
+  {
+    if (transmission == nullptr)
+      return history_every;
+    if (!(dt > 0) || !(transmission->mesh_frequency() > 0))
+      throw InputError("Output/History every",
+                       "samples per tooth mesh need a turning gear pair and a time step");
+    // The small addition keeps 49.999999 steps, which are 50 but for round-off, from becoming 49.
+    const double steps = std::floor(steps_per_mesh(*transmission, dt) / history_every + 1e-6);
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
+  }
+
+  std::uint64_t OutputOptions::compute_field_steps(const Transmission *transmission,
+                                                   const double        dt) const
+  {
+    if (fields_every == 0)
+      return 0;
+    const std::uint64_t sample = compute_history_steps(transmission, dt);
+    if (transmission == nullptr)
+      return fields_every * sample;
+    const double samples = std::round(fields_every * steps_per_mesh(*transmission, dt) / sample);
+    return sample * std::max<std::uint64_t>(1, static_cast<std::uint64_t>(samples));
+  }
+} // namespace vfife

@@ -1,0 +1,161 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/json.h>
+#include <vfife/output/output_folder.h>
+#include <vfife/output/summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+
+namespace vfife
+{
+  namespace
+  {
+    Json figure(const double value, const std::string &unit)
+    {
+      return Json{{"value", value}, {"unit", unit}};
+    }
+
+    Json figures(const NamedFigures &named)
+    {
+      Json json = Json::object();
+      for (const auto &entry : named)
+        json[entry.first] = figure(entry.second.value, entry.second.unit);
+      return json;
+    }
+
+    Json mesh(const RunSummary &summary)
+    {
+      std::uint64_t cells = 0, nodes = 0;
+      Json          bodies = Json::array();
+      for (const BodySummary &body : summary.bodies)
+        {
+          cells += body.cells;
+          nodes += body.nodes;
+          Json json;
+          json["name"]               = body.name;
+          json["cells"]              = body.cells;
+          json["nodes"]              = body.nodes;
+          json["mass"]               = figure(1e3 * body.mass, "kg");
+          json["axial inertia"]      = figure(1e-3 * body.inertia, "kg m^2");
+          json["speed at the start"] = figure(body.rate * 30 / pi, "rpm");
+          bodies.push_back(json);
+        }
+      Json json;
+      json["cells"]  = cells;
+      json["nodes"]  = nodes;
+      json["bodies"] = bodies;
+      return json;
+    }
+
+    Json run(const RunSummary &summary)
+    {
+      Json json;
+      json["time"]                     = figure(summary.time, "s");
+      json["step"]                     = figure(summary.dt, "s");
+      json["steps"]                    = summary.steps;
+      json["run time"]                 = figure(summary.run_time, "s");
+      json["element-steps per second"] = figure(summary.element_steps_per_second(), "1/s");
+      json["ranks"]                    = summary.ranks;
+      if (!summary.instruction_set.empty())
+        json["instruction set"] = summary.instruction_set;
+      if (!summary.timers.empty())
+        json["timers"] = figures(summary.timers);
+      return json;
+    }
+
+    Json steady_part(const SteadyPart &part)
+    {
+      Json json;
+      json["found"]                       = part.found;
+      json["explanation"]                 = part.explain();
+      json["start"]                       = figure(part.start_time, "s");
+      json["end"]                         = figure(part.end_time, "s");
+      json["mesh cycles"]                 = part.cycles;
+      json["swing period"]                = figure(part.period, "mesh cycles");
+      json["largest change of the means"] = figure(part.largest_change, "-");
+      Json columns                        = Json::object();
+      for (const ColumnStatistics &column : part.columns)
+        columns[column.name] = {{"mean", column.mean},
+                                {"peak to peak", column.peak_to_peak},
+                                {"standard deviation", column.standard_deviation},
+                                {"unit", column.unit}};
+      json["columns"] = columns;
+      return json;
+    }
+
+    Json energy(const EnergyLedger &ledger)
+    {
+      Json json;
+      json["kinetic"]                                 = figure(ledger.kinetic, "mJ");
+      json["kinetic, relative to the turning bodies"] = figure(ledger.kinetic_relative, "mJ");
+      json["strain"]                                  = figure(ledger.strain, "mJ");
+      json["contact"]                                 = figure(ledger.contact, "mJ");
+      json["start"]                                   = figure(ledger.start, "mJ");
+      json["work of the drive"]                       = figure(ledger.drive_work, "mJ");
+      json["work of the torques"]                     = figure(ledger.torque_work, "mJ");
+      json["damping loss"]                            = figure(ledger.damping_loss, "mJ");
+      json["mesh damping loss"]                       = figure(ledger.mesh_damping_loss, "mJ");
+      json["contact loss"]                            = figure(ledger.contact_loss, "mJ");
+      json["residual"]                                = figure(ledger.residual(), "mJ");
+      json["error"]                                   = figure(ledger.error(), "-");
+      return json;
+    }
+
+    Json damping(const std::vector<DampingAudit> &audits)
+    {
+      Json json = Json::array();
+      for (const DampingAudit &audit : audits)
+        json.push_back({{"body", audit.body},
+                        {"net torque", figure(1e-3 * audit.net_torque, "N m")},
+                        {"power", figure(1e-3 * audit.power, "W")},
+                        {"spin drift", figure(audit.spin_drift * 30 / pi, "rpm")}});
+      return json;
+    }
+  } // namespace
+
+  double RunSummary::element_steps_per_second() const
+  {
+    double cells = 0;
+    for (const BodySummary &body : bodies)
+      cells += body.cells;
+    return run_time > 0 ? cells * static_cast<double>(steps) / run_time : 0.;
+  }
+
+  std::string make_summary_text(const RunSummary &summary)
+  {
+    Json json;
+    json["status"] = summary.status;
+    if (!summary.failure.empty())
+      json["failure"] = summary.failure;
+    json["study"]          = summary.study;
+    json["parameter file"] = summary.parameter_file;
+    json["version"]        = summary.version;
+    json["revision"]       = summary.revision;
+    json["mesh"]           = mesh(summary);
+    json["run"]            = run(summary);
+    if (!summary.figures.empty())
+      json["figures"] = figures(summary.figures);
+    if (summary.steady)
+      json["steady part"] = steady_part(*summary.steady);
+    if (!summary.transmission_error.empty())
+      json["transmission error"] = figures(summary.transmission_error);
+    if (summary.energy)
+      json["energy"] = energy(*summary.energy);
+    if (!summary.damping.empty())
+      json["damping audit"] = damping(summary.damping);
+    json["contradictions"] = summary.contradictions;
+    json["warnings"]       = summary.warnings;
+    // Names of files may hold bytes that are no UTF-8: replaced rather than failing at the end of a
+    // run.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  }
+
+  void write_summary(const OutputFolder &folder, const RunSummary &summary)
+  {
+    if (!folder.is_writer())
+      return;
+    const std::string text = make_summary_text(summary);
+    folder.write_file("summary.json", [&text](std::ostream &out) { out << text; });
+  }
+} // namespace vfife

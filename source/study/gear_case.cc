@@ -1,0 +1,251 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/log.h>
+#include <vfife/base/parameter_file.h>
+#include <vfife/base/parameters.h>
+#include <vfife/mesh/mesh_quality.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/study/gear_case.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<HubKind> hub_kinds = {{"free rotation", HubKind::free_rotation}, {"rigid hub", HubKind::rigid_hub}};
+
+    const char *surface_of(const FlankSide side)
+    {
+      return side == FlankSide::concave ? surface_name::concave : surface_name::convex;
+    }
+
+    /** Body frame placed in the fixed frame with its axis of rotation. */
+    void place(Body &body, const RigidMotion &placement, const double rate)
+    {
+      body.placement      = placement;
+      body.axis.point     = placement.translation;
+      body.axis.direction = placement.rotation.col(2);
+      body.turns_on_axis  = true;
+      body.rate           = rate;
+    }
+  } // namespace
+
+  void OperationOptions::declare(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Operation");
+    declare_quantity(prm, "Speed", speed, "rpm", "Speed of the pinion, in the drive direction", Range::not_negative());
+    declare_quantity(prm, "Torque", torque, "N m", "Torque on the gear, against the drive direction", Range::not_negative());
+    declare_integer(prm, "Tooth meshes", meshes, "Length of the run in tooth meshes", 1);
+    declare_number(prm,
+                   "Ramp",
+                   ramp,
+                   "Tooth meshes over which the torque grows linearly, with Dynamics/Start = ramp (whole swing periods)",
+                   Range::not_negative());
+    declare_choice(prm,
+                   "Hub",
+                   hub,
+                   hub_kinds,
+                   "Bore of the gear: each node free to turn about the axis under the constant traction of the torque, or all nodes "
+                   "turning as one; radial and axial displacement held");
+  }
+
+  void OperationOptions::check(const std::string &section) const
+  {
+    if (!(speed > 0))
+      throw InputError(section + "/Speed", "the speed of the pinion is missing or zero; a dynamic run needs one");
+    if (!(torque > 0))
+      throw InputError(section + "/Torque", "the torque on the gear is missing or zero; flanks without load do not stay in contact");
+  }
+
+  GearCase::GearCase()
+    : pinion_body_(pinion_body_defaults())
+  {}
+
+  void GearCase::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    const auto declare_pair = [](dealii::ParameterHandler &handler,
+                                 GearCase                 &gear_case) {
+      Subsection section(handler, "Gear pair");
+      gear_case.pair_.declare(handler);
+      {
+        Subsection member(handler, "Pinion");
+        declare_text(handler, "Material", gear_case.pinion_material_, "Name of a section \"Material NAME\"");
+        gear_case.pinion_body_.declare(handler);
+      }
+      {
+        Subsection member(handler, "Gear");
+        declare_text(handler, "Material", gear_case.gear_material_, "Name of a section \"Material NAME\"");
+        gear_case.gear_body_.declare(handler);
+      }
+    };
+
+    // First pass: the names of the materials.
+    GearCase                 names;
+    dealii::ParameterHandler first;
+    declare_pair(first, names);
+    file.read_known(first);
+
+    declare_pair(prm, *this);
+    materials_.clear();
+    materials_.reserve(2); // entries are bound by address
+    for (const std::string &name : {names.pinion_material_, names.gear_material_})
+      if (materials_.empty() || materials_.front().name != name)
+        {
+          materials_.emplace_back();
+          materials_.back().name = name;
+          Subsection section(prm, "Material " + name);
+          materials_.back().declare(prm);
+        }
+    operation_.declare(prm);
+    Subsection section(prm, "Contact");
+    contact_.declare(prm);
+  }
+
+  void GearCase::check() const
+  {
+    pair_.check("Gear pair");
+    const GearPairOptions completed = pair_.completed();
+    pinion_body_.check("Gear pair/Pinion", completed.pinion.blank);
+    gear_body_.check("Gear pair/Gear", completed.gear.blank);
+    for (const Material &m : materials_)
+      m.check("Material " + m.name);
+    operation_.check("Operation");
+    contact_.check("Contact");
+  }
+
+  const Material &GearCase::material(const std::string &name) const
+  {
+    return materials_.front().name == name ? materials_.front() : materials_.back();
+  }
+
+  const OperationOptions &GearCase::operation() const
+  {
+    return operation_;
+  }
+
+  double GearCase::mesh_frequency() const
+  {
+    return operation_.mesh_frequency(pair_.pinion.blank.teeth);
+  }
+
+  double GearCase::choose_step(const double stable_step, const unsigned int samples) const
+  {
+    const double steps_per_sample = std::ceil(1. / (mesh_frequency() * stable_step * samples));
+    return 1. / (mesh_frequency() * samples * steps_per_sample);
+  }
+
+  bool GearCase::has_web() const
+  {
+    return gear_body_.web == WebKind::conical;
+  }
+
+  unsigned int GearCase::gear_tooth_in_mesh(const unsigned int meshes) const
+  {
+    // Drive direction of the gear is - about its axis: the next tooth in the + sense comes.
+    return meshes % pair_.gear.blank.teeth;
+  }
+
+  Model GearCase::make_model(const bool torque_is_ramped, Log &log) const
+  {
+    const GearPair pair(pair_);
+    Model          model;
+
+    Body pinion("pinion", make_gear_body(pair.pinion(), pinion_body_), material(pinion_material_));
+    place(pinion, pair.pinion_placement(pair.rot1_reference()), operation_.speed);
+    Body gear("gear", make_gear_body(pair.gear(), gear_body_), material(gear_material_));
+    place(gear, pair.gear_placement(pair.rot2_reference()), -operation_.speed * pair.speed_ratio());
+
+    Transmission t;
+    t.driver         = model.add_body(std::move(pinion));
+    t.driven         = model.add_body(std::move(gear));
+    t.driver_teeth   = pair.pinion().blank().teeth;
+    t.driven_teeth   = pair.gear().blank().teeth;
+    t.driver_rate    = operation_.speed;
+    t.contact_point  = pair.mean_contact(MeshSide::drive).position;
+    t.contact_normal = pair.mean_contact(MeshSide::drive).normal;
+    t.arm            = pair.mean_contact(MeshSide::drive).arm;
+    t.driven_rim     = model.bodies[t.driven].node_set(node_set::rim);
+    model.transmission = t;
+
+    const auto &bore = model.bodies[t.driver].node_set(node_set::bore);
+    model.constraints.push_back({"pinion bore", ConstraintKind::prescribed_rotation, t.driver, bore});
+    add_hub(model, torque_is_ramped);
+    add_contacts(pair, model);
+    add_probes(model);
+    log_bodies(model, log);
+    return model;
+  }
+
+  void GearCase::add_hub(Model &model, const bool torque_is_ramped) const
+  {
+    Transmission &t    = *model.transmission;
+    const Body   &gear = model.bodies[t.driven];
+    t.driven_bore      = gear.node_set(gear_body_.web == WebKind::none ? node_set::rim_underside : node_set::bore);
+
+    Constraint hub;
+    hub.name  = "gear hub";
+    hub.kind  = operation_.hub == HubKind::rigid_hub ? ConstraintKind::rigid_hub : ConstraintKind::free_rotation;
+    hub.body  = t.driven;
+    hub.nodes = t.driven_bore;
+    model.constraints.push_back(hub);
+
+    Torque load;
+    load.name      = "load torque";
+    load.body      = t.driven;
+    load.nodes     = t.driven_bore;
+    load.areas     = compute_nodal_areas(gear, t.driven_bore);
+    load.value     = -t.driven_sense * operation_.torque;
+    load.ramp_time = torque_is_ramped ? operation_.ramp / mesh_frequency() : 0.;
+    model.torques.push_back(load);
+  }
+
+  void GearCase::add_contacts(const GearPair &pair, Model &model) const
+  {
+    const Transmission &t = *model.transmission;
+    for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
+      {
+        ContactPair contact;
+        contact.side           = side == MeshSide::drive ? "drive" : "coast";
+        contact.slave_body     = t.driver;
+        contact.slave_surface  = surface_of(pair.pinion_side(side));
+        contact.master_body    = t.driven;
+        contact.master_surface = surface_of(pair.gear_side(side));
+        contact.options        = contact_;
+        model.contacts.push_back(contact);
+      }
+  }
+
+  void GearCase::add_probes(Model &model) const
+  {
+    const Body        &gear  = model.bodies[model.transmission->driven];
+    const unsigned int tooth = gear_tooth_in_mesh(std::lround(0.75 * operation_.meshes));
+    for (const char *set : {node_set::node_A_front, node_set::node_A_back})
+      if (gear.has_node_set(set) && tooth < gear.node_set(set).size())
+        model.probes.push_back({set, model.transmission->driven, gear.node_set(set)[tooth]});
+  }
+
+  void GearCase::log_bodies(const Model &model, Log &log) const
+  {
+    for (const Body &body : model.bodies)
+      {
+        const MeshQuality quality = compute_mesh_quality(body.mesh().triangulation);
+        log.line(body.name(),
+                 ": ",
+                 quality.cells,
+                 " elements, ",
+                 quality.nodes,
+                 " nodes, mass ",
+                 1e3 * body.mass(),
+                 " kg, inertia ",
+                 1e3 * body.axial_inertia(),
+                 " kg mm^2, least scaled Jacobian ",
+                 quality.least_scaled_jacobian,
+                 ", least edge ",
+                 quality.least_edge,
+                 " mm");
+      }
+  }
+} // namespace vfife

@@ -1,0 +1,115 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Numbers with units: every unit's factor against its definition, the messages for wrong units,
+// texts of defaults.
+
+#include <vfife/base/errors.h>
+#include <vfife/base/nearest_name.h>
+#include <vfife/base/number_text.h>
+#include <vfife/base/quantity.h>
+#include <vfife/base/types.h>
+
+#include "../tests.h"
+
+using namespace vfife;
+
+void check_value(const std::string &text, const std::string &unit, const double value)
+{
+  // factors are rounded once, the product once more
+  check_close(text, parse_quantity(text, unit), value, 4e-16 * std::abs(value));
+}
+
+void refuse(const std::string &text, const std::string &unit)
+{
+  try
+    {
+      parse_quantity(text, unit);
+      std::cout << text << ": FAILED, accepted" << std::endl;
+    }
+  catch (const InputError &error)
+    {
+      std::cout << "<" << text << "> " << error.what() << std::endl;
+    }
+}
+
+void check_values()
+{
+  check_value("5 mm", "m", 5.);
+  check_value("0.005 m", "mm", 5.);
+  check_value("  +5e3um ", "mm", 5.);
+  check_value("5", "m", 5000.);
+  check_value("-5", "mm", -5.);
+  check_value("2 ms", "s", 2e-3);
+  check_value("180 deg", "rad", pi);
+  check_value("3600 arcsec", "deg", pi / 180.);
+  check_value("60 arcmin", "deg", pi / 180.);
+  check_value("20000 rpm", "rad/s", 20000. * 2. * pi / 60.);
+  check_value("360 deg/s", "rpm", 2. * pi);
+  check_value("9 kHz", "Hz", 9000.);
+  check_value("1000", "1/s", 1000.);
+  check_value("800 N m", "N mm", 8e5);
+  check_value("0.8  kN   m", "N m", 8e5);
+  check_value("206 GPa", "MPa", 206000.);
+  check_value("206000 N/mm^2", "Pa", 206000.);
+  check_value("7850 kg/m^3", "t/mm^3", 7.85e-9);
+  check_value("7.85 g/cm^3", "t/mm^3", 7.85e-9);
+  check_value("2 kg", "t", 2e-3);
+  check_value("1 kg m^2", "t mm^2", 1e3);
+  check_value("3 m/s", "mm/s", 3000.);
+  check_value("2 MPa/mm", "N/mm^3", 2.);
+  check_value("80 %", "-", 0.8);
+}
+
+void check_texts()
+{
+  std::cout << quantity_text(70. * pi / 180., "deg") << " "
+            << quantity_text(20000. * pi / 30., "rpm") << " " << quantity_text(8e5, "N m") << " "
+            << number_text(0.1) << std::endl;
+
+  // a text must read back as the same value to the last bit but one, whatever the unit
+  double worst = 0.;
+  for (const Unit &unit : known_units())
+    for (double value = 1.2345678901234567e-9; value < 1e12; value *= 7.1)
+      worst = std::max(worst,
+                       std::abs(parse_quantity(quantity_text(value, unit.name) + " " + unit.name,
+                                               unit.name) /
+                                  value -
+                                1.));
+  check_below("texts of quantities read back", worst, 5e-16);
+
+  bool exact = true;
+  for (double value = -1.2345678901234567e-300; std::abs(value) < 1e300; value *= -7.1)
+    {
+      std::string rest;
+      exact = exact && read_number(number_text(value), rest) == value && rest.empty();
+    }
+  check("texts of numbers read back exactly", exact);
+}
+
+int main()
+{
+  check_values();
+  check_texts();
+
+  refuse("5 kg", "mm");
+  refuse("5 nm", "mm");
+  refuse("800 Nm", "N m");
+  refuse("20 furlongs", "mm");
+  refuse("5 RPM", "rpm");
+  refuse("5 mm", "-");
+  refuse("mm", "mm");
+  refuse("", "mm");
+  refuse("nan", "mm");
+  refuse("1e999", "mm");
+  refuse("100 Hz", "1/s");
+  refuse("5,3", "-");
+
+  check("distance of a swap is 1", edit_distance("Gera", "gear") == 1);
+  check("distance", edit_distance("kitten", "sitting") == 3);
+  check("nearest",
+        nearest_name("web thicknes", {"Rim thickness", "Web thickness", "Web angle"}) ==
+          "Web thickness");
+  check("none is alike", nearest_name("speed", {"Rim thickness", "Bore"}).empty());
+  check("part of a name",
+        nearest_name("thickness", {"Bore", "Web thickness of the gear"}) ==
+          "Web thickness of the gear");
+}

@@ -1,0 +1,150 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Tables as CSV and JSON, the log, the timers, and the neighbours of facets.
+
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/facet_surface.h>
+#include <vfife/base/log.h>
+#include <vfife/base/table.h>
+#include <vfife/base/timers.h>
+
+#include "../tests.h"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+using namespace vfife;
+
+void check_table()
+{
+  Table table;
+  table.add_column("time", "s");
+  table.add_text_column("side");
+  table.add_column("force", "N");
+  table.add_row({0, "drive", 1. / 3.});
+  table.add_row({1e-7, "coast, \"back\"", -2});
+  table.add_row({2u, "", std::numeric_limits<double>::quiet_NaN()});
+
+  check("header", table.csv_header() == "time [s],side,force [N]");
+  check("row", table.csv_row(0) == "0,drive,0.3333333333333333");
+  check("quoted text", table.csv_row(1) == "1e-07,\"coast, \"\"back\"\"\",-2");
+  check("not a number", table.csv_row(2) == "2,,nan");
+  std::ostringstream csv;
+  table.write_csv(csv);
+  check("csv",
+        csv.str() == table.csv_header() + "\n" + table.csv_row(0) + "\n" + table.csv_row(1) + "\n" +
+                       table.csv_row(2) + "\n");
+
+  std::stringstream text;
+  table.write_json(text);
+  const Json json = Json::parse(text);
+  check("json is the same written and made", json == table.json());
+  check("json",
+        json["columns"][2]["unit"] == "N" && json["rows"][0][2].get<double>() == 1. / 3. &&
+          json["rows"][1][1] == "coast, \"back\"" && json["rows"][2][2].is_null());
+  check("numbers of a column", table.numbers("time") == std::vector<double>({0., 1e-7, 2.}));
+
+  bool refused = false;
+  try
+    {
+      table.add_row({1, 2, 3});
+    }
+  catch (const std::logic_error &)
+    {
+      refused = table.n_rows() == 3;
+    }
+  check("a number is refused as text", refused);
+}
+
+void check_log()
+{
+  std::ostringstream screen, file, other_screen;
+  Log                log(screen, true);
+  log.line("mass ", 3.5, " kg");
+  log.detail("not shown");
+  log.write_to(file);
+  for (unsigned int i = 0; i < 3; ++i)
+    log.warning("web is thin");
+  log.set_verbosity(Verbosity::quiet);
+  log.line("end");
+  log.warning("quiet");
+  check("screen", screen.str() == "mass 3.5 kg\nwarning: web is thin\nwarning: quiet\n");
+  check("file", file.str() == "mass 3.5 kg\nwarning: web is thin\nend\nwarning: quiet\n");
+  check("warnings",
+        log.n_warnings() == 4 && log.warnings().size() == 2 && log.warnings()[0].count == 3);
+
+  Log other(other_screen, false);
+  other.line("nothing");
+  other.warning("kept");
+  check("other ranks are silent", other_screen.str().empty() && other.n_warnings() == 1);
+}
+
+void check_timers()
+{
+  Timers             timers;
+  const unsigned int outer = timers.section("outer"), inner = timers.section("inner");
+  for (unsigned int i = 0; i < 2; ++i)
+    {
+      const auto outer_scope = timers.time(outer);
+      const auto inner_scope = timers.time(inner);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  check("a known name gives the same section", timers.section("outer") == outer);
+  // the outer section does nothing but open the inner one; a loaded machine may take its time for
+  // that
+  check("the outer clock stands still",
+        timers.seconds(inner) >= 0.04 && timers.seconds(outer) < timers.seconds(inner));
+
+  const Table               table = timers.report(Communicator(MPI_COMM_SELF));
+  const std::vector<double> time  = table.numbers("time");
+  check("rows", table.n_rows() == 4 && table.column("section").texts[2] == "other");
+  check("calls", table.numbers("calls")[1] == 2.);
+  // the clock runs on between reading sections and total: a scheduler's time slice at most
+  check_close("sections add up", time[0] + time[1] + time[2], time[3], 0.1 * time[3]);
+}
+
+void check_neighbours()
+{
+  // 2 x 1 facets side by side: facet 0 meets facet 1 with its side xi = 1
+  FacetSurface surface;
+  surface.name   = "top";
+  surface.facets = {{{0, 1, 4, 3}}, {{1, 2, 5, 4}}};
+  find_neighbours(surface);
+  const unsigned int none = FacetSurface::no_facet;
+  check("neighbours",
+        surface.neighbours[0] == std::array<unsigned int, 4>{{none, 1, none, none}} &&
+          surface.neighbours[1] == std::array<unsigned int, 4>{{none, none, none, 0}});
+
+  for (const std::array<unsigned int, 4> wrong :
+       {std::array<unsigned int, 4>{{1, 4, 5, 2}}, {{1, 4, 7, 6}}})
+    {
+      surface.facets[1] = wrong;
+      surface.facets.resize(2);
+      if (wrong[2] == 7)
+        {
+          surface.facets[1] = {{1, 2, 5, 4}};
+          surface.facets.push_back(wrong);
+        }
+      try
+        {
+          find_neighbours(surface);
+          std::cout << "FAILED: accepted" << std::endl;
+        }
+      catch (const InputError &error)
+        {
+          std::cout << error.what() << std::endl;
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+  MPI_Init(&argc, &argv);
+  check_table();
+  check_log();
+  check_timers();
+  check_neighbours();
+  MPI_Finalize();
+}

@@ -1,0 +1,181 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Reading a pair from parameters, and what is said about missing and contradictory entries.
+#include "../tests.h"
+#include "paper_pair.h"
+
+#include <vfife/base/errors.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+
+using namespace vfife;
+
+/** Changes the paper's pair; the message must be about @p entry and hold all @p words. */
+void expect(const std::string                            &name,
+            const std::function<void(GearPairOptions &)> &change,
+            const std::string                            &entry,
+            const std::vector<std::string>               &words)
+{
+  GearPairOptions options = paper::options();
+  change(options);
+  std::string message = "accepted";
+  bool        found   = false;
+  try
+    {
+      options.check();
+    }
+  catch (const InputError &error)
+    {
+      message = error.entry() + ": " + error.what();
+      found   = error.entry() == "Gear pair/" + entry;
+      for (const std::string &word : words)
+        found = found && std::string(error.what()).find(word) != std::string::npos;
+    }
+  check(name + (found ? "" : " (" + message + ")"), found);
+}
+
+void check_missing_entries()
+{
+  using Options = GearPairOptions;
+  expect("nothing given",
+         [](Options &o) { o = Options(); },
+         "Pinion/Blank/Number of teeth",
+         {"missing"});
+  expect("missing face width",
+         [](Options &o) { o.gear.blank.face_width = 0; },
+         "Gear/Blank/Face width",
+         {"missing"});
+  expect("missing radial distance",
+         [](Options &o) { o.pinion.convex.radial_distance = 0; },
+         "Pinion/Convex flank/Radial distance",
+         {"missing"});
+  expect("missing point radius",
+         [](Options &o) { o.gear.cutter_diameter = 0; },
+         "Gear/Concave flank/Point radius",
+         {"missing"});
+}
+
+void check_printed_contradictions()
+{
+  using Options       = GearPairOptions;
+  const double degree = paper::degree;
+  // the contradictions of the printed tables
+  expect("printed gear root angle",
+         [&](Options &o) { o.gear.blank.root_angle = 72.1 * degree; },
+         "Gear/Blank/Root angle",
+         {"72.1 deg", "71.131 deg", "face angle?"});
+  expect("printed pinion cutter diameter",
+         [](Options &o) { o.pinion.cutter_diameter = 152.4; },
+         "Pinion/Cutter diameter",
+         {"152.4", "94.01", "96.18"});
+  expect("one gear point radius",
+         [](Options &o) { o.gear.concave.point_radius = 94.26; },
+         "Gear/Concave flank/Point radius",
+         {"point width 0 mm"});
+}
+
+void check_other_contradictions()
+{
+  using Options       = GearPairOptions;
+  const double degree = paper::degree;
+  // further ones
+  expect("face angle below the pitch angle",
+         [&](Options &o) { o.pinion.blank.face_angle = 18. * degree; },
+         "Pinion/Blank/Face angle",
+         {"18 deg", "18.869 deg"});
+  expect("mean cone distance",
+         [](Options &o) { o.pinion.blank.mean_cone_distance = 120.; },
+         "Pinion/Blank/Mean cone distance",
+         {"120 mm", "116.491 mm"});
+  expect("face width",
+         [](Options &o) { o.gear.blank.face_width = 140.; },
+         "Gear/Blank/Face width",
+         {"140", "131.491"});
+  expect("pitch angles and teeth",
+         [&](Options &o) {
+           o.pinion.blank.pitch_angle = 19. * degree;
+           o.gear.blank.pitch_angle   = 71. * degree;
+         },
+         "Pinion/Blank/Pitch angle",
+         {"19 deg", "27/79", "18.869 deg"});
+  expect("shaft angle",
+         [&](Options &o) { o.gear.blank.pitch_angle = 71. * degree; },
+         "Gear/Blank/Pitch angle",
+         {"90 deg"});
+  expect("machine root angle",
+         [&](Options &o) { o.pinion.convex.machine_root_angle = 19. * degree; },
+         "Pinion/Convex flank/Machine root angle",
+         {"19 deg", "17.9 deg"});
+  expect("hand against cradle angle",
+         [&](Options &o) { o.pinion.convex.cradle_angle *= -1.; },
+         "Pinion/Convex flank/Cradle angle",
+         {"48.81", "left-hand", "right-hand"});
+  expect("equal hands",
+         [&](Options &o) {
+           o.pinion.blank.hand = Hand::left;
+           o.pinion.concave.cradle_angle *= -1.;
+           o.pinion.convex.cradle_angle *= -1.;
+         },
+         "Gear/Blank/Hand of spiral",
+         {"same hand"});
+  expect("no clearance",
+         [](Options &o) { o.gear.blank.mean_dedendum = 3.; },
+         "Gear/Blank/Mean dedendum",
+         {"3 mm", "3.34 mm"});
+  expect("edge radius",
+         [](Options &o) { o.gear.convex.edge_radius = 3.; },
+         "Gear/Concave flank/Point radius",
+         {"edges"});
+  expect("backlash", [](Options &o) { o.backlash = -0.1; }, "Mounting/Backlash", {"negative"});
+}
+
+void check_reading()
+{
+  const double degree = paper::degree;
+  // what the file says arrives, with units
+  GearPairOptions          options = paper::options();
+  dealii::ParameterHandler prm;
+  options.declare(prm);
+  prm.parse_input_from_string("subsection Pinion\n"
+                              "  subsection Blank\n"
+                              "    set Number of teeth = 29\n"
+                              "    set Hand of spiral = left\n"
+                              "    set Face angle = 20.5 deg\n"
+                              "  end\n"
+                              "  subsection Concave flank\n"
+                              "    set Ratio of roll = 3.1\n"
+                              "  end\n"
+                              "end\n"
+                              "subsection Gear\n"
+                              "  set Cutter diameter = 152.4\n"
+                              "  subsection Convex flank\n"
+                              "    set Point radius = 0.0943 m\n"
+                              "  end\n"
+                              "end\n"
+                              "subsection Mounting\n"
+                              "  set Backlash = 150 um\n"
+                              "  set Gear axial shift = -100 um\n"
+                              "  set Shaft angle error = 0.5\n"
+                              "end\n");
+  check("words arrive",
+        options.pinion.blank.teeth == 29 && options.pinion.blank.hand == Hand::left);
+  check_close("angle", options.pinion.blank.face_angle, 20.5 * degree, 1e-15);
+  check_close("ratio of roll", options.pinion.concave.ratio_of_roll, 3.1, 0.);
+  check_close("length in m", options.gear.convex.point_radius, 94.3, 1e-12);
+  check_close("bare length", options.gear.cutter_diameter, 152.4, 0.);
+  check_close("backlash in um", options.backlash, 0.15, 1e-15);
+  check_close("gear axial shift in um", options.gear_axial_shift, -0.1, 1e-15);
+  check_close("shaft angle error in degrees", options.shaft_angle_error, 0.5 * degree, 1e-15);
+  check_close("what is not in the file stays", options.pinion.convex.radial_distance, 108.77, 0.);
+}
+
+int main()
+{
+  paper::options().check();
+  check("the paper's pair is accepted", true);
+  check_missing_entries();
+  check_printed_contradictions();
+  check_other_contradictions();
+  check_reading();
+}

@@ -1,0 +1,301 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Fields and checkpoints of a turning ring and a stretched block, on one rank and on two.
+#include "../tests.h"
+
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/mesh/primitives.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+#include <vfife/output/body_motion.h>
+#include <vfife/output/checkpoint.h>
+#include <vfife/output/field_writer.h>
+#include <vfife/output/node_stresses.h>
+#include <vfife/output/output_folder.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  const std::string folder_name = "fields_results";
+  constexpr double  angle = 2.5, rate = 2000, strain = 1e-4;
+
+  /** A ring that turns about an axis askew, and a block that is pulled along x. */
+  Model make_model(const double block_size = 4)
+  {
+    Material material;
+    material.poissons_ratio = 0; // so that a pulled block has stress along x only
+    Model model;
+    Body  ring("ring", make_ring(20, 30, 5, {2, 24, 2}), material);
+    ring.axis.point     = Vector3(1, 2, 3);
+    ring.axis.direction = Vector3(1, 2, 2) / 3.;
+    ring.placement.rotation =
+      Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), ring.axis.direction).toRotationMatrix();
+    ring.placement.translation = ring.axis.point;
+    ring.turns_on_axis         = true;
+    ring.rate                  = rate;
+    model.add_body(std::move(ring));
+    model.add_body(Body("block", make_block(Vector3(block_size, 3, 2), {4, 3, 2}), material));
+    ContactPair pair;
+    pair.slave_body     = 0;
+    pair.slave_surface  = "outer";
+    pair.master_body    = 1;
+    pair.master_surface = "x-";
+    model.contacts.push_back(pair);
+    return model;
+  }
+
+  /** Elements dealt to ranks in blocks; a shared node is owned by the lowest rank that holds it. */
+  Partition make_partition(const Model &model, const unsigned int rank, const unsigned int size)
+  {
+    Partition                 partition;
+    std::vector<unsigned int> owner(model.n_nodes(), size);
+    std::vector<bool>         held(model.n_nodes(), false);
+    for (const Body &body : model.bodies)
+      for (unsigned int e = 0; e < body.n_elements(); ++e)
+        {
+          const unsigned int global = body.first_element + e;
+          const unsigned int holder = global * size / model.n_elements();
+          if (holder == rank)
+            partition.elements.push_back(global);
+          for (const std::uint32_t node : body.elements()[e])
+            {
+              owner[body.first_node + node] = std::min(owner[body.first_node + node], holder);
+              if (holder == rank)
+                held[body.first_node + node] = true;
+            }
+        }
+    partition.local_node.assign(model.n_nodes(), Partition::absent);
+    for (const Body &body : model.bodies)
+      {
+        partition.first_local_node.push_back(partition.n_local());
+        for (unsigned int i = body.first_node; i < body.first_node + body.n_nodes(); ++i)
+          if (held[i])
+            {
+              partition.local_node[i] = partition.n_local();
+              partition.global_node.push_back(i);
+              partition.owned.push_back(owner[i] == rank);
+            }
+      }
+    partition.first_local_node.push_back(partition.n_local());
+    return partition;
+  }
+
+  State make_state(const Model &model, const unsigned int rank, const unsigned int size)
+  {
+    State state;
+    state.partition = make_partition(model, rank, size);
+    state.position.assign(4 * state.partition.n_local(), 0.);
+    state.velocity = state.contact_force = state.position;
+    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
+      {
+        const unsigned int node = state.partition.global_node[i];
+        const bool         ring = node < model.bodies[1].first_node;
+        const Body        &body = model.bodies[ring ? 0 : 1];
+        const Vector3      X    = body.placement(body.node_positions()[node - body.first_node]);
+        Vector3            x = X, v = Vector3::Zero();
+        if (ring)
+          {
+            x =
+              body.axis.point + rotation_about(body.axis.direction, angle) * (X - body.axis.point);
+            v = rate * body.axis.direction.cross(x - body.axis.point);
+          }
+        else
+          x[0] *= 1 + strain;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            state.position[4 * i + c] = x[c];
+            state.velocity[4 * i + c] = v[c];
+          }
+      }
+    state.time = 1e-3;
+    state.step = 100;
+    state.dt   = 1e-5;
+    return state;
+  }
+
+  void check_motion_and_stress(const Model        &model,
+                               const State        &state,
+                               const Communicator &communicator,
+                               const bool          speaks)
+  {
+    const auto motions  = compute_body_motions(model, state, communicator);
+    const auto stresses = compute_node_stresses(
+      model, state, StiffnessKind::incompatible_modes, FrameKind::polar, communicator);
+    double       ring_stress = 0, block_error = 0;
+    const double sigma = 206000 * strain;
+    for (unsigned int i = 0; i < model.n_nodes(); ++i)
+      if (i < model.bodies[1].first_node)
+        for (const double s : stresses[i])
+          ring_stress = std::max(ring_stress, std::abs(s));
+      else
+        {
+          // The block's cylindrical axes turn with the node: the trace and z are what stays.
+          const auto &s = stresses[i];
+          block_error   = std::max(block_error, std::abs(s[0] + s[1] - sigma) + std::abs(s[2]));
+        }
+    if (!speaks)
+      return;
+    const Vector3 &a = model.bodies[0].axis.direction;
+    check_below("rotation of the ring",
+                (motions[0].rotation - rotation_about(a, angle)).norm(),
+                1e-13);
+    check_below("rate of the ring", (motions[0].rate - rate * a).norm() / rate, 1e-13);
+    check("block is not turned",
+          motions[1].rotation == Matrix3::Identity() && motions[1].rate.norm() == 0);
+    // Round-off of coordinates of 30 mm in cells of about 3 mm times E: 206000 * 10 * 2e-16 times a
+    // few.
+    check_below("rigid turning has no stress [MPa]", ring_stress, 1e-8);
+    check_below("uniform stress of the block [MPa]", block_error, 1e-8);
+  }
+
+  void check_fields(const Model &model, State state, const OutputFolder &folder)
+  {
+    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
+      state.contact_force[4 * i] = 1;
+    FieldWriter writer(folder, model, 50, StiffnessKind::incompatible_modes, FrameKind::polar);
+    check("fields: due", writer.due(state) || !folder.is_writer());
+    writer.observe(model, state);
+    state.time += 1e-3;
+    writer.observe(model, state);
+    folder.communicator().barrier();
+    if (!folder.is_writer())
+      return;
+
+    namespace pt = boost::property_tree;
+    pt::ptree pvd;
+    pt::read_xml(folder.file("fields.pvd"), pvd);
+    unsigned int n_instants = 0, n_cells = 0, n_points = 0, n_arrays = 0;
+    for (const auto &entry : pvd.get_child("VTKFile.Collection"))
+      if (entry.first == "DataSet")
+        {
+          ++n_instants;
+          check("fields: named file exists",
+                std::filesystem::exists(
+                  folder.file(entry.second.get<std::string>("<xmlattr>.file"))));
+        }
+    for (const auto &file : std::filesystem::directory_iterator(folder.file("fields")))
+      {
+        const std::string name = file.path().filename();
+        if (name.rfind("00001", 0) != 0 || file.path().extension() != ".vtu")
+          continue;
+        pt::ptree vtu;
+        pt::read_xml(file.path(), vtu);
+        const auto &piece = vtu.get_child("VTKFile.UnstructuredGrid.Piece");
+        n_cells += piece.get<unsigned int>("<xmlattr>.NumberOfCells");
+        n_points += piece.get<unsigned int>("<xmlattr>.NumberOfPoints");
+        n_arrays = 0;
+        for (const auto &array : piece.get_child("PointData"))
+          n_arrays += array.first == "DataArray";
+      }
+    check("fields: two instants", n_instants == 2);
+    check("fields: every cell once", n_cells == model.n_elements());
+    check("fields: points", n_points == 8 * model.n_elements());
+    check("fields: ten scalars and two vectors", n_arrays == 12);
+  }
+
+  void check_checkpoint(const Model &model, State state, const OutputFolder &folder)
+  {
+    state.measured.energy.drive_work = 1. / 3;
+    state.measured.energy.scale      = 7;
+    for (const Body &body : model.bodies)
+      state.body_motion.push_back(body.placement);
+    state.body_motion[0].rotation =
+      rotation_about(model.bodies[0].axis.direction, angle) * model.bodies[0].placement.rotation;
+    const auto motions = compute_body_motions(model, state, folder.communicator());
+    write_checkpoint(folder, model, state);
+    folder.communicator().barrier();
+
+    // Read by a rank that holds everything, whatever the number of ranks that wrote.
+    const State reference = make_state(model, 0, 1);
+    State       again;
+    again.partition = reference.partition;
+    again.position.assign(reference.position.size(), 0.5);
+    again.velocity.assign(reference.velocity.size(), 0.5);
+    read_checkpoint(folder.file("checkpoint.bin"), model, again);
+    bool same = true, kept = true;
+    for (std::size_t i = 0; i < again.partition.n_local(); ++i)
+      {
+        same = same && again.node_position(i) == reference.node_position(i) &&
+               again.node_velocity(i) == reference.node_velocity(i);
+        kept = kept && again.position[4 * i + 3] == 0.5;
+      }
+    if (!folder.is_writer())
+      return;
+    check("checkpoint: positions and velocities to the last digit", same);
+    check("checkpoint: masses are not touched", kept);
+    check("checkpoint: time and step",
+          again.time == state.time && again.step == state.step && again.dt == state.dt);
+    check("checkpoint: body motions",
+          again.body_motion.size() == 2 &&
+            again.body_motion[0].rotation == state.body_motion[0].rotation &&
+            again.body_motion[1].translation == state.body_motion[1].translation);
+    check_below(
+      "rotation from the state",
+      (motions[0].rotation - rotation_about(model.bodies[0].axis.direction, angle)).norm(),
+      1e-13);
+    check("checkpoint: energies",
+          again.measured.energy.drive_work == 1. / 3 && again.measured.energy.scale == 7);
+
+    std::ofstream(folder.file("damaged.bin")) << "something else";
+    std::filesystem::copy_file(folder.file("checkpoint.bin"), folder.file("short.bin"));
+    std::filesystem::resize_file(folder.file("short.bin"), 5000);
+    const Model other  = make_model(4.001);
+    const auto  refuse = [&](const std::string &name, const Model &of) {
+      try
+        {
+          read_checkpoint(folder.file(name), of, again);
+          check("refused", false);
+        }
+      catch (const InputError &error)
+        {
+          std::cout << error.what() << std::endl;
+        }
+    };
+    refuse("checkpoint.bin", other);
+    refuse("damaged.bin", model);
+    refuse("short.bin", model);
+    refuse("missing.bin", model);
+  }
+
+  void check_checkpoint_writer(const Model &model, const State &state, const OutputFolder &folder)
+  {
+    if (folder.is_writer())
+      std::filesystem::remove(folder.file("checkpoint.bin"));
+    CheckpointWriter never(folder, 1e6, 10);
+    never.observe(model, state);
+    const bool       written_early = std::filesystem::exists(folder.file("checkpoint.bin"));
+    CheckpointWriter at_once(folder, 1e-9, 10);
+    at_once.observe(model, state);
+    if (!folder.is_writer())
+      return;
+    check("checkpoint: not before its time", at_once.due(state) && !written_early);
+    check("checkpoint: after its time", std::filesystem::exists(folder.file("checkpoint.bin")));
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession          session(argc, argv);
+  const Communicator &communicator = session.world();
+  if (communicator.is_root())
+    std::filesystem::remove_all(folder_name);
+  communicator.barrier();
+  // Only one rank may write to the compared output.
+  if (!communicator.is_root())
+    std::cout.setstate(std::ios::failbit);
+
+  const OutputFolder folder(folder_name, communicator);
+  const Model        model = make_model();
+  const State        state = make_state(model, communicator.rank(), communicator.size());
+  check_motion_and_stress(model, state, communicator, communicator.is_root());
+  check_fields(model, state, folder);
+  check_checkpoint(model, state, folder);
+  check_checkpoint_writer(model, state, folder);
+}

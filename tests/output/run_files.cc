@@ -1,0 +1,242 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The text files of a run: folder, histories, log, summary.
+#include "../tests.h"
+
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/log.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+#include <vfife/output/history_writer.h>
+#include <vfife/output/output_folder.h>
+#include <vfife/output/output_options.h>
+#include <vfife/output/probe_writer.h>
+#include <vfife/output/progress_line.h>
+#include <vfife/output/summary.h>
+#include <vfife/output/teeth_writer.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <limits>
+
+using namespace vfife;
+
+namespace
+{
+  const std::string folder_name = "run_files_results";
+
+  std::string read(const std::string &path)
+  {
+    std::ifstream     file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  Model make_pair_model()
+  {
+    Model        model;
+    Transmission pair;
+    pair.driver        = 0;
+    pair.driven        = 1;
+    pair.driver_teeth  = 27;
+    pair.driven_teeth  = 79;
+    pair.driver_rate   = 20000 * pi / 30;
+    model.transmission = pair;
+    ContactPair drive;
+    drive.side        = "drive";
+    drive.slave_body  = 0;
+    drive.master_body = 1;
+    model.contacts.push_back(drive);
+    ContactPair coast = drive;
+    coast.side        = "coast";
+    std::swap(coast.slave_body, coast.master_body);
+    model.contacts.push_back(coast);
+    model.probes.push_back({"node A", 1, 0});
+    return model;
+  }
+
+  State make_state()
+  {
+    State state;
+    state.time                         = 0.25e-3;
+    state.step                         = 40;
+    state.measured.driver_angle        = pi / 4;
+    state.measured.driven_angle        = pi / 180;
+    state.measured.transmission_error  = -35.5 * arcsecond;
+    state.measured.contact_force       = 8918;
+    state.measured.contact_torque      = 800e3;
+    state.measured.teeth_in_contact    = 2;
+    state.measured.largest_penetration = 0.0015;
+    state.measured.energy.strain       = 12.5;
+    state.measured.energy.scale        = 25;
+    ToothContact tooth;
+    tooth.side         = "drive";
+    tooth.slave_group  = 3;
+    tooth.master_group = 77;
+    tooth.force        = Vector3(3, 0, 4);
+    tooth.torque       = 2000;
+    state.measured.teeth.push_back(tooth);
+    tooth.side = "coast";
+    state.measured.teeth.push_back(tooth);
+    ProbeValue probe;
+    probe.displacement = Vector3(0.001, 0.002, 0.003);
+    probe.von_mises    = 21;
+    probe.stress       = {1, 2, 3, 4, 5, 6};
+    state.measured.probes.push_back(probe);
+    return state;
+  }
+
+  void check_histories(const OutputFolder &folder)
+  {
+    const Model   model = make_pair_model();
+    State         state = make_state();
+    HistoryWriter history(folder, model, 20);
+    TeethWriter   teeth(folder, model, 20);
+    ProbeWriter   probes(folder, 20);
+    check("due at multiples of the interval",
+          history.due(state) && teeth.due(state) && probes.due(state));
+    Observer *const observers[] = {&history, &teeth, &probes};
+    for (Observer *observer : observers)
+      observer->observe(model, state);
+    state.step = 41;
+    check("not due in between", !history.due(state) && !teeth.due(state) && !probes.due(state));
+    for (Observer *observer : observers)
+      {
+        observer->observe(model,
+                          state); // as the solver does with the last state: no row off the grid
+        observer->finish(model, state);
+      }
+    std::cout << read(folder.file("history.csv")) << read(folder.file("teeth.csv"))
+              << read(folder.file("probes.csv"));
+    check("history stays in memory",
+          history.table().n_rows() == 1 && history.table().numbers("dte")[0] < -35.4);
+
+    const Model   free_model;
+    HistoryWriter other(folder, free_model, 1);
+    std::cout << other.table().csv_header() << std::endl;
+  }
+
+  void check_folder(const Communicator &communicator, const OutputFolder &folder)
+  {
+    folder.write_file("a file", [](std::ostream &out) { out << "text"; });
+    check("file in place", read(folder.file("a file")) == "text");
+    check("no temporary file is left", !std::filesystem::exists(folder.file("a file.part")));
+    for (const std::string &path :
+         {folder.file("a file"), folder.file("a file") + "/below", std::string()})
+      try
+        {
+          OutputFolder refused(path, communicator);
+          check("refused", false);
+        }
+      catch (const InputError &error)
+        {
+          std::cout << error.what() << std::endl;
+        }
+  }
+
+  void check_log(const Communicator &communicator)
+  {
+    std::ostringstream screen;
+    Log                log(screen, true, Verbosity::quiet);
+    log.line("before");
+    {
+      OutputFolder folder(folder_name, communicator);
+      folder.attach_log(log);
+      log.line("during");
+
+      ProgressLine progress(log, communicator, 0, 1e-3, 10);
+      progress.finish(make_pair_model(), make_state());
+    }
+    log.line("after");
+    const std::string text = read(folder_name + "/run.log");
+    check("log has the lines of the folder's life",
+          text.rfind("before\nduring\n", 0) == 0 && text.find("after") == std::string::npos);
+    check("progress in the log",
+          text.find(" 25 %  0.250 ms  mesh 2.2  step 40") != std::string::npos);
+    check("quiet screen", screen.str().empty());
+    std::cout << duration_text(41.2) << ", " << duration_text(125) << ", "
+              << duration_text(3 * 3600 + 12 * 60) << ", "
+              << duration_text(std::numeric_limits<double>::quiet_NaN()) << std::endl;
+  }
+
+  void check_options()
+  {
+    OutputOptions      options;
+    const Transmission pair = *make_pair_model().transmission;
+    check_close("mesh frequency", pair.mesh_frequency(), 9000, 1e-9);
+    options.history_every = 50;
+    options.fields_every  = 2;
+    const double dt       = 1. / 9000 / 2000.5;
+    check("steps between samples", options.compute_history_steps(&pair, dt) == 40);
+    check("fields at samples", options.compute_field_steps(&pair, dt) == 4000);
+    check("exact multiple", options.compute_history_steps(&pair, 1. / 9000 / 50) == 1);
+    check("long steps", options.compute_history_steps(&pair, 1. / 9000 / 7) == 1);
+    check("without a gear pair", options.compute_history_steps(nullptr, dt) == 50);
+    options.fields_every = 0;
+    check("no fields", options.compute_field_steps(&pair, dt) == 0);
+  }
+
+  void check_summary(const OutputFolder &folder)
+  {
+    RunSummary summary;
+    summary.study              = "run";
+    summary.bodies             = {{"pinion", 1000, 1200, 1e-3, 2., 2094.4},
+                                  {"gear", 3000, 4000, 5e-3, 40., -715.8}};
+    summary.steps              = 500;
+    summary.run_time           = 4;
+    summary.dt                 = 5e-8;
+    summary.figures            = {{"torque", {800, "N m"}}, {"lever arm", {89.7, "mm"}}};
+    summary.transmission_error = {
+      {"wind-up", {std::numeric_limits<double>::quiet_NaN(), "arcsec"}}};
+    summary.damping  = {{"gear", 2000, 5e6, pi / 30}};
+    summary.warnings = {"a \"quoted\" warning \xff"};
+    EnergyLedger ledger;
+    ledger.strain  = 3;
+    ledger.scale   = 6;
+    summary.energy = ledger;
+    SteadyPart part;
+    part.found     = true;
+    part.columns   = {{"dte", "arcsec", -35.7, 2.5, 0.4}};
+    summary.steady = part;
+    write_summary(folder, summary);
+
+    const auto json = nlohmann::ordered_json::parse(read(folder.file("summary.json")));
+    check("status", json["status"] == "finished" && !json.contains("failure"));
+    check("mesh", json["mesh"]["cells"] == 4000 && json["mesh"]["bodies"][1]["nodes"] == 4000);
+    check_close("mass [kg]", json["mesh"]["bodies"][0]["mass"]["value"], 1, 1e-12);
+    check_close("inertia [kg m^2]",
+                json["mesh"]["bodies"][1]["axial inertia"]["value"],
+                0.04,
+                1e-12);
+    check_close("element-steps", json["run"]["element-steps per second"]["value"], 500000, 1e-6);
+    check("figures keep order and units",
+          json["figures"].begin().key() == "torque" && json["figures"]["torque"]["unit"] == "N m");
+    check("not a number is null", json["transmission error"]["wind-up"]["value"].is_null());
+    check_close("energy error", json["energy"]["error"]["value"], 0.5, 1e-12);
+    check_close("damping power [W]", json["damping audit"][0]["power"]["value"], 5000, 1e-9);
+    check_close("spin drift [rpm]", json["damping audit"][0]["spin drift"]["value"], 1, 1e-12);
+    check_close("mean", json["steady part"]["columns"]["dte"]["mean"], -35.7, 0);
+
+    summary.status  = "failed";
+    summary.failure = "energy error 0.6 at step 12";
+    check("failure",
+          nlohmann::json::parse(make_summary_text(summary))["failure"] == summary.failure);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  std::filesystem::remove_all(folder_name);
+  {
+    const OutputFolder folder(folder_name, session.world());
+    check_histories(folder);
+    check_folder(session.world(), folder);
+    check_summary(folder);
+  }
+  check_log(session.world());
+  check_options();
+}

@@ -1,0 +1,166 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The steady part of synthetic histories: means, where it starts, and when there is none.
+#include "../tests.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/table.h>
+#include <vfife/base/types.h>
+#include <vfife/output/steady_part.h>
+
+#include <functional>
+#include <limits>
+
+using namespace vfife;
+
+namespace
+{
+  constexpr double mesh_period = 1. / 9000.;
+
+  /** History of @p n_meshes; @p force and @p dte are functions of the time in tooth meshes. */
+  Table make_history(const double                               n_meshes,
+                     const double                               samples_per_mesh,
+                     const std::function<double(const double)> &force,
+                     const std::function<double(const double)> &dte)
+  {
+    Table table;
+    table.add_column("time", "s");
+    table.add_column("contact force total", "N");
+    table.add_column("dte", "arcsec");
+    for (unsigned int i = 0; i <= n_meshes * samples_per_mesh + 1e-6; ++i)
+      {
+        const double t = i / samples_per_mesh;
+        table.add_row({t * mesh_period, force(t), dte(t)});
+      }
+    return table;
+  }
+
+  double constant_dte(const double)
+  {
+    return -35.;
+  }
+
+  void check_means()
+  {
+    const auto force = [](const double t) { return 9000 + 300 * std::sin(2 * pi * t + 0.3); };
+    const auto dte   = [](const double t) { return -35 + 2 * std::cos(4 * pi * t); };
+    // 50 samples a cycle: the trapezoidal rule is exact for harmonics below 25 but for round-off.
+    const SteadyPart part = find_steady_part(make_history(20.4, 50, force, dte), 50, 1, 0);
+    check("harmonics: found", part.found);
+    check("harmonics: begins at the first row", part.first_row == 0 && part.start_time == 0);
+    check("harmonics: whole cycles only", part.cycles == 20 && part.end_row == 1001);
+    check_close("harmonics: mean force", part.column("contact force total").mean, 9000, 1e-8);
+    check_close("harmonics: mean dte", part.column("dte").mean, -35, 1e-10);
+    check_close("harmonics: standard deviation",
+                part.column("contact force total").standard_deviation,
+                300 / std::sqrt(2.),
+                1e-8);
+    // The crest lies between samples: 1 - cos(pi/50) of the amplitude at most is missed on each
+    // side.
+    check_close("harmonics: peak to peak",
+                part.column("contact force total").peak_to_peak,
+                600,
+                600 * 0.002);
+    check("columns have units", part.column("dte").unit == "arcsec" && !part.has_column("time"));
+
+    // No whole number of samples in a mesh: only the two ends are interpolated, error (2
+    // pi/50.3)^2/12 of a sample's share.
+    const SteadyPart uneven = find_steady_part(make_history(20.4, 50.3, force, dte), 50.3, 1, 0);
+    check("uneven samples: found, 20 cycles", uneven.found && uneven.cycles == 20);
+    check_close("uneven samples: mean force",
+                uneven.column("contact force total").mean,
+                9000,
+                300 * 1e-4);
+  }
+
+  void check_start()
+  {
+    // Mean over k..k+P of A + B exp(-t/tau): A + B w exp(-k/tau), w = tau/P (1 - exp(-P/tau)).
+    const double A = 9000, B = 4000, tau = 5;
+    const int    period = 4;
+    const auto   force  = [=](const double t) {
+      return A + B * std::exp(-t / tau) + 500 * std::sin(2 * pi * t);
+    };
+    const double w     = tau / period * (1 - std::exp(-period / tau));
+    unsigned int first = 0;
+    while (true)
+      {
+        const double before = A + B * w * std::exp(-(first + 0.) / tau);
+        const double after  = A + B * w * std::exp(-(first + period + 0.) / tau);
+        if (std::abs(after - before) < 0.01 * after)
+          break;
+        ++first;
+      }
+    const Table      history = make_history(60, 40, force, constant_dte);
+    const SteadyPart part    = find_steady_part(history, 40, 3.2, 0);
+    check("decay: swing period in whole meshes", part.period == 4);
+    check("decay: found", part.found);
+    check_close("decay: start cycle", part.start_time / mesh_period, first, 1e-9);
+    check("decay: not from the first cycle", first > 3);
+    check_below("decay: largest change", part.largest_change, 0.01);
+
+    const double     ramp  = 23.4 * mesh_period;
+    const SteadyPart after = find_steady_part(history, 40, 3.2, ramp);
+    check_close("ramp: first whole cycle after it", after.start_time / mesh_period, 24, 1e-9);
+
+    // The dte is judged too.
+    const auto       drift = [](const double t) { return -10 - t; };
+    const SteadyPart none  = find_steady_part(make_history(
+                                               60, 40, [](double) { return 9000.; }, drift),
+                                             40,
+                                             3.2,
+                                             0);
+    check("drifting dte: none", !none.found);
+  }
+
+  void check_none()
+  {
+    const auto       growing = [](const double t) { return 1000 * std::exp(0.1 * t); };
+    const SteadyPart none = find_steady_part(make_history(30, 20, growing, constant_dte), 20, 2, 0);
+    check("growth: none", !none.found);
+    check("growth: last third", none.cycles == 10 && none.first_row == 400 && none.end_row == 601);
+    check("growth: said so", none.explain().rfind("no steady part", 0) == 0);
+    check_close("growth: change of the last pair", none.largest_change, 1 - std::exp(-0.2), 1e-3);
+
+    // Stationary for a moment at mesh 10, then away: a chance agreement is no steady part.
+    const auto parabola = [](const double t) { return 9000 + 30 * (t - 10) * (t - 10); };
+    check("passing stationary point: none",
+          !find_steady_part(make_history(40, 20, parabola, constant_dte), 20, 2, 0).found);
+
+    const auto zero = [](double) { return 0.; };
+    check("lost contact: none",
+          !find_steady_part(make_history(30, 20, zero, constant_dte), 20, 2, 0).found);
+    const auto exploded = [](const double t) {
+      return t < 25 ? 9000. : std::numeric_limits<double>::quiet_NaN();
+    };
+    check("not a number: none",
+          !find_steady_part(make_history(30, 20, exploded, constant_dte), 20, 2, 0).found);
+
+    const auto       flat  = [](double) { return 9000.; };
+    const SteadyPart brief = find_steady_part(make_history(3, 20, flat, constant_dte), 20, 13, 0);
+    check("shorter than two periods: none", !brief.found && brief.cycles == 1);
+    const SteadyPart tiny = find_steady_part(make_history(0.5, 20, flat, constant_dte), 20, 1, 0);
+    check("shorter than a mesh: rows of the last third",
+          !tiny.found && tiny.cycles == 0 && tiny.first_row == 7);
+    check_close("shorter than a mesh: mean", tiny.column("contact force total").mean, 9000, 1e-9);
+    check("ramp longer than the run: none",
+          !find_steady_part(make_history(30, 20, flat, constant_dte), 20, 2, 1e9).found);
+
+    bool refused = false;
+    try
+      {
+        find_steady_part(make_history(30, 20, flat, constant_dte), 0, 2, 0);
+      }
+    catch (const InputError &)
+      {
+        refused = true;
+      }
+    check("no samples per mesh: refused", refused);
+  }
+} // namespace
+
+int main()
+{
+  check_means();
+  check_start();
+  check_none();
+}

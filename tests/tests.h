@@ -1,0 +1,35 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_tests_tests_h
+#define vfife_tests_tests_h
+
+#include <cmath>
+#include <iostream>
+#include <string>
+
+/**
+ * One line a check: "name: ok", or the numbers when it fails, so that the comparison with the .output file
+ * fails and shows why. Tolerances are stated in the test, next to the reason for them.
+ */
+inline void check(const std::string &name, const bool condition)
+{
+  std::cout << name << ": " << (condition ? "ok" : "FAILED") << std::endl;
+}
+
+inline void check_close(const std::string &name, const double value, const double reference, const double tolerance)
+{
+  if (std::abs(value - reference) <= tolerance)
+    std::cout << name << ": ok" << std::endl;
+  else
+    {
+      std::cout.precision(15);
+      std::cout << name << ": FAILED, " << value << " instead of " << reference << " within " << tolerance << std::endl;
+    }
+}
+
+/** The measured number must be below the bound (and a number). */
+inline void check_below(const std::string &name, const double value, const double bound)
+{
+  check_close(name, value, 0., bound);
+}
+
+#endif
