@@ -32,32 +32,32 @@ namespace vfife
 
   void Blank::declare(dealii::ParameterHandler &prm)
   {
-    declare_integer(prm, "Number of teeth", teeth, "Number of teeth; 0: not given");
-    declare_choice(prm, "Hand of spiral", hand, hands, "Hand of the spiral");
+    declare_integer(prm, "number of teeth", teeth, "Number of teeth; 0: not given");
+    declare_choice(prm, "hand of spiral", hand, hands, "Hand of the spiral");
     const auto declare_angle = [&](const char *name, double &angle, const char *meaning) {
       declare_quantity(prm, name, angle, "deg", meaning, Range::between(0., 90.));
     };
-    declare_angle("Pitch angle",
+    declare_angle("pitch angle",
                   pitch_angle,
                   "Angle of the pitch cone to the axis; 0: derived from the numbers of teeth");
-    declare_angle("Face angle", face_angle, "Angle of the tip cone to the axis; 0: not given");
-    declare_angle("Root angle", root_angle, "Angle of the root cone to the axis; 0: not given");
+    declare_angle("face angle", face_angle, "Angle of the tip cone to the axis; 0: not given");
+    declare_angle("root angle", root_angle, "Angle of the root cone to the axis; 0: not given");
     const auto declare_length = [&](const char *name, double &length, const char *meaning) {
       declare_quantity(prm, name, length, "mm", meaning, Range::not_negative());
     };
-    declare_length("Mean cone distance",
+    declare_length("mean cone distance",
                    mean_cone_distance,
                    "Pitch apex to mid-face along the pitch cone; 0: not given");
-    declare_length("Outer cone distance",
+    declare_length("outer cone distance",
                    outer_cone_distance,
                    "Pitch apex to the heel along the pitch cone; 0: not given");
-    declare_length("Face width",
+    declare_length("face width",
                    face_width,
                    "Length of the teeth along the pitch cone; 0: not given");
-    declare_length("Mean addendum",
+    declare_length("mean addendum",
                    mean_addendum,
                    "Tip over the pitch cone at the mean cone distance; 0: not given");
-    declare_length("Mean dedendum",
+    declare_length("mean dedendum",
                    mean_dedendum,
                    "Root under the pitch cone at the mean cone distance; 0: not given");
   }
@@ -71,49 +71,49 @@ namespace vfife
       if (!(value > 0.))
         throw InputError(section + "/" + name, name + " must be positive");
     };
-    require("Number of teeth", teeth);
-    require("Pitch angle", pitch_angle);
-    require("Face angle", face_angle);
-    require("Root angle", root_angle);
-    require("Mean cone distance", mean_cone_distance);
-    require("Outer cone distance", outer_cone_distance);
-    require("Face width", face_width);
-    require("Mean addendum", mean_addendum);
-    require("Mean dedendum", mean_dedendum);
+    require("number of teeth", teeth);
+    require("pitch angle", pitch_angle);
+    require("face angle", face_angle);
+    require("root angle", root_angle);
+    require("mean cone distance", mean_cone_distance);
+    require("outer cone distance", outer_cone_distance);
+    require("face width", face_width);
+    require("mean addendum", mean_addendum);
+    require("mean dedendum", mean_dedendum);
 
     const auto refuse = [&](const std::string &name, const std::string &message) {
       throw InputError(section + "/" + name, message);
     };
     if (teeth < 5)
-      refuse("Number of teeth", "Number of teeth " + std::to_string(teeth) + " is below 5");
+      refuse("number of teeth", "Number of teeth " + std::to_string(teeth) + " is below 5");
     if (pitch_angle >= pi / 2)
-      refuse("Pitch angle", "Pitch angle " + degrees(pitch_angle) + " is not below 90 deg");
+      refuse("pitch angle", "Pitch angle " + degrees(pitch_angle) + " is not below 90 deg");
     if (root_angle >= pitch_angle)
-      refuse("Root angle",
+      refuse("root angle",
              "Root angle " + degrees(root_angle) + " is not below the pitch angle " +
                degrees(pitch_angle) + (root_angle > pitch_angle ? "; is it the face angle?" : ""));
     if (face_angle <= pitch_angle)
-      refuse("Face angle",
+      refuse("face angle",
              "Face angle " + degrees(face_angle) + " is not above the pitch angle " +
                degrees(pitch_angle) + (face_angle < pitch_angle ? "; is it the root angle?" : ""));
     if (face_angle > pi / 2)
-      refuse("Face angle", "Face angle " + degrees(face_angle) + " exceeds 90 deg");
+      refuse("face angle", "Face angle " + degrees(face_angle) + " exceeds 90 deg");
     if (face_width >= outer_cone_distance)
-      refuse("Face width",
+      refuse("face width",
              "Face width " + millimetres(face_width) + " is not below the outer cone distance " +
                millimetres(outer_cone_distance));
     const double middle = outer_cone_distance - face_width / 2;
     if (std::abs(mean_cone_distance - middle) > cone_distance_tolerance * face_width)
-      refuse("Mean cone distance",
+      refuse("mean cone distance",
              "Mean cone distance " + millimetres(mean_cone_distance) +
                " contradicts outer cone distance less half the face width, " + millimetres(middle));
     const double inner = inner_cone_distance();
     if (addendum(inner) <= 0.)
-      refuse("Mean addendum",
+      refuse("mean addendum",
              "Mean addendum " + millimetres(mean_addendum) + " with the face angle " +
                degrees(face_angle) + " leaves no addendum at the toe");
     if (dedendum(inner) <= 0.)
-      refuse("Mean dedendum",
+      refuse("mean dedendum",
              "Mean dedendum " + millimetres(mean_dedendum) + " with the root angle " +
                degrees(root_angle) + " leaves no dedendum at the toe");
   }

@@ -234,7 +234,7 @@ namespace vfife
       converged = solve_newton<7>(equations(Closing::mean_cone_distance), y) &&
                   solve_newton<7>(equations(Closing::cradle_at_rest), y) && y[6] > 0.;
     if (!converged)
-      throw InputError(std::string("Gear pair/Pinion/") + name(pinion_side) + "/Ratio of roll",
+      throw InputError(std::string("Gear pair/Pinion/") + name(pinion_side) + "/ratio of roll",
                        std::string("the pinion's ") + (drive ? "drive" : "coast") +
                          " flank does not mesh with the gear at the speed ratio of the teeth" +
                          (given ? "; is the ratio of roll right?" : " for any ratio of roll"));

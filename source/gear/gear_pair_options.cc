@@ -39,7 +39,7 @@ namespace vfife
       settings.check(section);
       const double g = settings.machine_root_angle, root = member.blank.root_angle;
       if (std::abs(g - root) > root_angle_tolerance)
-        throw InputError(section + "/Machine root angle",
+        throw InputError(section + "/machine root angle",
                          text("Machine root angle ",
                               g / degree,
                               " deg contradicts the blank's root angle ",
@@ -47,7 +47,7 @@ namespace vfife
                               " deg"));
       const bool left = member.blank.hand == Hand::left;
       if (left != (settings.cradle_angle > 0.))
-        throw InputError(section + "/Cradle angle",
+        throw InputError(section + "/cradle angle",
                          text("Cradle angle ",
                               settings.cradle_angle / degree,
                               " deg cuts a ",
@@ -71,7 +71,7 @@ namespace vfife
   void GearMemberOptions::declare(dealii::ParameterHandler &prm)
   {
     declare_quantity(prm,
-                     "Cutter diameter",
+                     "cutter diameter",
                      cutter_diameter,
                      "mm",
                      "Sum of the outside and the inside point radius, nominally; 0: not given",
@@ -99,7 +99,7 @@ namespace vfife
     const double mean_diameter = concave.point_radius + convex.point_radius;
     if (cutter_diameter > 0. &&
         std::abs(mean_diameter - cutter_diameter) > cutter_tolerance * cutter_diameter)
-      throw InputError(section + "/Cutter diameter",
+      throw InputError(section + "/cutter diameter",
                        text("Cutter diameter ",
                             cutter_diameter,
                             " mm contradicts the point radii ",
@@ -138,29 +138,29 @@ namespace vfife
       Subsection subsection(prm, "Mounting");
       declare_quantity(
         prm,
-        "Backlash",
+        "backlash",
         backlash,
         "mm",
         "Normal backlash at the mean point; set by the thickness of the pinion's teeth",
         Range::not_negative());
       declare_quantity(prm,
-                       "Pinion axial shift",
+                       "pinion axial shift",
                        pinion_axial_shift,
                        "mm",
                        "Mounting error of the pinion along its axis, positive away from the apex");
       declare_quantity(prm,
-                       "Gear axial shift",
+                       "gear axial shift",
                        gear_axial_shift,
                        "mm",
                        "Mounting error of the gear along its axis, positive away from the apex");
       declare_quantity(
         prm,
-        "Offset",
+        "offset",
         offset,
         "mm",
         "Mounting error of the pinion axis along +y of the fixed frame (gear axis x pinion axis)");
       declare_quantity(prm,
-                       "Shaft angle error",
+                       "shaft angle error",
                        shaft_angle_error,
                        "deg",
                        "Mounting error of the shaft angle, positive opens it",

@@ -81,23 +81,23 @@ namespace vfife
     void check_conical(const GearBodyOptions &options, const Blank &blank, const Refusal &refuse)
     {
       refuse.unless(options.web_thickness > 0.,
-                    "Body/Web thickness",
+                    "Body/web thickness",
                     "must be positive, not " + millimetres(options.web_thickness) +
                       " (choose Web = none for a rim without web)");
       refuse.unless(options.web_angle > 0. && options.web_angle <= pi / 2,
-                    "Body/Web angle",
+                    "Body/web angle",
                     "must lie above 0 and not above 90 deg");
       refuse.unless(options.hub_radius > options.bore_radius,
-                    "Body/Bore radius",
+                    "Body/bore radius",
                     millimetres(options.bore_radius) + " is not smaller than the hub radius " +
                       millimetres(options.hub_radius));
       refuse.unless(options.web_thickness <= (1. - 2. * least_free_part) * options.rim_thickness,
-                    "Body/Web thickness",
+                    "Body/web thickness",
                     millimetres(options.web_thickness) + " does not fit under the root of a rim " +
                       millimetres(options.rim_thickness) + " thick");
       const double turn = ConicalWeb::turn_from_toe(blank, options);
       refuse.unless(std::abs(turn) <= largest_turn,
-                    "Body/Web angle",
+                    "Body/web angle",
                     "a web at this angle and direction leaves the toe face at " +
                       std::to_string(90. - std::abs(turn) / degree) +
                       " deg to it; at least 15 deg are needed");
@@ -107,11 +107,11 @@ namespace vfife
       const double     start = std::min(web.point(0., -.5 * options.web_thickness)[0],
                                     web.point(0., .5 * options.web_thickness)[0]);
       refuse.unless(options.hub_radius < start,
-                    "Body/Hub radius",
+                    "Body/hub radius",
                     millimetres(options.hub_radius) +
                       " leaves no room for a web, which starts at r = " + millimetres(start));
       refuse.unless(options.hub_length * std::sin(options.web_angle) > options.web_thickness,
-                    "Body/Hub length",
+                    "Body/hub length",
                     millimetres(options.hub_length) + " is shorter than the web's foot on the hub");
     }
   } // namespace
@@ -121,67 +121,67 @@ namespace vfife
     {
       const Subsection section(prm, "Body");
       declare_choice(
-        prm, "Web", web, web_kinds, "What carries the rim; none: its underside is held");
+        prm, "web", web, web_kinds, "What carries the rim; none: its underside is held");
       declare_quantity(prm,
-                       "Web thickness",
+                       "web thickness",
                        web_thickness,
                        "mm",
                        "Thickness of the web, normal to it",
                        Range::not_negative());
       declare_quantity(prm,
-                       "Web angle",
+                       "web angle",
                        web_angle,
                        "deg",
                        "Support angle: mid-surface generatrix of the web to the axis",
                        Range::between(0., 90.));
       declare_choice(prm,
-                     "Web direction",
+                     "web direction",
                      web_direction,
                      web_directions,
                      "Where the web goes from the rim inward");
       declare_choice(
-        prm, "Web attachment", web_attachment, web_attachments, "Where the web leaves the rim");
+        prm, "web attachment", web_attachment, web_attachments, "Where the web leaves the rim");
       declare_quantity(prm,
-                       "Rim thickness",
+                       "rim thickness",
                        rim_thickness,
                        "mm",
                        "Metal under the root of a rim",
                        Range::positive());
       declare_quantity(prm,
-                       "Hub radius",
+                       "hub radius",
                        hub_radius,
                        "mm",
                        "Outer radius of the hub ring that carries the web",
                        Range::positive());
       declare_quantity(prm,
-                       "Bore radius",
+                       "bore radius",
                        bore_radius,
                        "mm",
                        "Radius of the bore of hub or solid body",
                        Range::positive());
       declare_quantity(prm,
-                       "Hub length",
+                       "hub length",
                        hub_length,
                        "mm",
                        "Length of the hub ring along the axis, centred on the web",
                        Range::positive());
     }
     const Subsection section(prm, "Mesh");
-    declare_integer(prm, "Cells lengthwise", cells_lengthwise, "Cells along the face width", 1);
+    declare_integer(prm, "cells lengthwise", cells_lengthwise, "Cells along the face width", 1);
     declare_integer(prm,
-                    "Cells across tooth",
+                    "cells across tooth",
                     cells_across,
                     "Cells from flank to flank; 2, 5, 8 let the web be coarser than the teeth",
                     2);
-    declare_integer(prm, "Flank rows", flank_rows, "Cells from flank start to tip", 1);
+    declare_integer(prm, "flank rows", flank_rows, "Cells from flank start to tip", 1);
     declare_integer(
-      prm, "Rim rows", rim_rows, "Cells from root to underside, or to the bore of a solid body", 1);
-    declare_integer(prm, "Web layers", web_layers, "Cells through the thickness of the web", 1);
+      prm, "rim rows", rim_rows, "Cells from root to underside, or to the bore of a solid body", 1);
+    declare_integer(prm, "web layers", web_layers, "Cells through the thickness of the web", 1);
     declare_integer(
-      prm, "Web rows", web_rows, "Cells along the web, the coarsening row included", 2);
-    declare_integer(prm, "Hub rows", hub_rows, "Cells from hub radius to bore", 1);
+      prm, "web rows", web_rows, "Cells along the web, the coarsening row included", 2);
+    declare_integer(prm, "hub rows", hub_rows, "Cells from hub radius to bore", 1);
     declare_integer(prm,
-                    "Hub side cells",
+                    "hub side cells",
                     hub_side_cells,
                     "Cells of the hub along the axis on either side of the web",
                     1);
@@ -197,16 +197,16 @@ namespace vfife
     if (web == WebKind::solid)
       {
         refuse.unless(bore_radius > 0. && bore_radius < inner[0],
-                      "Body/Bore radius",
+                      "Body/bore radius",
                       millimetres(bore_radius) +
                         " must be positive and smaller than the root at the toe, " +
                         millimetres(inner[0]));
         return;
       }
     const double underside = blank.meridian_point({L, -blank.dedendum(L) - rim_thickness})[0];
-    refuse.unless(rim_thickness > 0., "Body/Rim thickness", "must be positive");
+    refuse.unless(rim_thickness > 0., "Body/rim thickness", "must be positive");
     refuse.unless(underside > 0.,
-                  "Body/Rim thickness",
+                  "Body/rim thickness",
                   millimetres(rim_thickness) + " reaches the axis at the toe");
     if (web == WebKind::conical)
       check_conical(*this, blank, refuse);

@@ -18,7 +18,7 @@ namespace vfife
       return;
     file_.open(path_);
     if (!file_)
-      throw InputError("Study/Output folder",
+      throw InputError("Study/output folder",
                        "cannot write \"" + path_ + "\": " + std::strerror(errno));
     file_ << table.csv_header() << std::endl;
   }

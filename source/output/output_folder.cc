@@ -45,7 +45,7 @@ namespace vfife
     {
       const std::string reason = communicator.broadcast(communicator.is_root() ? create(path) : "");
       if (!reason.empty())
-        throw InputError("Study/Output folder", reason);
+        throw InputError("Study/output folder", reason);
     }
   } // namespace
 
@@ -95,7 +95,7 @@ namespace vfife
     {
       std::ofstream out(temporary, std::ios::binary);
       if (!out)
-        throw InputError("Study/Output folder",
+        throw InputError("Study/output folder",
                          "cannot write \"" + path + "\": " + std::strerror(errno));
       write(out);
       out.close();
@@ -121,7 +121,7 @@ namespace vfife
       return;
     log_file_ = std::make_unique<std::ofstream>(file("run.log"));
     if (!*log_file_)
-      throw InputError("Study/Output folder",
+      throw InputError("Study/output folder",
                        "cannot write \"" + file("run.log") + "\": " + std::strerror(errno));
     log.write_to(*log_file_);
   }

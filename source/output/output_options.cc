@@ -30,24 +30,24 @@ namespace vfife
   {
     Subsection section(prm, "Output");
     declare_integer(prm,
-                    "History every",
+                    "history every",
                     history_every,
                     "Samples of the histories in a tooth mesh; for models without a gear pair: "
                     "steps from sample to sample",
                     1);
     declare_integer(prm,
-                    "Fields every",
+                    "fields every",
                     fields_every,
                     "Tooth meshes (for models without a gear pair: samples of the histories) from "
                     "field file to field file, 0 for none");
     declare_quantity(prm,
-                     "Checkpoint every",
+                     "checkpoint every",
                      checkpoint_every,
                      "s",
                      "Wall time from checkpoint to checkpoint, 0 for none",
                      Range::not_negative());
     declare_choice(prm,
-                   "Verbosity",
+                   "verbosity",
                    verbosity,
                    verbosities(),
                    "What the screen shows: warnings only, the course of the run, details");
@@ -56,9 +56,9 @@ namespace vfife
   void OutputOptions::check(const std::string &section) const
   {
     if (history_every == 0)
-      throw InputError(section + "/History every", "must be at least 1");
+      throw InputError(section + "/history every", "must be at least 1");
     if (!(checkpoint_every >= 0) || !std::isfinite(checkpoint_every))
-      throw InputError(section + "/Checkpoint every", "must be a wall time in seconds, 0 for none");
+      throw InputError(section + "/checkpoint every", "must be a wall time in seconds, 0 for none");
   }
 
   std::uint64_t OutputOptions::compute_history_steps(const Transmission *transmission,
@@ -67,7 +67,7 @@ namespace vfife
     if (transmission == nullptr)
       return history_every;
     if (!(dt > 0) || !(transmission->mesh_frequency() > 0))
-      throw InputError("Output/History every",
+      throw InputError("Output/history every",
                        "samples per tooth mesh need a turning gear pair and a time step");
     // The small addition keeps 49.999999 steps, which are 50 but for round-off, from becoming 49.
     const double steps = std::floor(steps_per_mesh(*transmission, dt) / history_every + 1e-6);

@@ -36,16 +36,16 @@ namespace vfife
   void OperationOptions::declare(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Operation");
-    declare_quantity(prm, "Speed", speed, "rpm", "Speed of the pinion, in the drive direction", Range::not_negative());
-    declare_quantity(prm, "Torque", torque, "N m", "Torque on the gear, against the drive direction", Range::not_negative());
-    declare_integer(prm, "Tooth meshes", meshes, "Length of the run in tooth meshes", 1);
+    declare_quantity(prm, "speed", speed, "rpm", "Speed of the pinion, in the drive direction", Range::not_negative());
+    declare_quantity(prm, "torque", torque, "N m", "Torque on the gear, against the drive direction", Range::not_negative());
+    declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1);
     declare_number(prm,
-                   "Ramp",
+                   "ramp",
                    ramp,
                    "Tooth meshes over which the torque grows linearly, with Dynamics/Start = ramp (whole swing periods)",
                    Range::not_negative());
     declare_choice(prm,
-                   "Hub",
+                   "hub",
                    hub,
                    hub_kinds,
                    "Bore of the gear: each node free to turn about the axis under the constant traction of the torque, or all nodes "
@@ -55,9 +55,9 @@ namespace vfife
   void OperationOptions::check(const std::string &section) const
   {
     if (!(speed > 0))
-      throw InputError(section + "/Speed", "the speed of the pinion is missing or zero; a dynamic run needs one");
+      throw InputError(section + "/speed", "the speed of the pinion is missing or zero; a dynamic run needs one");
     if (!(torque > 0))
-      throw InputError(section + "/Torque", "the torque on the gear is missing or zero; flanks without load do not stay in contact");
+      throw InputError(section + "/torque", "the torque on the gear is missing or zero; flanks without load do not stay in contact");
   }
 
   GearCase::GearCase()
@@ -72,12 +72,12 @@ namespace vfife
       gear_case.pair_.declare(handler);
       {
         Subsection member(handler, "Pinion");
-        declare_text(handler, "Material", gear_case.pinion_material_, "Name of a section \"Material NAME\"");
+        declare_text(handler, "material", gear_case.pinion_material_, "Name of a section \"Material NAME\"");
         gear_case.pinion_body_.declare(handler);
       }
       {
         Subsection member(handler, "Gear");
-        declare_text(handler, "Material", gear_case.gear_material_, "Name of a section \"Material NAME\"");
+        declare_text(handler, "material", gear_case.gear_material_, "Name of a section \"Material NAME\"");
         gear_case.gear_body_.declare(handler);
       }
     };

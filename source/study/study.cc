@@ -37,8 +37,8 @@ namespace vfife
       void declare(dealii::ParameterHandler &prm)
       {
         Subsection section(prm, "Study");
-        declare_choice(prm, "Kind", kind, study_kinds, "What is done");
-        declare_text(prm, "Output folder", output_folder, "Folder of the results, made where it is missing");
+        declare_choice(prm, "kind", kind, study_kinds, "What is done");
+        declare_text(prm, "output folder", output_folder, "Folder of the results, made where it is missing");
       }
     };
 

@@ -266,6 +266,8 @@ namespace
 
   void check_checkpoint_writer(const Model &model, const State &state, const OutputFolder &folder)
   {
+    // The other ranks may still be reading it.
+    folder.communicator().barrier();
     if (folder.is_writer())
       std::filesystem::remove(folder.file("checkpoint.bin"));
     CheckpointWriter never(folder, 1e6, 10);

@@ -22,7 +22,7 @@ namespace vfife
     /** Samples a tooth mesh; for models without a gear pair: steps between samples. */
     unsigned int history_every = 50;
     /** Tooth meshes (for models without a gear pair: samples) between field files, 0: none. */
-    unsigned int fields_every = 0;
+    unsigned int fields_every = 5;
     /** Wall time between checkpoints [s], 0: none. */
     double    checkpoint_every = 0;
     Verbosity verbosity        = Verbosity::normal;
