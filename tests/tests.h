@@ -7,22 +7,26 @@
 #include <string>
 
 /**
- * One line a check: "name: ok", or the numbers when it fails, so that the comparison with the .output file
- * fails and shows why. Tolerances are stated in the test, next to the reason for them.
+ * One line a check: "name: ok", or the numbers when it fails, so that the comparison with the
+ * .output file fails and shows why. Tolerances are stated in the test, next to the reason for them.
  */
 inline void check(const std::string &name, const bool condition)
 {
   std::cout << name << ": " << (condition ? "ok" : "FAILED") << std::endl;
 }
 
-inline void check_close(const std::string &name, const double value, const double reference, const double tolerance)
+inline void check_close(const std::string &name,
+                        const double       value,
+                        const double       reference,
+                        const double       tolerance)
 {
   if (std::abs(value - reference) <= tolerance)
     std::cout << name << ": ok" << std::endl;
   else
     {
       std::cout.precision(15);
-      std::cout << name << ": FAILED, " << value << " instead of " << reference << " within " << tolerance << std::endl;
+      std::cout << name << ": FAILED, " << value << " instead of " << reference << " within "
+                << tolerance << std::endl;
     }
 }
 

@@ -109,7 +109,7 @@ namespace vfife
 
   std::string version_text()
   {
-    return std::string("vfife ") + program_version() + " (revision " + program_revision() + ", deal.II " +
-           DEAL_II_PACKAGE_VERSION + ")\n";
+    return std::string("vfife ") + program_version() + " (revision " + program_revision() +
+           ", deal.II " + DEAL_II_PACKAGE_VERSION + ")\n";
   }
 } // namespace vfife

@@ -24,30 +24,38 @@ namespace vfife
       target[2] += f[2];
     }
 
-    /** 0 at t = 0, 1 from t = 1 on, without kink. */
-    inline double smooth_step(const double t)
+    /** Weight and its slope: 0 at t = 0, 1 from t = 1 on, without kink. */
+    struct SmoothStep
     {
-      return t <= 0. ? 0. : t >= 1. ? 1. : t * t * (3. - 2. * t);
-    }
+      double value, slope;
+
+      explicit SmoothStep(const double t)
+        : value(t <= 0.   ? 0.
+                : t >= 1. ? 1.
+                          : t * t * (3. - 2. * t))
+        , slope(t <= 0. || t >= 1. ? 0. : 6. * t * (1. - t))
+      {
+      }
+    };
   } // namespace
 
 
-  double ContactPass::fading_weight(const Projection &p) const
+  ContactPass::Fading ContactPass::fading(const Projection &p) const
   {
+    Fading             fading;
     const unsigned int border = master_.border_sides(p.facet);
     if (border == 0 || edge_fading_ <= 0.)
-      return 1.;
-    const double scale  = 1. / edge_fading_;
-    double       weight = 1.;
-    if (border & 1u)
-      weight *= smooth_step(p.eta * scale);
-    if (border & 2u)
-      weight *= smooth_step((1. - p.xi) * scale);
-    if (border & 4u)
-      weight *= smooth_step((1. - p.eta) * scale);
-    if (border & 8u)
-      weight *= smooth_step(p.xi * scale);
-    return weight;
+      return fading;
+    const double     scale = 1. / edge_fading_;
+    const SmoothStep one((border & 8u) != 0 ? p.xi * scale : 1.);
+    const SmoothStep two((border & 2u) != 0 ? (1. - p.xi) * scale : 1.);
+    const SmoothStep three((border & 1u) != 0 ? p.eta * scale : 1.);
+    const SmoothStep four((border & 4u) != 0 ? (1. - p.eta) * scale : 1.);
+    const double     along_xi = one.value * two.value, along_eta = three.value * four.value;
+    fading.weight    = along_xi * along_eta;
+    fading.slope_xi  = scale * (one.slope * two.value - one.value * two.slope) * along_eta;
+    fading.slope_eta = scale * (three.slope * four.value - three.value * four.slope) * along_xi;
+    return fading;
   }
 
 
@@ -130,7 +138,8 @@ namespace vfife
     if (normal.dot(slave_normal) > facing_cosine * slave_normal.norm())
       return;
     const Projection &p        = point.projection;
-    const double      area     = point.area * fading_weight(p);
+    const Fading      fade     = fading(p);
+    const double      area     = point.area * fade.weight;
     result.largest_penetration = std::max(result.largest_penetration, -point.gap);
     if (area <= 0.)
       return;
@@ -160,6 +169,17 @@ namespace vfife
     Vector3       force        = normal_force;
     if (law.friction > 0.)
       force += add_friction(point, x, normal, velocity, area, law, result, master_forces);
+    if (fade.slope_xi != 0. || fade.slope_eta != 0.)
+      {
+        // The weight belongs to the penalty energy w eps g^2 A/2: without the force of its slope,
+        // points that come in over the border would bring energy from nowhere.
+        const TangentBasis basis(*this, point, x, normal);
+        const double       energy = -0.5 * elastic * point.gap * point.area;
+        const Vector3      fend =
+          -energy * (fade.slope_xi * basis.dual_xi + fade.slope_eta * basis.dual_eta);
+        basis.balance_couple(fend, normal, master_corners, master_forces);
+        force += fend;
+      }
     for (unsigned int k = 0; k < 4; ++k)
       {
         add_to(slave_forces, slave_corners[k], shape[k] * force);
@@ -172,6 +192,39 @@ namespace vfife
   }
 
 
+  ContactPass::TangentBasis::TangentBasis(ContactPass &pass,
+                                          const ListedPoint &point,
+                                          const Vector3     &x,
+                                          const Vector3     &normal)
+  {
+    const Projection &p      = point.projection;
+    const FacetState &state  = pass.master_.state(p.facet);
+    const Vector3     y_xi   = state.y[1] + p.eta * state.y[3];
+    const Vector3     y_eta  = state.y[2] + p.xi * state.y[3];
+    const double      by_det = 1. / y_xi.dot(y_eta.cross(normal));
+    distance                 = (x - state.position(p.xi, p.eta)).dot(normal);
+    dual_xi                  = by_det * y_eta.cross(normal);
+    dual_eta                 = by_det * normal.cross(y_xi);
+    shape_xi                 = {{p.eta - 1., 1. - p.eta, p.eta, -p.eta}};
+    shape_eta                = {{p.xi - 1., -p.xi, p.xi, 1. - p.xi}};
+  }
+
+
+  void ContactPass::TangentBasis::balance_couple(const Vector3                     &force,
+                                                 const Vector3                     &normal,
+                                                 const std::array<unsigned int, 4> &corners,
+                                                 double *master_forces) const
+  {
+    // Slave and master points are apart by `distance` along the normal (gap and offsets), so a
+    // tangential force makes a couple. Normal forces h_k n on the master's corners balance it: h_k
+    // = alpha N_k,xi + beta N_k,eta sum to zero and have the moment (alpha y_xi + beta y_eta) x n.
+    const double alpha = distance * force.dot(dual_xi);
+    const double beta  = distance * force.dot(dual_eta);
+    for (unsigned int k = 0; k < 4; ++k)
+      add_to(master_forces, corners[k], (alpha * shape_xi[k] + beta * shape_eta[k]) * normal);
+  }
+
+
   Vector3 ContactPass::add_friction(const ListedPoint &point,
                                     const Vector3     &x,
                                     const Vector3     &normal,
@@ -181,37 +234,21 @@ namespace vfife
                                     GroupPairResult   &result,
                                     double            *master_forces)
   {
-    // Slave and master points are apart by `distance` along the normal (gap and offsets), so
-    // friction makes a couple. Normal forces h_k n on the master's corners balance it: h_k = alpha
-    // N_k,xi + beta N_k,eta sum to zero and have the moment (alpha y_xi + beta y_eta) x n. The
-    // velocity that they work on completes the slip, which then vanishes for any rigid motion of
-    // both bodies together.
-    const Projection &p        = point.projection;
-    const FacetState &state    = master_.state(p.facet);
-    const auto       &corners  = master_.corners(p.facet);
-    const Vector3     y_xi     = state.y[1] + p.eta * state.y[3];
-    const Vector3     y_eta    = state.y[2] + p.xi * state.y[3];
-    const double      distance = (x - state.position(p.xi, p.eta)).dot(normal);
-    const double      by_det   = 1. / y_xi.dot(y_eta.cross(normal));
-    const Vector3     dual_xi  = by_det * y_eta.cross(normal);
-    const Vector3     dual_eta = by_det * normal.cross(y_xi);
-
-    const double shape_xi[4]  = {p.eta - 1., 1. - p.eta, p.eta, -p.eta};
-    const double shape_eta[4] = {p.xi - 1., -p.xi, p.xi, 1. - p.xi};
-    double       tilt_xi = 0., tilt_eta = 0.;
+    const TangentBasis basis(*this, point, x, normal);
+    const auto        &corners = master_.corners(point.projection.facet);
+    // The velocity that the balancing forces work on completes the slip, which then vanishes for
+    // any rigid motion of both bodies together.
+    double tilt_xi = 0., tilt_eta = 0.;
     for (unsigned int k = 0; k < 4; ++k)
       {
         const double v_n = normal.dot(master_.velocity(corners[k]));
-        tilt_xi += shape_xi[k] * v_n;
-        tilt_eta += shape_eta[k] * v_n;
+        tilt_xi += basis.shape_xi[k] * v_n;
+        tilt_eta += basis.shape_eta[k] * v_n;
       }
     const Vector3 slip = relative_velocity - normal.dot(relative_velocity) * normal +
-                         distance * (tilt_xi * dual_xi + tilt_eta * dual_eta);
+                         basis.distance * (tilt_xi * basis.dual_xi + tilt_eta * basis.dual_eta);
     const Vector3 force = area * law.friction_traction(point.pressure, slip);
-    const double  alpha = distance * force.dot(dual_xi);
-    const double  beta  = distance * force.dot(dual_eta);
-    for (unsigned int k = 0; k < 4; ++k)
-      add_to(master_forces, corners[k], (alpha * shape_xi[k] + beta * shape_eta[k]) * normal);
+    basis.balance_couple(force, normal, corners, master_forces);
     result.friction_power -= force.dot(slip);
     return force;
   }

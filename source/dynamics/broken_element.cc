@@ -15,10 +15,13 @@ namespace vfife
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
         const Body &body = model.bodies[b];
-        for (std::uint32_t i = now.partition.first_local_node[b]; i < now.partition.first_local_node[b + 1]; ++i)
+        for (std::uint32_t i = now.partition.first_local_node[b];
+             i < now.partition.first_local_node[b + 1];
+             ++i)
           if (!now.node_position(i).allFinite())
             {
-              text << "body \"" << body.name() << "\", node " << now.partition.global_node[i] - body.first_node << "; ";
+              text << "body \"" << body.name() << "\", node "
+                   << now.partition.global_node[i] - body.first_node << "; ";
               break;
             }
       }
@@ -36,7 +39,8 @@ namespace vfife
         for (unsigned int i = 0; i < 8; ++i)
           x.col(i) = last_measured.node_position(
             last_measured.partition.local_node[body.first_node + body.elements()[element][i]]);
-        const double ratio = compute_least_jacobian(x) / compute_least_jacobian(body.element_nodes(element));
+        const double ratio =
+          compute_least_jacobian(x) / compute_least_jacobian(body.element_nodes(element));
         if (ratio < least)
           {
             least = ratio;

@@ -22,7 +22,8 @@ namespace vfife
       }
     };
 
-    /** Node coordinates in the triad of nodes 0, 1, 2 in units of 1e-8 of the element's size, and that unit's exponent. */
+    /** Node coordinates in the triad of nodes 0, 1, 2 in units of 1e-8 of the element's size, and
+     * that unit's exponent. */
     Key make_key(const HexahedronNodes &x)
     {
       const Vector3 e1 = (x.col(1) - x.col(0)).normalized();
@@ -34,7 +35,8 @@ namespace vfife
 
       const int    exponent = std::ilogb(1e-8 * (x.col(7) - x.col(0)).norm());
       const double unit     = std::ldexp(1., exponent);
-      // The shift keeps values that are exact in decimal (0, half cells) away from the edges of rounding.
+      // The shift keeps values that are exact in decimal (0, half cells) away from the edges of
+      // rounding.
       constexpr double shift = 0.3137;
 
       Key         key;
@@ -50,14 +52,16 @@ namespace vfife
     }
   } // namespace
 
-  CongruenceClasses find_congruence_classes(const Body &body, const std::vector<std::uint32_t> &elements)
+  CongruenceClasses find_congruence_classes(const Body                       &body,
+                                            const std::vector<std::uint32_t> &elements)
   {
     CongruenceClasses                               classes;
     std::unordered_map<Key, std::uint32_t, KeyHash> known;
     classes.class_of.reserve(elements.size());
     for (const std::uint32_t e : elements)
       {
-        const auto [entry, is_new] = known.emplace(make_key(body.element_nodes(e)), classes.representative.size());
+        const auto [entry, is_new] =
+          known.emplace(make_key(body.element_nodes(e)), classes.representative.size());
         if (is_new)
           {
             classes.representative.push_back(e);

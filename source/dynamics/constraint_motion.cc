@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
 #include <vfife/dynamics/constraint_motion.h>
 
 #include <cmath>
@@ -30,7 +30,9 @@ namespace vfife
     return {body.turns_on_axis, body.axis.point, body.axis.direction};
   }
 
-  ConstraintMotion::ConstraintMotion(const Model &model, const Partition &partition, const Communicator &communicator)
+  ConstraintMotion::ConstraintMotion(const Model        &model,
+                                     const Partition    &partition,
+                                     const Communicator &communicator)
     : communicator_(communicator)
   {
     std::vector<std::uint8_t> taken(partition.n_local(), 0);
@@ -45,9 +47,10 @@ namespace vfife
               continue;
             if (taken[local])
               throw InputError("node " + std::to_string(node) + " of body \"" + body.name() +
-                               "\" is in two constraints; the second one is \"" + constraint.name + "\"");
-            taken[local]       = 1;
-            const double mass  = body.node_masses()[node];
+                               "\" is in two constraints; the second one is \"" + constraint.name +
+                               "\"");
+            taken[local]        = 1;
+            const double  mass  = body.node_masses()[node];
             const Vector3 start = body.placement(body.node_positions()[node]) - body.axis.point;
             group.nodes.push_back({local, partition.owned[local] != 0, mass, mass, start});
           }
@@ -86,11 +89,12 @@ namespace vfife
             if (frame == MotionFrame::fixed)
               {
                 // The velocity is the chord of the last step: 2 rho sin(rate dt/2)/dt.
-                const Vector3 v   = state.node_velocity(node.local);
-                const double  rho = start_r.norm();
+                const Vector3 v      = state.node_velocity(node.local);
+                const double  rho    = start_r.norm();
                 const Vector3 middle = r - 0.5 * state.dt * v;
                 const double  sense  = a.dot(middle.cross(v)) < 0 ? -1. : 1.;
-                node.rate = sense * 2. / state.dt * std::asin(std::min(1., v.norm() * state.dt / (2. * rho)));
+                node.rate =
+                  sense * 2. / state.dt * std::asin(std::min(1., v.norm() * state.dt / (2. * rho)));
               }
           }
   }
@@ -121,7 +125,8 @@ namespace vfife
     const double   half       = 0.5 * damping.zeta * dt;
     const double   rigid_rate = a.dot(damping.rigid.omega), slip = a.dot(damping.mesh.omega);
     const auto     accelerate = [&](double &rate, const double acceleration) {
-      rate = ((1. - half) * rate + dt * (acceleration - slip) + 2. * half * rigid_rate) / (1. + half);
+      rate =
+        ((1. - half) * rate + dt * (acceleration - slip) + 2. * half * rigid_rate) / (1. + half);
     };
 
     if (group.kind == ConstraintKind::free_rotation)
@@ -129,7 +134,8 @@ namespace vfife
         for (Node &node : group.nodes)
           {
             const Vector3 e = a.cross(node.old_position - group.axis.point);
-            accelerate(node.rate, e.dot(record(forces, node.local)) / (node.moved_mass * e.squaredNorm()));
+            accelerate(node.rate,
+                       e.dot(record(forces, node.local)) / (node.moved_mass * e.squaredNorm()));
           }
         return;
       }
@@ -168,13 +174,15 @@ namespace vfife
         sums.update.damping_power += damping.zeta * node.mass * relative.dot(mean);
         sums.update.mesh_power += node.mass * damping.mesh.at(node.old_position).dot(mean);
         sums.update.damping_torque -=
-          damping.zeta * node.mass * group.axis.direction.cross(node.old_position - group.axis.point).dot(relative);
+          damping.zeta * node.mass *
+          group.axis.direction.cross(node.old_position - group.axis.point).dot(relative);
       }
     else if (group.kind == ConstraintKind::prescribed_rotation)
       {
         const Vector3 reaction = node.mass / dt * (v - node.old_velocity) - force;
         sums.drive_power += reaction.dot(mean);
-        sums.drive_torque += group.axis.direction.dot((node.old_position - group.axis.point).cross(reaction));
+        sums.drive_torque +=
+          group.axis.direction.dot((node.old_position - group.axis.point).cross(reaction));
       }
   }
 
@@ -191,8 +199,9 @@ namespace vfife
       {
         if (turns_freely(group.kind))
           turn_freely(group, dt, damping[group.body], forces);
-        const bool   turns = group.kind == ConstraintKind::prescribed_rotation && frame == MotionFrame::fixed;
-        const double angle = turns ? group.rate * (time + dt) : 0.;
+        const bool turns =
+          group.kind == ConstraintKind::prescribed_rotation && frame == MotionFrame::fixed;
+        const double  angle    = turns ? group.rate * (time + dt) : 0.;
         const Matrix3 rotation = rotation_about(group.axis.direction, angle);
         for (Node &node : group.nodes)
           {
@@ -232,7 +241,9 @@ namespace vfife
                            sums[group.body]);
   }
 
-  void ConstraintMotion::project(const double *positions, double *forces, const bool rotation_is_free) const
+  void ConstraintMotion::project(const double *positions,
+                                 double       *forces,
+                                 const bool    rotation_is_free) const
   {
     for (const Group &group : groups_)
       for (const Node &node : group.nodes)
@@ -240,8 +251,10 @@ namespace vfife
           Vector3 f = Vector3::Zero();
           if (rotation_is_free && turns_freely(group.kind))
             {
-              const Vector3 t = group.axis.direction.cross(record(positions, node.local) - group.axis.point).normalized();
-              f               = t.dot(record(forces, node.local)) * t;
+              const Vector3 t =
+                group.axis.direction.cross(record(positions, node.local) - group.axis.point)
+                  .normalized();
+              f = t.dot(record(forces, node.local)) * t;
             }
           set_record(forces, node.local, f);
         }

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
 #include <vfife/contact/contact.h>
 #include <vfife/dynamics/contact_system.h>
 #include <vfife/mesh/body_mesh.h>
@@ -21,23 +21,28 @@ namespace vfife
           std::string list;
           for (const auto &s : body.mesh().surfaces)
             list += (list.empty() ? "" : ", ") + s.first;
-          throw InputError("body \"" + body.name() + "\" has no surface \"" + name + "\" (surfaces: " + list + ")");
+          throw InputError("body \"" + body.name() + "\" has no surface \"" + name +
+                           "\" (surfaces: " + list + ")");
         }
       return found->second;
     }
   } // namespace
 
-  /** One surface of a pair: its nodes' place in the local arrays, and their motion and forces by surface node. */
+  /** One surface of a pair: its nodes' place in the local arrays, and their motion and forces by
+   * surface node. */
   struct ContactSystem::Side
   {
     unsigned int               body;
     const FacetSurface        *surface;
-    std::vector<std::uint32_t> local;  ///< local node of each surface node, or absent
-    std::vector<double>        mass;   ///< [t]
+    std::vector<std::uint32_t> local; ///< local node of each surface node, or absent
+    std::vector<double>        mass;  ///< [t]
     std::vector<double>        positions, velocities, forces;
     std::vector<unsigned int>  active; ///< surface nodes
 
-    Side(const unsigned int body_index, const Body &b, const std::string &name, const Partition &partition)
+    Side(const unsigned int body_index,
+         const Body        &b,
+         const std::string &name,
+         const Partition   &partition)
       : body(body_index)
       , surface(&find_surface(b, name))
       , positions(3 * surface->nodes.size())
@@ -65,7 +70,8 @@ namespace vfife
       , master(pair.master_body, model.bodies[pair.master_body], pair.master_surface, partition)
       , contact(*slave.surface, *master.surface, pair.options)
       , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
-    {}
+    {
+    }
 
     std::array<Side *, 2> sides()
     {
@@ -73,7 +79,9 @@ namespace vfife
     }
   };
 
-  ContactSystem::ContactSystem(const Model &model, const Partition &partition, const Communicator &communicator)
+  ContactSystem::ContactSystem(const Model        &model,
+                               const Partition    &partition,
+                               const Communicator &communicator)
     : model_(model)
     , partition_(partition)
     , communicator_(communicator)
@@ -98,15 +106,16 @@ namespace vfife
 
   double ContactSystem::vote_on_step(const double element_step) const
   {
-    // omega^2 of elements and of springs between two nodes add at most: (4/dt^2) = (4/dt_e^2) + 2 eps A/m.
+    // omega^2 of elements and of springs between two nodes add at most: (4/dt^2) = (4/dt_e^2) + 2
+    // eps A/m.
     double dt = element_step;
     for (const auto &pair : pairs_)
       {
         const ContactOptions &options = pair->definition.options;
         const double          inverse_square =
-          options.penalty_from_step ?
-                     1. / (element_step * element_step * (1. - 0.5 * options.penalty_fraction)) :
-                     1. / (element_step * element_step) + 0.5 * options.penalty / pair->mass_per_area;
+          options.penalty_from_step
+                     ? 1. / (element_step * element_step * (1. - 0.5 * options.penalty_fraction))
+                     : 1. / (element_step * element_step) + 0.5 * options.penalty / pair->mass_per_area;
         dt = std::min(dt, 1. / std::sqrt(inverse_square));
       }
     return dt;
@@ -115,7 +124,8 @@ namespace vfife
   void ContactSystem::set_penalties(const double dt)
   {
     for (const auto &pair : pairs_)
-      pair->contact.set_penalty(pair->definition.options.penalty_for(pair->mass_per_area, dt), pair->mass_per_area);
+      pair->contact.set_penalty(pair->definition.options.penalty_for(pair->mass_per_area, dt),
+                                pair->mass_per_area);
   }
 
   std::vector<double> ContactSystem::penalties() const
@@ -126,17 +136,22 @@ namespace vfife
     return values;
   }
 
-  double ContactSystem::largest_deformation(const std::vector<RigidMotion> &body_motion, const double *positions) const
+  double ContactSystem::largest_deformation(const std::vector<RigidMotion> &body_motion,
+                                            const double                   *positions) const
   {
     double largest = 0;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         const Body &body = model_.bodies[b];
-        for (std::uint32_t i = partition_.first_local_node[b]; i < partition_.first_local_node[b + 1]; ++i)
+        for (std::uint32_t i = partition_.first_local_node[b];
+             i < partition_.first_local_node[b + 1];
+             ++i)
           {
-            const Vector3 x = Eigen::Map<const Vector3>(positions + 4 * static_cast<std::size_t>(i));
-            const Vector3 rigid = body_motion[b](body.node_positions()[partition_.global_node[i] - body.first_node]);
-            largest             = std::max(largest, (x - rigid).squaredNorm());
+            const Vector3 x =
+              Eigen::Map<const Vector3>(positions + 4 * static_cast<std::size_t>(i));
+            const Vector3 rigid =
+              body_motion[b](body.node_positions()[partition_.global_node[i] - body.first_node]);
+            largest = std::max(largest, (x - rigid).squaredNorm());
           }
       }
     return std::sqrt(communicator_.max(largest));
@@ -149,10 +164,12 @@ namespace vfife
   {
     if (pairs_.empty())
       return;
-    // What the rigid motion of the bodies leaves out: deformation of both, and their way until the next search.
+    // What the rigid motion of the bodies leaves out: deformation of both, and their way until the
+    // next search.
     double margin = 2 * largest_deformation(body_motion, positions);
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      margin += duration * (rates[b].omega.norm() * reach_[b] + rates[b].at(model_.bodies[b].axis.point).norm());
+      margin += duration * (rates[b].omega.norm() * reach_[b] +
+                            rates[b].at(model_.bodies[b].axis.point).norm());
     for (const auto &pair : pairs_)
       {
         pair->contact.find_candidates(body_motion[pair->slave.body],
@@ -281,7 +298,14 @@ namespace vfife
         for (const GroupPairResult &r : results)
           {
             sums.insert(sums.end(),
-                        {r.force[0], r.force[1], r.force[2], r.moment[0], r.moment[1], r.moment[2], r.normal_force, r.area});
+                        {r.force[0],
+                         r.force[1],
+                         r.force[2],
+                         r.moment[0],
+                         r.moment[1],
+                         r.moment[2],
+                         r.normal_force,
+                         r.area});
             maxima.insert(maxima.end(), {r.largest_pressure, r.largest_penetration});
           }
         communicator_.sum(sums);
@@ -301,7 +325,7 @@ namespace vfife
             tooth.force        = Vector3(s[0], s[1], s[2]);
             const Vector3 moment(s[3], s[4], s[5]);
             // Reaction on the master, about a point of its axis.
-            tooth.torque           = -sense * axis.direction.dot(moment - axis.point.cross(tooth.force));
+            tooth.torque = -sense * axis.direction.dot(moment - axis.point.cross(tooth.force));
             tooth.normal_force     = s[6];
             tooth.area             = s[7];
             tooth.largest_pressure = maxima[2 * i];
@@ -312,16 +336,19 @@ namespace vfife
     return teeth;
   }
 
-  void ContactSystem::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
+  void ContactSystem::add_relaxation_masses(const double         fraction,
+                                            std::vector<double> &masses) const
   {
     for (const auto &pair : pairs_)
       for (const Side *side : pair->sides())
         {
-          const auto &areas = side == &pair->slave ? pair->contact.slave_node_areas() : pair->contact.master_node_areas();
+          const auto &areas = side == &pair->slave ? pair->contact.slave_node_areas()
+                                                   : pair->contact.master_node_areas();
           for (std::size_t i = 0; i < side->local.size(); ++i)
             if (side->local[i] != Partition::absent)
               // Two nodes on one spring k: omega^2 = 2 k/m <= (2 fraction)^2.
-              masses[side->local[i]] += pair->contact.penalty() * areas[i] / (2 * fraction * fraction);
+              masses[side->local[i]] +=
+                pair->contact.penalty() * areas[i] / (2 * fraction * fraction);
         }
   }
 } // namespace vfife

@@ -8,9 +8,11 @@ namespace vfife
 {
   namespace
   {
-    const Choices<DampingRate> damping_rates = {{"momentum", DampingRate::momentum}, {"mean speed", DampingRate::mean_speed}};
+    const Choices<DampingRate> damping_rates = {{"momentum", DampingRate::momentum},
+                                                {"mean speed", DampingRate::mean_speed}};
 
-    const Choices<Start> starts = {{"static preload", Start::static_preload}, {"ramp", Start::ramp}};
+    const Choices<Start> starts = {{"static preload", Start::static_preload},
+                                   {"ramp", Start::ramp}};
   } // namespace
 
   void RelaxationOptions::declare(dealii::ParameterHandler &prm)
@@ -19,40 +21,53 @@ namespace vfife
     declare_number(prm,
                    "tolerance",
                    tolerance,
-                   "Norm of the unbalanced nodal forces over the norm of the applied ones at which the equilibrium is accepted",
+                   "Norm of the unbalanced nodal forces over the norm of the applied ones at which "
+                   "the equilibrium is accepted",
                    Range::between(1e-12, 1e-2));
-    declare_integer(prm, "largest number of steps", largest_steps, "Relaxation steps after which the run is given up", 1);
+    declare_integer(prm,
+                    "largest number of steps",
+                    largest_steps,
+                    "Relaxation steps after which the run is given up",
+                    1);
   }
 
   void DynamicsOptions::declare(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Dynamics");
-    declare_choice(prm, "frame", frame, frame_choices(), "Rigid rotation that is removed from each element");
+    declare_choice(
+      prm, "frame", frame, frame_choices(), "Rigid rotation that is removed from each element");
     declare_choice(prm, "stiffness", stiffness, stiffness_choices(), "Stiffness of the hexahedron");
     declare_number(prm,
                    "safety",
                    safety,
                    "Time step over the largest stable one of the worst free element",
                    Range::between(0.01, 1.));
-    declare_quantity(prm,
-                     "damping",
-                     damping,
-                     "1/s",
-                     "zeta of the damping force -zeta m (v - omega x r) relative to the turning body",
-                     Range::not_negative());
-    declare_quantity(prm,
-                     "mesh damping",
-                     mesh_damping,
-                     "1/s",
-                     "zeta_k of -zeta_k m (omega - omega_kinematic) x r on the driven member of a gear pair",
-                     Range::not_negative());
-    declare_choice(prm, "damping rate", damping_rate, damping_rates, "Angular velocity omega of the body in the damping force");
+    declare_quantity(
+      prm,
+      "damping",
+      damping,
+      "1/s",
+      "zeta of the damping force -zeta m (v - omega x r) relative to the turning body",
+      Range::not_negative());
+    declare_quantity(
+      prm,
+      "mesh damping",
+      mesh_damping,
+      "1/s",
+      "zeta_k of -zeta_k m (omega - omega_kinematic) x r on the driven member of a gear pair",
+      Range::not_negative());
+    declare_choice(prm,
+                   "damping rate",
+                   damping_rate,
+                   damping_rates,
+                   "Angular velocity omega of the body in the damping force");
     declare_choice(prm, "start", start, starts, "How a turning gear pair takes up its load");
-    declare_number(prm,
-                   "energy limit",
-                   energy_limit,
-                   "Energy error (residual of the ledger over its scale) at which the run stops as failed",
-                   Range::positive());
+    declare_number(
+      prm,
+      "energy limit",
+      energy_limit,
+      "Energy error (residual of the ledger over its scale) at which the run stops as failed",
+      Range::positive());
     relaxation.declare(prm);
   }
 
@@ -60,8 +75,10 @@ namespace vfife
   {
     if (damping > 2e4 || mesh_damping > 2e5)
       throw InputError(section + (damping > 2e4 ? "/damping" : "/mesh damping"),
-                       "so strong a damper drags the deformation that stands still in space through the turning material and "
-                       "falsifies the compliance (more than 25 % at 20000 1/s); allowed are Damping up to 20000 1/s and "
+                       "so strong a damper drags the deformation that stands still in space "
+                       "through the turning material and "
+                       "falsifies the compliance (more than 25 % at 20000 1/s); allowed are "
+                       "Damping up to 20000 1/s and "
                        "Mesh damping up to 200000 1/s, recommended is not more than 2000 1/s");
   }
 } // namespace vfife

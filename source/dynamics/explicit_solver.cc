@@ -28,7 +28,8 @@ namespace vfife
     , constraints_(model, operator_.partition(), communicator)
     , torques_(model, operator_.partition())
     , forces_(operator_.array_size())
-  {}
+  {
+  }
 
   VfifeOperator &ExplicitSolver::vfife_operator()
   {
@@ -64,9 +65,12 @@ namespace vfife
       {
         const Body &body = model_.bodies[b];
         state.body_motion.push_back(body.placement);
-        for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+        for (std::uint32_t i = state.partition.first_local_node[b];
+             i < state.partition.first_local_node[b + 1];
+             ++i)
           {
-            const Vector3 x = body.placement(body.node_positions()[state.partition.global_node[i] - body.first_node]);
+            const Vector3 x = body.placement(
+              body.node_positions()[state.partition.global_node[i] - body.first_node]);
             Eigen::Map<Vector3>(state.position.data() + 4 * static_cast<std::size_t>(i)) = x;
             state.position[4 * static_cast<std::size_t>(i) + 3] = 1. / operator_.masses()[i];
             state.velocity[4 * static_cast<std::size_t>(i) + 3] = operator_.masses()[i];
@@ -82,9 +86,12 @@ namespace vfife
       {
         const Body   &body = model_.bodies[b];
         const Matrix3 back = rotation_about(body.axis.direction, -body.rate * dt_);
-        for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+        for (std::uint32_t i = state.partition.first_local_node[b];
+             i < state.partition.first_local_node[b + 1];
+             ++i)
           {
-            // The chord of the step before time zero: central differences then start without an error of first order.
+            // The chord of the step before time zero: central differences then start without an
+            // error of first order.
             const Vector3 r = state.node_position(i) - body.axis.point;
             Eigen::Map<Vector3>(state.velocity.data() + 4 * static_cast<std::size_t>(i)) =
               body.velocity + (r - back * r) / dt_;
@@ -96,7 +103,9 @@ namespace vfife
   {
     std::vector<UpdateSums> sums(model_.bodies.size());
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+      for (std::uint32_t i = state.partition.first_local_node[b];
+           i < state.partition.first_local_node[b + 1];
+           ++i)
         if (state.partition.owned[i])
           add_node_moments(ConstraintMotion::axis_of(model_.bodies[b]),
                            operator_.masses()[i],
@@ -107,8 +116,9 @@ namespace vfife
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         sum_over_ranks(sums[b], communicator_);
-        rates.push_back(
-          compute_momentum_rate(ConstraintMotion::axis_of(model_.bodies[b]), model_.bodies[b].mass(), sums[b]));
+        rates.push_back(compute_momentum_rate(ConstraintMotion::axis_of(model_.bodies[b]),
+                                              model_.bodies[b].mass(),
+                                              sums[b]));
       }
     return rates;
   }
@@ -117,9 +127,9 @@ namespace vfife
   {
     state.dt = dt_;
     constraints_.read(state, MotionFrame::fixed);
-    rigid_   = compute_rigid_rates(state);
-    ledger_  = EnergyLedger();
-    powers_  = StepPowers();
+    rigid_  = compute_rigid_rates(state);
+    ledger_ = EnergyLedger();
+    powers_ = StepPowers();
     audit_.assign(model_.bodies.size(), DampingAudit());
     sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
     damping_.assign(model_.bodies.size(), BodyDamping());
@@ -137,7 +147,8 @@ namespace vfife
         contact_.search(state.body_motion, rigid_, state.position.data(), search_interval * dt_);
       if (keep_contact_forces)
         state.contact_force = forces_;
-      contact_.add_forces(state.body_motion, state.position.data(), state.velocity.data(), dt_, forces_.data());
+      contact_.add_forces(
+        state.body_motion, state.position.data(), state.velocity.data(), dt_, forces_.data());
       if (keep_contact_forces)
         for (std::size_t i = 0; i < forces_.size(); ++i)
           state.contact_force[i] = forces_[i] - state.contact_force[i];
@@ -152,14 +163,16 @@ namespace vfife
         const Body &body  = model_.bodies[b];
         damping_[b].zeta  = options_.damping;
         damping_[b].rigid = rigid_[b];
-        if (options_.damping_rate == DampingRate::mean_speed && body.turns_on_axis && options_.damping > 0)
+        if (options_.damping_rate == DampingRate::mean_speed && body.turns_on_axis &&
+            options_.damping > 0)
           damping_[b].rigid = compute_mean_speed_rate(body, state, b, communicator_);
 
         damping_[b].mesh = RigidVelocity();
         if (model_.transmission && model_.transmission->driven == b)
           {
-            const Transmission &t    = *model_.transmission;
-            const double        rate = body.axis.direction.dot(rigid_[b].omega) - t.driven_sense * t.driven_rate();
+            const Transmission &t = *model_.transmission;
+            const double        rate =
+              body.axis.direction.dot(rigid_[b].omega) - t.driven_sense * t.driven_rate();
             damping_[b].mesh.omega    = options_.mesh_damping * rate * body.axis.direction;
             damping_[b].mesh.velocity = -damping_[b].mesh.omega.cross(body.axis.point);
           }
@@ -169,8 +182,8 @@ namespace vfife
   void ExplicitSolver::update_nodes(State &state)
   {
     const auto scope = timers_.time(timers_.section("nodal update"));
-    powers_         = StepPowers();
-    powers_.torque  = torques_.half_power(state.velocity.data());
+    powers_          = StepPowers();
+    powers_.torque   = torques_.half_power(state.velocity.data());
     constraints_.save(state.position.data(), state.velocity.data());
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
@@ -195,7 +208,7 @@ namespace vfife
                        sums_);
     powers_.torque += torques_.half_power(state.velocity.data());
 
-    drive_torque_ = 0;
+    drive_torque_  = 0;
     powers_.torque = communicator_.sum(powers_.torque);
     for (auto &s : sums_)
       {
@@ -213,15 +226,20 @@ namespace vfife
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         const Body &body = model_.bodies[b];
-        rigid_[b]        = compute_momentum_rate(ConstraintMotion::axis_of(body), body.mass(), sums_[b].update);
+        rigid_[b] =
+          compute_momentum_rate(ConstraintMotion::axis_of(body), body.mass(), sums_[b].update);
         RigidMotion  &motion = state.body_motion[b];
         const Vector3 turn   = dt_ * rigid_[b].omega;
         const double  angle  = turn.norm();
-        const Matrix3 step   = angle > 0 ? rotation_about(turn / angle, angle) : Matrix3(Matrix3::Identity());
-        const Vector3 pivot  = body.turns_on_axis ? body.axis.point : Vector3(sums_[b].update.first_moment / body.mass());
-        const Vector3 drift  = body.turns_on_axis ? Vector3(Vector3::Zero()) : Vector3(dt_ * rigid_[b].at(pivot));
-        motion.rotation      = step * motion.rotation;
-        motion.translation   = pivot + step * (motion.translation + drift - pivot);
+        const Matrix3 step =
+          angle > 0 ? rotation_about(turn / angle, angle) : Matrix3(Matrix3::Identity());
+        const Vector3 pivot = body.turns_on_axis
+                                ? body.axis.point
+                                : Vector3(sums_[b].update.first_moment / body.mass());
+        const Vector3 drift =
+          body.turns_on_axis ? Vector3(Vector3::Zero()) : Vector3(dt_ * rigid_[b].at(pivot));
+        motion.rotation    = step * motion.rotation;
+        motion.translation = pivot + step * (motion.translation + drift - pivot);
       }
   }
 
@@ -242,7 +260,9 @@ namespace vfife
     ledger_.kinetic_relative = ledger_.kinetic;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       ledger_.kinetic_relative -=
-        compute_rigid_kinetic_energy(ConstraintMotion::axis_of(model_.bodies[b]), model_.bodies[b].mass(), sums_[b].update);
+        compute_rigid_kinetic_energy(ConstraintMotion::axis_of(model_.bodies[b]),
+                                     model_.bodies[b].mass(),
+                                     sums_[b].update);
     ledger_.strain  = strain;
     ledger_.contact = contact_.energy();
     if (first)
@@ -250,11 +270,12 @@ namespace vfife
         ledger_.start    = ledger_.kinetic + ledger_.strain + ledger_.contact;
         ledger_at_start_ = ledger_;
       }
-    ledger_.scale = std::max(ledger_.scale,
-                             std::abs(ledger_.strain - ledger_at_start_.strain) +
-                               std::abs(ledger_.contact - ledger_at_start_.contact) +
-                               std::abs(ledger_.kinetic_relative - ledger_at_start_.kinetic_relative) +
-                               std::abs(ledger_.damping_loss + ledger_.mesh_damping_loss + ledger_.contact_loss));
+    ledger_.scale =
+      std::max(ledger_.scale,
+               std::abs(ledger_.strain - ledger_at_start_.strain) +
+                 std::abs(ledger_.contact - ledger_at_start_.contact) +
+                 std::abs(ledger_.kinetic_relative - ledger_at_start_.kinetic_relative) +
+                 std::abs(ledger_.damping_loss + ledger_.mesh_damping_loss + ledger_.contact_loss));
   }
 
   void ExplicitSolver::measure_contact()
@@ -262,7 +283,7 @@ namespace vfife
     Measurements &m = observed_.measured;
     m.teeth         = contact_.collect_results();
     m.contact_force = m.contact_torque = m.largest_penetration = 0;
-    m.teeth_in_contact = m.teeth.size();
+    m.teeth_in_contact                                         = m.teeth.size();
     for (const ToothContact &tooth : m.teeth)
       {
         m.contact_force += tooth.force.norm();
@@ -274,17 +295,20 @@ namespace vfife
   void ExplicitSolver::check(const State &state, const bool measured) const
   {
     const auto where = [&] {
-      return " at time " + std::to_string(1e3 * state.time) + " ms, step " + std::to_string(state.step);
+      return " at time " + std::to_string(1e3 * state.time) + " ms, step " +
+             std::to_string(state.step);
     };
     double kinetic = 0;
     for (const auto &s : sums_)
       kinetic += s.update.kinetic;
     if (!std::isfinite(kinetic))
-      throw NumericalError("the motion is no longer finite" + where() + ": " + find_broken_element(model_, observed_, state) +
+      throw NumericalError("the motion is no longer finite" + where() + ": " +
+                           find_broken_element(model_, observed_, state) +
                            "; a smaller Dynamics/Safety or a softer contact may help");
     if (measured && !(std::abs(ledger_.error()) < options_.energy_limit))
-      throw NumericalError("the energy error is " + std::to_string(ledger_.error()) + where() + " (limit " +
-                           std::to_string(options_.energy_limit) + ", Dynamics/Energy limit): the integration is unstable");
+      throw NumericalError("the energy error is " + std::to_string(ledger_.error()) + where() +
+                           " (limit " + std::to_string(options_.energy_limit) +
+                           ", Dynamics/Energy limit): the integration is unstable");
   }
 
   void ExplicitSolver::add_audit()
@@ -296,14 +320,16 @@ namespace vfife
       }
   }
 
-  void ExplicitSolver::finish_audit(const std::vector<RigidVelocity> &rates_at_start, const double duration)
+  void ExplicitSolver::finish_audit(const std::vector<RigidVelocity> &rates_at_start,
+                                    const double                      duration)
   {
     for (unsigned int b = 0; b < audit_.size(); ++b)
       {
         audit_[b].net_torque /= duration + dt_;
         audit_[b].power /= duration + dt_;
         audit_[b].body = model_.bodies[b].name();
-        audit_[b].spin_drift = (rigid_[b].omega - rates_at_start[b].omega).dot(model_.bodies[b].axis.direction);
+        audit_[b].spin_drift =
+          (rigid_[b].omega - rates_at_start[b].omega).dot(model_.bodies[b].axis.direction);
       }
   }
 
@@ -325,14 +351,17 @@ namespace vfife
           {
             const bool first = state.step == first_step;
             const bool last  = state.step == first_step + n_steps;
-            const bool due   = first || last || std::any_of(observers.begin(), observers.end(), [&](const auto &observer) {
-                               return observer->due(state);
-                             });
+            const bool due =
+              first || last ||
+              std::any_of(observers.begin(), observers.end(), [&](const auto &observer) {
+                return observer->due(state);
+              });
             compute_forces(state, due);
             const double strain = due ? take_measurements(state) : 0.;
             set_damping(state);
             update_nodes(state);
-            add_work(first ? 0. : 0.5); // the trapezoidal rule counts half of the first and last steps
+            add_work(first ? 0.
+                           : 0.5); // the trapezoidal rule counts half of the first and last steps
             if (due)
               {
                 update_ledger(strain, first);

@@ -61,8 +61,20 @@ namespace vfife
         Neighbour &n = neighbours_[i];
         for (std::size_t k = 0; k < n.nodes.size(); ++k)
           std::copy_n(values + 4 * static_cast<std::size_t>(n.nodes[k]), 3, n.sent.data() + 3 * k);
-        MPI_Irecv(n.received.data(), n.received.size(), MPI_DOUBLE, n.rank, 0, communicator_.mpi(), &requests[2 * i]);
-        MPI_Isend(n.sent.data(), n.sent.size(), MPI_DOUBLE, n.rank, 0, communicator_.mpi(), &requests[2 * i + 1]);
+        MPI_Irecv(n.received.data(),
+                  n.received.size(),
+                  MPI_DOUBLE,
+                  n.rank,
+                  0,
+                  communicator_.mpi(),
+                  &requests[2 * i]);
+        MPI_Isend(n.sent.data(),
+                  n.sent.size(),
+                  MPI_DOUBLE,
+                  n.rank,
+                  0,
+                  communicator_.mpi(),
+                  &requests[2 * i + 1]);
       }
 
     for (std::size_t k = 0; k < shared_.size(); ++k)

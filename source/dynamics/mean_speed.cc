@@ -6,11 +6,15 @@
 
 namespace vfife
 {
-  RigidVelocity
-  compute_mean_speed_rate(const Body &body, const State &state, const unsigned int b, const Communicator &communicator)
+  RigidVelocity compute_mean_speed_rate(const Body         &body,
+                                        const State        &state,
+                                        const unsigned int  b,
+                                        const Communicator &communicator)
   {
     std::vector<double> sums(2, 0.);
-    for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+    for (std::uint32_t i = state.partition.first_local_node[b];
+         i < state.partition.first_local_node[b + 1];
+         ++i)
       {
         const double r = body.axis.direction.cross(state.node_position(i) - body.axis.point).norm();
         if (!state.partition.owned[i] || !(r > 0))

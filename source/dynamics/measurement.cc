@@ -23,9 +23,10 @@ namespace vfife
         const std::uint32_t local = state.partition.local_node[body.first_node + node];
         if (local == Partition::absent || !state.partition.owned[local])
           continue;
-        const Vector3 expected = rotation * (body.placement(body.node_positions()[node]) - body.axis.point);
-        const Vector3 r        = state.node_position(local) - body.axis.point;
-        const Vector3 flat     = expected - a.dot(expected) * a;
+        const Vector3 expected =
+          rotation * (body.placement(body.node_positions()[node]) - body.axis.point);
+        const Vector3 r    = state.node_position(local) - body.axis.point;
+        const Vector3 flat = expected - a.dot(expected) * a;
         sums[0] += body.node_masses()[node] * std::atan2(a.dot(flat.cross(r)), flat.dot(r));
         sums[1] += body.node_masses()[node];
       }
@@ -44,7 +45,8 @@ namespace vfife
 
     // Differences from the kinematic turn are measured, so that no digits are lost in large angles.
     const auto lead = [&](const std::vector<unsigned int> &nodes) {
-      return t.driven_sense * measure_rotation(driven, nodes, t.driven_sense * turned, state, communicator);
+      return t.driven_sense *
+             measure_rotation(driven, nodes, t.driven_sense * turned, state, communicator);
     };
     Measurements &m          = state.measured;
     const double  bore       = lead(t.driven_bore);
@@ -65,8 +67,10 @@ namespace vfife
     }
   } // namespace
 
-  std::vector<ProbeValue>
-  measure_probes(const Model &model, const State &state, const VfifeOperator &vfife, const Communicator &communicator)
+  std::vector<ProbeValue> measure_probes(const Model         &model,
+                                         const State         &state,
+                                         const VfifeOperator &vfife,
+                                         const Communicator  &communicator)
   {
     constexpr unsigned int n = 10; // position 3, stress 6, number of elements
     std::vector<double>    sums(n * model.probes.size(), 0.);
@@ -83,17 +87,21 @@ namespace vfife
 
         for (const std::uint32_t e : vfife.elements_at(local))
           {
-            const auto      &nodes = body.elements()[e - body.first_element];
-            HexahedronNodes  x;
-            unsigned int     corner = 0;
+            const auto     &nodes = body.elements()[e - body.first_element];
+            HexahedronNodes x;
+            unsigned int    corner = 0;
             for (unsigned int i = 0; i < 8; ++i)
               {
-                x.col(i) = state.node_position(state.partition.local_node[body.first_node + nodes[i]]);
+                x.col(i) =
+                  state.node_position(state.partition.local_node[body.first_node + nodes[i]]);
                 if (nodes[i] == probe.node)
                   corner = i;
               }
-            const auto stress = compute_nodal_stresses(
-              body.element_nodes(e - body.first_element), x, body.material(), vfife.stiffness(), vfife.frame());
+            const auto stress = compute_nodal_stresses(body.element_nodes(e - body.first_element),
+                                                       x,
+                                                       body.material(),
+                                                       vfife.stiffness(),
+                                                       vfife.frame());
             Eigen::Map<Stress>(s + 3) += stress.col(corner);
             s[9] += 1.;
           }
@@ -103,26 +111,28 @@ namespace vfife
     std::vector<ProbeValue> values(model.probes.size());
     for (std::size_t p = 0; p < model.probes.size(); ++p)
       {
-        const Probe  &probe = model.probes[p];
-        const Body   &body  = model.bodies[probe.body];
-        const double *s     = sums.data() + n * p;
-        const Vector3 start = body.placement(body.node_positions()[probe.node]) - body.axis.point;
-        const Vector3 &a    = body.axis.direction;
-        const Vector3 e_r   = (start - a.dot(start) * a).normalized();
-        Matrix3       cylindrical;
+        const Probe   &probe = model.probes[p];
+        const Body    &body  = model.bodies[probe.body];
+        const double  *s     = sums.data() + n * p;
+        const Vector3  start = body.placement(body.node_positions()[probe.node]) - body.axis.point;
+        const Vector3 &a     = body.axis.direction;
+        const Vector3  e_r   = (start - a.dot(start) * a).normalized();
+        Matrix3        cylindrical;
         cylindrical << e_r, a.cross(e_r), a;
 
-        const Matrix3 turn  = turn_since_start(body, state.body_motion[probe.body]);
-        const Vector3 moved = turn.transpose() * (Eigen::Map<const Vector3>(s) - body.axis.point) - start;
+        const Matrix3 turn = turn_since_start(body, state.body_motion[probe.body]);
+        const Vector3 moved =
+          turn.transpose() * (Eigen::Map<const Vector3>(s) - body.axis.point) - start;
         values[p].displacement = cylindrical.transpose() * moved;
 
-        const Stress  mean = Eigen::Map<const Stress>(s + 3) / s[9];
-        Matrix3       tensor;
+        const Stress mean = Eigen::Map<const Stress>(s + 3) / s[9];
+        Matrix3      tensor;
         tensor << mean[0], mean[3], mean[5], mean[3], mean[1], mean[4], mean[5], mean[4], mean[2];
         // Stresses come in the axes of the body frame.
         const Matrix3 q     = body.placement.rotation.transpose() * cylindrical;
         const Matrix3 local = q.transpose() * tensor * q;
-        values[p].stress    = {{local(0, 0), local(1, 1), local(2, 2), local(0, 1), local(1, 2), local(2, 0)}};
+        values[p].stress    = {
+             {local(0, 0), local(1, 1), local(2, 2), local(0, 1), local(1, 2), local(2, 0)}};
         values[p].von_mises = von_mises(mean);
       }
     return values;

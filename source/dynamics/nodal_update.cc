@@ -34,8 +34,8 @@ namespace vfife
                       double              *velocities)
     {
       const double  a = 0.5 * damping.zeta * dt, inverse = 1. / (1. + a);
-      const Vector3 e_0    = -axis.direction.cross(axis.point);
-      const bool    slips  = !damping.mesh.omega.isZero(0.) || !damping.mesh.velocity.isZero(0.);
+      const Vector3 e_0   = -axis.direction.cross(axis.point);
+      const bool    slips = !damping.mesh.omega.isZero(0.) || !damping.mesh.velocity.isZero(0.);
       UpdateSums    sums;
       for (std::size_t i = 4 * first; i < 4 * last; i += 4)
         {
@@ -92,11 +92,13 @@ namespace vfife
                           double              *positions,
                           double              *velocities)
   {
-    return axis.use_axis ? update<true>(first, last, dt, damping, axis, owned, forces, positions, velocities) :
-                           update<false>(first, last, dt, damping, axis, owned, forces, positions, velocities);
+    return axis.use_axis
+             ? update<true>(first, last, dt, damping, axis, owned, forces, positions, velocities)
+             : update<false>(first, last, dt, damping, axis, owned, forces, positions, velocities);
   }
 
-  void add_node_moments(const UpdateAxis &axis, const double mass, const Vector3 &x, const Vector3 &v, UpdateSums &sums)
+  void add_node_moments(
+    const UpdateAxis &axis, const double mass, const Vector3 &x, const Vector3 &v, UpdateSums &sums)
   {
     if (axis.use_axis)
       {
@@ -113,7 +115,9 @@ namespace vfife
       }
   }
 
-  void sum_over_ranks(UpdateSums &sums, const Communicator &communicator, const std::vector<double *> &more)
+  void sum_over_ranks(UpdateSums                  &sums,
+                      const Communicator          &communicator,
+                      const std::vector<double *> &more)
   {
     std::vector<double *> numbers = {&sums.kinetic,
                                      &sums.damping_power,
@@ -122,7 +126,8 @@ namespace vfife
                                      &sums.axial_momentum,
                                      &sums.axial_inertia};
     for (unsigned int i = 0; i < 3; ++i)
-      numbers.insert(numbers.end(), {&sums.momentum[i], &sums.first_moment[i], &sums.angular_momentum[i]});
+      numbers.insert(numbers.end(),
+                     {&sums.momentum[i], &sums.first_moment[i], &sums.angular_momentum[i]});
     for (unsigned int i = 0; i < 9; ++i)
       numbers.push_back(sums.second_moment.data() + i);
     numbers.insert(numbers.end(), more.begin(), more.end());
@@ -135,7 +140,8 @@ namespace vfife
       *numbers[i] = values[i];
   }
 
-  double compute_rigid_kinetic_energy(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
+  double
+  compute_rigid_kinetic_energy(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
   {
     if (axis.use_axis)
       return 0.5 * sums.axial_momentum * sums.axial_momentum / sums.axial_inertia;
@@ -145,7 +151,8 @@ namespace vfife
            0.5 * rate.omega.dot(sums.angular_momentum - centre.cross(sums.momentum));
   }
 
-  RigidVelocity compute_momentum_rate(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
+  RigidVelocity
+  compute_momentum_rate(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
   {
     RigidVelocity rate;
     if (axis.use_axis)
@@ -157,8 +164,8 @@ namespace vfife
     const Vector3 centre  = sums.first_moment / mass;
     const Matrix3 second  = sums.second_moment - mass * centre * centre.transpose();
     const Matrix3 inertia = second.trace() * Matrix3::Identity() - second;
-    rate.omega            = inertia.inverse() * (sums.angular_momentum - centre.cross(sums.momentum));
-    rate.velocity         = sums.momentum / mass - rate.omega.cross(centre);
+    rate.omega    = inertia.inverse() * (sums.angular_momentum - centre.cross(sums.momentum));
+    rate.velocity = sums.momentum / mass - rate.omega.cross(centre);
     return rate;
   }
 } // namespace vfife

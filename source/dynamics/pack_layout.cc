@@ -14,7 +14,9 @@ namespace vfife
     /** A class with fewer members is cheaper with its lanes filled by others. */
     constexpr unsigned int least_shared_size = n_lanes / 2;
 
-    void append_padded(std::vector<std::uint32_t> &packs, const std::uint32_t *first, const std::size_t n)
+    void append_padded(std::vector<std::uint32_t> &packs,
+                       const std::uint32_t        *first,
+                       const std::size_t           n)
     {
       packs.insert(packs.end(), first, first + n);
       packs.insert(packs.end(), n_lanes - n, Partition::absent);
@@ -35,11 +37,14 @@ namespace vfife
       for (std::uint32_t c = 0; c < members.size(); ++c)
         if (members[c].size() >= least_shared_size)
           for (std::uint32_t i = 0; i < members[c].size(); i += n_lanes)
-            shared.push_back({members[c][i], c, i, std::min<std::uint32_t>(n_lanes, members[c].size() - i)});
+            shared.push_back(
+              {members[c][i], c, i, std::min<std::uint32_t>(n_lanes, members[c].size() - i)});
         else
           own.insert(own.end(), members[c].begin(), members[c].end());
 
-      std::sort(shared.begin(), shared.end(), [](const Pack &a, const Pack &b) { return a.first < b.first; });
+      std::sort(shared.begin(), shared.end(), [](const Pack &a, const Pack &b) {
+        return a.first < b.first;
+      });
       for (const Pack &pack : shared)
         {
           append_padded(body.shared_packs, &members[pack.class_index][pack.offset], pack.n);
@@ -74,8 +79,9 @@ namespace vfife
     return rank_of_element;
   }
 
-  std::vector<BodyPacks>
-  make_packs(const Model &model, const std::vector<std::uint32_t> &rank_of_element, const unsigned int rank)
+  std::vector<BodyPacks> make_packs(const Model                      &model,
+                                    const std::vector<std::uint32_t> &rank_of_element,
+                                    const unsigned int                rank)
   {
     std::vector<BodyPacks> packs(model.bodies.size());
     for (unsigned int b = 0; b < model.bodies.size(); ++b)

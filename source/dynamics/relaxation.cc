@@ -12,7 +12,8 @@ namespace vfife
 {
   namespace
   {
-    /** Elements and contact springs keep their largest frequency at this part of the limit of central differences. */
+    /** Elements and contact springs keep their largest frequency at this part of the limit of
+     * central differences. */
     constexpr double stability_fraction = 0.9;
 
     constexpr unsigned int search_interval = 10;
@@ -53,7 +54,8 @@ namespace vfife
     , torques_(model, vfife.partition())
     , forces_(vfife.array_size())
     , no_velocity_(vfife.array_size(), 0.)
-  {}
+  {
+  }
 
   void Relaxation::add_applied(const State &state, const Loads &loads, std::vector<double> &forces)
   {
@@ -65,7 +67,9 @@ namespace vfife
         const Axis  &axis   = model_.bodies[b].axis;
         const double square = model_.bodies[b].rate * model_.bodies[b].rate;
         if (square > 0)
-          for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+          for (std::uint32_t i = state.partition.first_local_node[b];
+               i < state.partition.first_local_node[b + 1];
+               ++i)
             {
               const Vector3 r = state.node_position(i) - axis.point;
               Eigen::Map<Vector3>(forces.data() + 4 * static_cast<std::size_t>(i)) +=
@@ -92,17 +96,18 @@ namespace vfife
     ConstraintMotion constraints(model_, state.partition, communicator_);
     constraints.read(state, MotionFrame::rotating);
     constraints.set_masses(
-      loads.hold_rotation ? std::vector<double>(masses.size(), std::numeric_limits<double>::max()) : masses);
+      loads.hold_rotation ? std::vector<double>(masses.size(), std::numeric_limits<double>::max())
+                          : masses);
 
     std::vector<double> applied(operator_.array_size(), 0.);
     add_applied(state, loads, applied);
     const double applied_norm = norm(applied, state.partition);
 
     const std::vector<RigidVelocity> at_rest(model_.bodies.size());
-    std::vector<double>              velocity(operator_.array_size(), 0.), previous(operator_.array_size(), 0.);
-    double                           damping = 1.;
-    RelaxationReport                 report;
-    std::string                      history;
+    std::vector<double> velocity(operator_.array_size(), 0.), previous(operator_.array_size(), 0.);
+    double              damping = 1.;
+    RelaxationReport    report;
+    std::string         history;
     for (;; ++report.steps)
       {
         operator_.compute_internal_forces(state.position.data(), forces_.data());
@@ -110,8 +115,11 @@ namespace vfife
           {
             if (report.steps % search_interval == 0)
               contact_.search(state.body_motion, at_rest, state.position.data(), 0.);
-            contact_.add_forces(
-              state.body_motion, state.position.data(), no_velocity_.data(), state.dt, forces_.data());
+            contact_.add_forces(state.body_motion,
+                                state.position.data(),
+                                no_velocity_.data(),
+                                state.dt,
+                                forces_.data());
           }
         add_applied(state, loads, forces_);
         constraints.project(state.position.data(), forces_.data(), !loads.hold_rotation);
@@ -120,8 +128,8 @@ namespace vfife
         for (std::size_t i = 0; i < state.partition.n_local(); ++i)
           if (state.partition.owned[i])
             {
-              const Eigen::Map<const Vector3> f(forces_.data() + 4 * i), f_old(previous.data() + 4 * i),
-                v(velocity.data() + 4 * i);
+              const Eigen::Map<const Vector3> f(forces_.data() + 4 * i),
+                f_old(previous.data() + 4 * i), v(velocity.data() + 4 * i);
               sums.force_square() += f.squaredNorm();
               sums.work_of_change() -= v.dot(f - f_old);
               sums.kinetic() += masses[i] * v.squaredNorm();
@@ -129,20 +137,28 @@ namespace vfife
         communicator_.sum(sums.values);
         report.residual = std::sqrt(sums.force_square()) / applied_norm;
         if (!std::isfinite(report.residual))
-          throw NumericalError("the equilibrium before the start diverged at relaxation step " + std::to_string(report.steps));
+          throw NumericalError("the equilibrium before the start diverged at relaxation step " +
+                               std::to_string(report.steps));
         if (report.residual < options_.tolerance)
           break;
         if (report.steps % report_interval == 0)
           {
             history += " " + std::to_string(report.residual);
-            log_.detail("  relaxation step ", report.steps, ": residual ", report.residual, ", damping ", damping);
+            log_.detail("  relaxation step ",
+                        report.steps,
+                        ": residual ",
+                        report.residual,
+                        ", damping ",
+                        damping);
           }
         if (report.steps >= options_.largest_steps)
-          throw NumericalError("the equilibrium before the start was not reached in " + std::to_string(report.steps) +
+          throw NumericalError("the equilibrium before the start was not reached in " +
+                               std::to_string(report.steps) +
                                " relaxation steps (Dynamics/Relaxation); residual every " +
                                std::to_string(report_interval) + " steps:" + history);
 
-        // Critical damping of the lowest mode that moves, from the stiffness which the last step has met.
+        // Critical damping of the lowest mode that moves, from the stiffness which the last step
+        // has met.
         if (sums.kinetic() > 0 && sums.work_of_change() > 0)
           damping = std::min(1.9, 2. * std::sqrt(sums.work_of_change() / sums.kinetic()));
         previous = forces_;
@@ -158,7 +174,8 @@ namespace vfife
                         std::vector<double>       &velocity)
   {
     constraints.save(state.position.data(), velocity.data());
-    const double keep = (1. - 0.5 * damping) / (1. + 0.5 * damping), gain = 1. / (1. + 0.5 * damping);
+    const double keep = (1. - 0.5 * damping) / (1. + 0.5 * damping),
+                 gain = 1. / (1. + 0.5 * damping);
     for (std::size_t i = 0; i < state.partition.n_local(); ++i)
       for (std::size_t k = 4 * i; k < 4 * i + 3; ++k)
         {

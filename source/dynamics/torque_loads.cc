@@ -13,8 +13,10 @@ namespace vfife
         Load        load{body.axis, torque.value, torque.ramp_time, 0., {}};
         for (std::size_t i = 0; i < torque.nodes.size(); ++i)
           {
-            // Nodes with this load keep their radius (free rotation, rigid hub), or nearly so: the undeformed one counts.
-            const Vector3 r = body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point;
+            // Nodes with this load keep their radius (free rotation, rigid hub), or nearly so: the
+            // undeformed one counts.
+            const Vector3 r =
+              body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point;
             load.area_moment += torque.areas[i] * body.axis.direction.cross(r).norm();
             const std::uint32_t local = partition.local_node[body.first_node + torque.nodes[i]];
             if (local != Partition::absent)
@@ -24,7 +26,8 @@ namespace vfife
       }
   }
 
-  void TorqueLoads::add(Load &load, const double torque, const double *positions, double *forces) const
+  void
+  TorqueLoads::add(Load &load, const double torque, const double *positions, double *forces) const
   {
     for (Node &node : load.nodes)
       {
@@ -40,7 +43,10 @@ namespace vfife
   void TorqueLoads::add_forces(const double time, const double *positions, double *forces)
   {
     for (Load &load : loads_)
-      add(load, load.value * (load.ramp_time > 0 ? std::min(1., time / load.ramp_time) : 1.), positions, forces);
+      add(load,
+          load.value * (load.ramp_time > 0 ? std::min(1., time / load.ramp_time) : 1.),
+          positions,
+          forces);
   }
 
   void TorqueLoads::add_part(const double part, const double *positions, double *forces)
@@ -55,7 +61,8 @@ namespace vfife
     for (const Load &load : loads_)
       for (const Node &node : load.nodes)
         if (node.owned)
-          power += 0.5 * node.force.dot(Eigen::Map<const Vector3>(velocities + 4 * static_cast<std::size_t>(node.local)));
+          power += 0.5 * node.force.dot(Eigen::Map<const Vector3>(
+                           velocities + 4 * static_cast<std::size_t>(node.local)));
     return power;
   }
 } // namespace vfife

@@ -10,10 +10,10 @@
 
 namespace vfife
 {
-  VfifeOperator::VfifeOperator(const Model         &model,
-                               const FrameKind      frame,
-                               const StiffnessKind  stiffness,
-                               const Communicator  &communicator)
+  VfifeOperator::VfifeOperator(const Model        &model,
+                               const FrameKind     frame,
+                               const StiffnessKind stiffness,
+                               const Communicator &communicator)
     : communicator_(communicator)
     , frame_(frame)
     , stiffness_(stiffness)
@@ -37,8 +37,10 @@ namespace vfife
 
     masses_.reserve(partition_.n_local());
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
-      for (std::uint32_t i = partition_.first_local_node[b]; i < partition_.first_local_node[b + 1]; ++i)
-        masses_.push_back(model.bodies[b].node_masses()[partition_.global_node[i] - model.bodies[b].first_node]);
+      for (std::uint32_t i = partition_.first_local_node[b]; i < partition_.first_local_node[b + 1];
+           ++i)
+        masses_.push_back(
+          model.bodies[b].node_masses()[partition_.global_node[i] - model.bodies[b].first_node]);
 
     energy_forces_.resize(array_size());
     std::size_t largest_group = 0;
@@ -57,23 +59,27 @@ namespace vfife
         ClassData        data;
         for (const std::uint32_t e : packs.classes.representative)
           {
-            const HexahedronNodes X       = body.element_nodes(e);
-            const auto            reduced = compute_reduced_stiffness(X, body.material(), stiffness_);
-            const auto            mass    = compute_lumped_mass(X, body.material().density);
+            const HexahedronNodes X = body.element_nodes(e);
+            const auto reduced      = compute_reduced_stiffness(X, body.material(), stiffness_);
+            const auto mass         = compute_lumped_mass(X, body.material().density);
 
             data.constants.resize(data.constants.size() + n_element_constants);
-            write_constants(reduced, body.material(), data.constants.data() + data.constants.size() - n_element_constants);
+            write_constants(reduced,
+                            body.material(),
+                            data.constants.data() + data.constants.size() - n_element_constants);
             std::array<double, 8> masses;
             std::copy_n(mass.data(), 8, masses.begin());
             data.masses.push_back(masses);
-            data.frequency.push_back(compute_largest_frequency(expand(reduced, body.material()), mass));
+            data.frequency.push_back(
+              compute_largest_frequency(expand(reduced, body.material()), mass));
           }
         class_data_.push_back(std::move(data));
 
         std::vector<std::array<std::uint32_t, 8>> local(packs.elements.size());
         for (std::size_t row = 0; row < local.size(); ++row)
           for (unsigned int i = 0; i < 8; ++i)
-            local[row][i] = partition_.local_node[body.first_node + body.elements()[packs.elements[row]][i]];
+            local[row][i] =
+              partition_.local_node[body.first_node + body.elements()[packs.elements[row]][i]];
         local_elements_.push_back(std::move(local));
         first_element_.push_back(body.first_element);
       }
@@ -96,13 +102,17 @@ namespace vfife
       {
         const std::size_t pack = slot / n_lanes, lane = slot % n_lanes;
         const bool        used = rows[slot] != Partition::absent;
-        group.element.push_back(used ? model.bodies[b].first_element + packs.elements[rows[slot]] : Partition::absent);
+        group.element.push_back(used ? model.bodies[b].first_element + packs.elements[rows[slot]]
+                                     : Partition::absent);
         for (unsigned int i = 0; i < 8; ++i)
-          group.nodes[(pack * 8 + i) * n_lanes + lane] = used ? local_elements_[b][rows[slot]][i] : dummy;
+          group.nodes[(pack * 8 + i) * n_lanes + lane] =
+            used ? local_elements_[b][rows[slot]][i] : dummy;
         if (!shared && used)
           for (unsigned int k = 0; k < n_element_constants; ++k)
             group.constants[(pack * n_element_constants + k) * n_lanes + lane] =
-              data.constants[static_cast<std::size_t>(packs.classes.class_of[rows[slot]]) * n_element_constants + k];
+              data.constants[static_cast<std::size_t>(packs.classes.class_of[rows[slot]]) *
+                               n_element_constants +
+                             k];
       }
     if (shared)
       {
@@ -127,15 +137,18 @@ namespace vfife
 
     limiting_element_.frequency = communicator_.max(largest);
     // Several ranks may hold an element of the worst class: the lowest number is reported.
-    const double none   = model.n_elements();
-    const double global = largest == limiting_element_.frequency ? model.bodies[body].first_element + element : none;
-    const double first  = communicator_.min(global);
+    const double none = model.n_elements();
+    const double global =
+      largest == limiting_element_.frequency ? model.bodies[body].first_element + element : none;
+    const double first = communicator_.min(global);
     for (const Body &candidate : model.bodies)
-      if (first >= candidate.first_element && first < candidate.first_element + candidate.n_elements())
+      if (first >= candidate.first_element &&
+          first < candidate.first_element + candidate.n_elements())
         {
-          limiting_element_.body     = candidate.name();
-          limiting_element_.element  = static_cast<unsigned int>(first) - candidate.first_element;
-          limiting_element_.centroid = compute_centroid(candidate.element_nodes(limiting_element_.element));
+          limiting_element_.body    = candidate.name();
+          limiting_element_.element = static_cast<unsigned int>(first) - candidate.first_element;
+          limiting_element_.centroid =
+            compute_centroid(candidate.element_nodes(limiting_element_.element));
         }
   }
 
@@ -152,8 +165,12 @@ namespace vfife
     double sum = 0;
     for (const Group &group : groups_)
       {
-        kernels_.add_internal_forces_and_energies(
-          group.packs, 0, group.packs.n_packs, positions, energy_forces_.data(), element_energies_.data());
+        kernels_.add_internal_forces_and_energies(group.packs,
+                                                  0,
+                                                  group.packs.n_packs,
+                                                  positions,
+                                                  energy_forces_.data(),
+                                                  element_energies_.data());
         for (std::size_t slot = 0; slot < group.element.size(); ++slot)
           if (group.element[slot] != Partition::absent)
             sum += element_energies_[slot];
@@ -170,7 +187,8 @@ namespace vfife
           const std::uint32_t c     = body_packs_[b].classes.class_of[row];
           const double        scale = std::pow(class_data_[b].frequency[c] / (2 * fraction), 2);
           for (unsigned int i = 0; i < 8; ++i)
-            records[4 * static_cast<std::size_t>(local_elements_[b][row][i])] += scale * class_data_[b].masses[c][i];
+            records[4 * static_cast<std::size_t>(local_elements_[b][row][i])] +=
+              scale * class_data_[b].masses[c][i];
         }
     halo_.add_over_ranks(records.data());
 
@@ -186,8 +204,9 @@ namespace vfife
     if (is_new)
       for (unsigned int b = 0; b < local_elements_.size(); ++b)
         for (std::size_t row = 0; row < local_elements_[b].size(); ++row)
-          if (std::find(local_elements_[b][row].begin(), local_elements_[b][row].end(), local_node) !=
-              local_elements_[b][row].end())
+          if (std::find(local_elements_[b][row].begin(),
+                        local_elements_[b][row].end(),
+                        local_node) != local_elements_[b][row].end())
             entry->second.push_back(first_element_[b] + body_packs_[b].elements[row]);
     return entry->second;
   }

@@ -32,8 +32,9 @@ namespace vfife
         if (!(compute_least_jacobian(nodes) > 0))
           {
             const Vector3 c = nodes.rowwise().mean();
-            throw InputError("body \"" + name_ + "\": element " + std::to_string(e) + " at (" + std::to_string(c[0]) + ", " +
-                             std::to_string(c[1]) + ", " + std::to_string(c[2]) +
+            throw InputError("body \"" + name_ + "\": element " + std::to_string(e) + " at (" +
+                             std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " +
+                             std::to_string(c[2]) +
                              ") mm of the body frame is inverted; change the mesh or body sizes");
           }
         const auto masses = compute_lumped_mass(nodes, material_.density);
@@ -113,8 +114,8 @@ namespace vfife
         names.push_back(s.first);
         list += (list.empty() ? "" : ", ") + s.first;
       }
-    throw InputError("body \"" + name_ + "\" has no node set \"" + set + "\"; did you mean \"" + nearest_name(set, names) +
-                     "\"? (sets: " + list + ")");
+    throw InputError("body \"" + name_ + "\" has no node set \"" + set + "\"; did you mean \"" +
+                     nearest_name(set, names) + "\"? (sets: " + list + ")");
   }
 
   double Body::mass() const
@@ -126,7 +127,8 @@ namespace vfife
   {
     double inertia = 0;
     for (unsigned int i = 0; i < n_nodes(); ++i)
-      inertia += node_masses_[i] * axis.direction.cross(placement(node_positions_[i]) - axis.point).squaredNorm();
+      inertia += node_masses_[i] *
+                 axis.direction.cross(placement(node_positions_[i]) - axis.point).squaredNorm();
     return inertia;
   }
 } // namespace vfife

@@ -5,7 +5,8 @@ namespace vfife
 {
   double EnergyLedger::residual() const
   {
-    return kinetic + strain + contact - start - drive_work - torque_work + damping_loss + mesh_damping_loss + contact_loss;
+    return kinetic + strain + contact - start - drive_work - torque_work + damping_loss +
+           mesh_damping_loss + contact_loss;
   }
 
   double EnergyLedger::error() const

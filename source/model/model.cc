@@ -49,7 +49,8 @@ namespace vfife
               }
             if (!inside)
               continue;
-            // A face's vertices are lexicographic: 0 and 3 are opposite. Half the cross product of the diagonals is its area.
+            // A face's vertices are lexicographic: 0 and 3 are opposite. Half the cross product of
+            // the diagonals is its area.
             const double area = 0.5 * (x[v[3]] - x[v[0]]).cross(x[v[2]] - x[v[1]]).norm();
             for (unsigned int i = 0; i < 4; ++i)
               areas[row[v[i]]] += 0.25 * area;

@@ -4,5 +4,6 @@
 namespace vfife
 {
   void Observer::finish(const Model &, const State &)
-  {}
+  {
+  }
 } // namespace vfife

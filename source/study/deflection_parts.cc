@@ -13,13 +13,15 @@ namespace vfife
   DeflectionProbe::DeflectionProbe(const Model &model, const Communicator &communicator)
     : model_(model)
     , communicator_(communicator)
-  {}
-
-  Vector3 DeflectionProbe::flank_displacement(const State        &state,
-                                              const unsigned int  b,
-                                              const std::string  &surface) const
   {
-    // Mean over the flank around the contact: a patch of some elements, wide against the local indentation.
+  }
+
+  Vector3 DeflectionProbe::flank_displacement(const State       &state,
+                                              const unsigned int b,
+                                              const std::string &surface) const
+  {
+    // Mean over the flank around the contact: a patch of some elements, wide against the local
+    // indentation.
     constexpr double    width   = 3.; // [mm]
     const Body         &body    = model_.bodies[b];
     const Vector3      &contact = model_.transmission->contact_point;
@@ -52,9 +54,9 @@ namespace vfife
         const std::uint32_t local = state.partition.local_node[body.first_node + node];
         if (local == Partition::absent || !state.partition.owned[local])
           continue;
-        const double  mass  = body.node_masses()[node];
-        const Vector3 start = body.placement(body.node_positions()[node]);
-        const Vector3 r     = start - body.axis.point;
+        const double                mass  = body.node_masses()[node];
+        const Vector3               start = body.placement(body.node_positions()[node]);
+        const Vector3               r     = start - body.axis.point;
         Eigen::Matrix<double, 3, 6> motion;
         motion.leftCols<3>() = Matrix3::Identity();
         for (unsigned int c = 0; c < 3; ++c)
@@ -66,8 +68,9 @@ namespace vfife
     sums.insert(sums.end(), right.data(), right.data() + 6);
     communicator_.sum(sums);
     const Eigen::Matrix<double, 6, 1> solution =
-      Eigen::Map<const Eigen::Matrix<double, 6, 6>>(sums.data()).fullPivLu().solve(
-        Eigen::Map<const Eigen::Matrix<double, 6, 1>>(sums.data() + 36));
+      Eigen::Map<const Eigen::Matrix<double, 6, 6>>(sums.data())
+        .fullPivLu()
+        .solve(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(sums.data() + 36));
     shape.rim_shift = solution.head<3>();
     shape.rim_turn  = solution.tail<3>();
   }
@@ -78,10 +81,10 @@ namespace vfife
     measure_transmission(model_, state, communicator_);
 
     Shape shape;
-    shape.hub_lead = state.measured.transmission_error;
-    shape.rim_lead = state.measured.rim_transmission_error;
+    shape.hub_lead           = state.measured.transmission_error;
+    shape.rim_lead           = state.measured.rim_transmission_error;
     const ContactPair &drive = model_.contacts.front();
-    shape.contact  = t.contact_normal.dot(flank_displacement(state, t.driven, drive.master_surface) -
+    shape.contact = t.contact_normal.dot(flank_displacement(state, t.driven, drive.master_surface) -
                                          flank_displacement(state, t.driver, drive.slave_surface)) /
                     t.arm;
     fit_rim(state, shape);
@@ -100,14 +103,15 @@ namespace vfife
     const Shape         loaded = measure(state);
 
     DeflectionParts parts;
-    parts.total       = loaded.hub_lead;
-    parts.centrifugal = spun_.contact;
-    parts.web_windup  = (loaded.hub_lead - loaded.rim_lead) - (spun_.hub_lead - spun_.rim_lead);
-    const Vector3 turn  = loaded.rim_turn - spun_.rim_turn;
-    const Vector3 tilt  = turn - axis.direction.dot(turn) * axis.direction;
-    const Vector3 shift = loaded.rim_shift - spun_.rim_shift + tilt.cross(t.contact_point - axis.point);
-    parts.rim_tilt      = t.contact_normal.dot(shift) / t.arm;
-    parts.teeth         = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt;
+    parts.total        = loaded.hub_lead;
+    parts.centrifugal  = spun_.contact;
+    parts.web_windup   = (loaded.hub_lead - loaded.rim_lead) - (spun_.hub_lead - spun_.rim_lead);
+    const Vector3 turn = loaded.rim_turn - spun_.rim_turn;
+    const Vector3 tilt = turn - axis.direction.dot(turn) * axis.direction;
+    const Vector3 shift =
+      loaded.rim_shift - spun_.rim_shift + tilt.cross(t.contact_point - axis.point);
+    parts.rim_tilt = t.contact_normal.dot(shift) / t.arm;
+    parts.teeth    = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt;
     return parts;
   }
 } // namespace vfife

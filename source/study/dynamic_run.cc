@@ -55,7 +55,8 @@ namespace vfife
     output_.check("Output");
   }
 
-  void DynamicRun::log_step(const Model &model, ExplicitSolver &solver, const double dt, Log &log) const
+  void
+  DynamicRun::log_step(const Model &model, ExplicitSolver &solver, const double dt, Log &log) const
   {
     const LimitingElement &worst = solver.vfife_operator().limiting_element();
     log.line("stable step of the elements ",
@@ -73,7 +74,8 @@ namespace vfife
              " steps a tooth mesh");
     const auto penalties = solver.contact().penalties();
     for (std::size_t i = 0; i < penalties.size(); ++i)
-      log.line("contact penalty of the ", model.contacts[i].side, " side ", penalties[i], " N/mm^3");
+      log.line(
+        "contact penalty of the ", model.contacts[i].side, " side ", penalties[i], " N/mm^3");
     log.line(solver.vfife_operator().n_congruence_classes(),
              " classes of congruent elements on this rank, kernels for ",
              solver.vfife_operator().instruction_set());
@@ -115,13 +117,14 @@ namespace vfife
     DeflectionProbe probe(model, communicator);
 
     Relaxation::Loads spinning;
-    spinning.torque        = 0;
-    spinning.contact       = false;
-    spinning.hold_rotation = true;
+    spinning.torque             = 0;
+    spinning.contact            = false;
+    spinning.hold_rotation      = true;
     const RelaxationReport spun = relaxation.solve(state, spinning);
     probe.take_spun(state);
 
-    // A ramp starts where the flanks of the spun shapes just touch: under a thousandth of the torque.
+    // A ramp starts where the flanks of the spun shapes just touch: under a thousandth of the
+    // torque.
     Relaxation::Loads loaded;
     loaded.torque               = dynamics_.start == Start::ramp ? 1e-3 : 1.;
     const RelaxationReport full = relaxation.solve(state, loaded);
@@ -163,46 +166,61 @@ namespace vfife
     summary.ranks           = communicator.size();
     summary.dt              = dt;
     for (const Body &body : model.bodies)
-      summary.bodies.push_back(
-        {body.name(), body.n_elements(), body.n_nodes(), body.mass(), body.axial_inertia(), body.rate});
+      summary.bodies.push_back({body.name(),
+                                body.n_elements(),
+                                body.n_nodes(),
+                                body.mass(),
+                                body.axial_inertia(),
+                                body.rate});
 
     const Transmission &t      = *model.transmission;
     const double        torque = gear_case_.operation().torque;
-    summary.figures            = {
-      {"mesh frequency", {t.mesh_frequency(), "Hz"}},
-      {"pinion speed", {t.driver_rate * 30. / pi, "rpm"}},
-      {"gear torque", {1e-3 * torque, "N m"}},
-      {"effective arm", {t.arm, "mm"}},
-      {"torque over effective arm", {torque / t.arm, "N"}},
-      {"stable step of the elements", {1e9 * solver.vfife_operator().limiting_element().stable_step(), "ns"}},
-      {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
+    summary.figures            = {{"mesh frequency", {t.mesh_frequency(), "Hz"}},
+                                  {"pinion speed", {t.driver_rate * 30. / pi, "rpm"}},
+                                  {"gear torque", {1e-3 * torque, "N m"}},
+                                  {"effective arm", {t.arm, "mm"}},
+                                  {"torque over effective arm", {torque / t.arm, "N"}},
+                                  {"stable step of the elements",
+                                   {1e9 * solver.vfife_operator().limiting_element().stable_step(), "ns"}},
+                                  {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
     return summary;
   }
 
-  void DynamicRun::finish_summary(const Model          &model,
-                                  ExplicitSolver       &solver,
-                                  const State          &state,
-                                  const Table          &history,
-                                  RunSummary           &summary,
-                                  Log                  &log) const
+  void DynamicRun::finish_summary(const Model    &model,
+                                  ExplicitSolver &solver,
+                                  const State    &state,
+                                  const Table    &history,
+                                  RunSummary     &summary,
+                                  Log            &log) const
   {
-    summary.time   = state.time;
-    summary.steps  = state.step;
-    summary.energy = state.measured.energy;
+    summary.time    = state.time;
+    summary.steps   = state.step;
+    summary.energy  = state.measured.energy;
     summary.damping = solver.damping_audit();
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
     if (history.n_rows() < 2)
       return;
 
-    const double ramp_end =
-      dynamics_.start == Start::ramp ? gear_case_.operation().ramp / model.transmission->mesh_frequency() : 0.;
-    summary.steady = find_steady_part(history, output_.history_every, swing_period_meshes(), ramp_end);
+    const double ramp_end = dynamics_.start == Start::ramp
+                              ? gear_case_.operation().ramp / model.transmission->mesh_frequency()
+                              : 0.;
+    summary.steady =
+      find_steady_part(history, output_.history_every, swing_period_meshes(), ramp_end);
     log.line(summary.steady->explain());
     for (const char *name : {"contact force total", "dte", "rim dte"})
       {
         const ColumnStatistics &c = summary.steady->column(name);
-        log.line("  ", name, ": mean ", c.mean, " ", c.unit, ", peak to peak ", c.peak_to_peak, " ", c.unit);
+        log.line("  ",
+                 name,
+                 ": mean ",
+                 c.mean,
+                 " ",
+                 c.unit,
+                 ", peak to peak ",
+                 c.peak_to_peak,
+                 " ",
+                 c.unit);
       }
   }
 
@@ -235,8 +253,10 @@ namespace vfife
       observers.push_back(std::make_unique<FieldWriter>(
         folder, model, output_.compute_field_steps(&t, dt), dynamics_.stiffness, dynamics_.frame));
     if (output_.checkpoint_every > 0)
-      observers.push_back(std::make_unique<CheckpointWriter>(folder, output_.checkpoint_every, history_steps));
-    observers.push_back(std::make_unique<ProgressLine>(log, communicator, 0., end_time, history_steps));
+      observers.push_back(
+        std::make_unique<CheckpointWriter>(folder, output_.checkpoint_every, history_steps));
+    observers.push_back(
+      std::make_unique<ProgressLine>(log, communicator, 0., end_time, history_steps));
 
     State state;
     solver.start(state);
@@ -244,11 +264,12 @@ namespace vfife
     try
       {
         const DeflectionParts parts = preload(model, solver, state, communicator, log);
-        summary.transmission_error  = {{"total at the start", {parts.total / arcsecond, "arcsec"}},
-                                      {"teeth and rest", {parts.teeth / arcsecond, "arcsec"}},
-                                      {"web windup", {parts.web_windup / arcsecond, "arcsec"}},
-                                      {"rim tilt and shift", {parts.rim_tilt / arcsecond, "arcsec"}},
-                                      {"centrifugal shift", {parts.centrifugal / arcsecond, "arcsec"}}};
+        summary.transmission_error  = {
+           {"total at the start", {parts.total / arcsecond, "arcsec"}},
+           {"teeth and rest", {parts.teeth / arcsecond, "arcsec"}},
+           {"web windup", {parts.web_windup / arcsecond, "arcsec"}},
+           {"rim tilt and shift", {parts.rim_tilt / arcsecond, "arcsec"}},
+           {"centrifugal shift", {parts.centrifugal / arcsecond, "arcsec"}}};
         const auto run_start = Clock::now();
         solver.run(state, end_time, observers);
         summary.run_time = seconds_since(run_start);
@@ -266,7 +287,8 @@ namespace vfife
     finish_summary(model, solver, state, history, summary, log);
     const Table times = timers.report(communicator);
     for (std::size_t i = 0; i < times.n_rows(); ++i)
-      summary.timers.emplace_back(times.column("section").texts[i], Figure{times.numbers("time")[i], "s"});
+      summary.timers.emplace_back(times.column("section").texts[i],
+                                  Figure{times.numbers("time")[i], "s"});
     write_summary(folder, summary);
     log.line("finished: ",
              state.step,

@@ -15,7 +15,8 @@ namespace vfife
 {
   namespace
   {
-    const Choices<HubKind> hub_kinds = {{"free rotation", HubKind::free_rotation}, {"rigid hub", HubKind::rigid_hub}};
+    const Choices<HubKind> hub_kinds = {{"free rotation", HubKind::free_rotation},
+                                        {"rigid hub", HubKind::rigid_hub}};
 
     const char *surface_of(const FlankSide side)
     {
@@ -36,48 +37,69 @@ namespace vfife
   void OperationOptions::declare(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Operation");
-    declare_quantity(prm, "speed", speed, "rpm", "Speed of the pinion, in the drive direction", Range::not_negative());
-    declare_quantity(prm, "torque", torque, "N m", "Torque on the gear, against the drive direction", Range::not_negative());
+    declare_quantity(prm,
+                     "speed",
+                     speed,
+                     "rpm",
+                     "Speed of the pinion, in the drive direction",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "torque",
+                     torque,
+                     "N m",
+                     "Torque on the gear, against the drive direction",
+                     Range::not_negative());
     declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1);
     declare_number(prm,
                    "ramp",
                    ramp,
-                   "Tooth meshes over which the torque grows linearly, with Dynamics/Start = ramp (whole swing periods)",
+                   "Tooth meshes over which the torque grows linearly, with Dynamics/Start = ramp "
+                   "(whole swing periods)",
                    Range::not_negative());
     declare_choice(prm,
                    "hub",
                    hub,
                    hub_kinds,
-                   "Bore of the gear: each node free to turn about the axis under the constant traction of the torque, or all nodes "
+                   "Bore of the gear: each node free to turn about the axis under the constant "
+                   "traction of the torque, or all nodes "
                    "turning as one; radial and axial displacement held");
   }
 
   void OperationOptions::check(const std::string &section) const
   {
     if (!(speed > 0))
-      throw InputError(section + "/speed", "the speed of the pinion is missing or zero; a dynamic run needs one");
+      throw InputError(section + "/speed",
+                       "the speed of the pinion is missing or zero; a dynamic run needs one");
     if (!(torque > 0))
-      throw InputError(section + "/torque", "the torque on the gear is missing or zero; flanks without load do not stay in contact");
+      throw InputError(
+        section + "/torque",
+        "the torque on the gear is missing or zero; flanks without load do not stay in contact");
   }
 
   GearCase::GearCase()
     : pinion_body_(pinion_body_defaults())
-  {}
+  {
+  }
 
   void GearCase::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    const auto declare_pair = [](dealii::ParameterHandler &handler,
-                                 GearCase                 &gear_case) {
+    const auto declare_pair = [](dealii::ParameterHandler &handler, GearCase &gear_case) {
       Subsection section(handler, "Gear pair");
       gear_case.pair_.declare(handler);
       {
         Subsection member(handler, "Pinion");
-        declare_text(handler, "material", gear_case.pinion_material_, "Name of a section \"Material NAME\"");
+        declare_text(handler,
+                     "material",
+                     gear_case.pinion_material_,
+                     "Name of a section \"Material NAME\"");
         gear_case.pinion_body_.declare(handler);
       }
       {
         Subsection member(handler, "Gear");
-        declare_text(handler, "material", gear_case.gear_material_, "Name of a section \"Material NAME\"");
+        declare_text(handler,
+                     "material",
+                     gear_case.gear_material_,
+                     "Name of a section \"Material NAME\"");
         gear_case.gear_body_.declare(handler);
       }
     };
@@ -159,19 +181,20 @@ namespace vfife
     place(gear, pair.gear_placement(pair.rot2_reference()), -operation_.speed * pair.speed_ratio());
 
     Transmission t;
-    t.driver         = model.add_body(std::move(pinion));
-    t.driven         = model.add_body(std::move(gear));
-    t.driver_teeth   = pair.pinion().blank().teeth;
-    t.driven_teeth   = pair.gear().blank().teeth;
-    t.driver_rate    = operation_.speed;
-    t.contact_point  = pair.mean_contact(MeshSide::drive).position;
-    t.contact_normal = pair.mean_contact(MeshSide::drive).normal;
-    t.arm            = pair.mean_contact(MeshSide::drive).arm;
-    t.driven_rim     = model.bodies[t.driven].node_set(node_set::rim);
+    t.driver           = model.add_body(std::move(pinion));
+    t.driven           = model.add_body(std::move(gear));
+    t.driver_teeth     = pair.pinion().blank().teeth;
+    t.driven_teeth     = pair.gear().blank().teeth;
+    t.driver_rate      = operation_.speed;
+    t.contact_point    = pair.mean_contact(MeshSide::drive).position;
+    t.contact_normal   = pair.mean_contact(MeshSide::drive).normal;
+    t.arm              = pair.mean_contact(MeshSide::drive).arm;
+    t.driven_rim       = model.bodies[t.driven].node_set(node_set::rim);
     model.transmission = t;
 
     const auto &bore = model.bodies[t.driver].node_set(node_set::bore);
-    model.constraints.push_back({"pinion bore", ConstraintKind::prescribed_rotation, t.driver, bore});
+    model.constraints.push_back(
+      {"pinion bore", ConstraintKind::prescribed_rotation, t.driver, bore});
     add_hub(model, torque_is_ramped);
     add_contacts(pair, model);
     add_probes(model);
@@ -183,11 +206,13 @@ namespace vfife
   {
     Transmission &t    = *model.transmission;
     const Body   &gear = model.bodies[t.driven];
-    t.driven_bore      = gear.node_set(gear_body_.web == WebKind::none ? node_set::rim_underside : node_set::bore);
+    t.driven_bore =
+      gear.node_set(gear_body_.web == WebKind::none ? node_set::rim_underside : node_set::bore);
 
     Constraint hub;
     hub.name  = "gear hub";
-    hub.kind  = operation_.hub == HubKind::rigid_hub ? ConstraintKind::rigid_hub : ConstraintKind::free_rotation;
+    hub.kind  = operation_.hub == HubKind::rigid_hub ? ConstraintKind::rigid_hub
+                                                     : ConstraintKind::free_rotation;
     hub.body  = t.driven;
     hub.nodes = t.driven_bore;
     model.constraints.push_back(hub);

@@ -38,11 +38,17 @@ namespace vfife
       {
         Subsection section(prm, "Study");
         declare_choice(prm, "kind", kind, study_kinds, "What is done");
-        declare_text(prm, "output folder", output_folder, "Folder of the results, made where it is missing");
+        declare_text(prm,
+                     "output folder",
+                     output_folder,
+                     "Folder of the results, made where it is missing");
       }
     };
 
-    void read_and_run(const CommandLine &command_line, const ParameterFile &file, Communicator &communicator, Log &log)
+    void read_and_run(const CommandLine   &command_line,
+                      const ParameterFile &file,
+                      Communicator        &communicator,
+                      Log                 &log)
     {
       StudyOptions options;
       {
@@ -69,7 +75,8 @@ namespace vfife
           study->inspect(communicator, log);
           return;
         }
-      OutputFolder folder(command_line.output_folder.empty() ? options.output_folder : command_line.output_folder,
+      OutputFolder folder(command_line.output_folder.empty() ? options.output_folder
+                                                             : command_line.output_folder,
                           communicator);
       folder.attach_log(log);
       folder.write_parameters(prm);

@@ -133,9 +133,6 @@ namespace
             n_false += entry.second.size() - reference[entry.first].size();
         n_open += reference.empty();
       }
-    std::clog << name << ": " << n_contacts << " contacts, " << n_open << " open positions, "
-              << n_pairs << " pairs, " << contact.n_wide_searches() << " wide searches, missed "
-              << n_missed << ", false " << n_false << ", gap error " << gap_error << std::endl;
     check(name + ": many contacts were compared", n_contacts > 10000);
     check(name + ": lists were kept for several steps",
           contact.n_wide_searches() < 0.4 * n_positions * n_pairs);

@@ -78,12 +78,6 @@ namespace
     return ripple;
   }
 
-  void report(const std::string &name, const Ripple &ripple)
-  {
-    std::clog << name << ": deviation " << ripple.deviation << ", largest step " << ripple.step
-              << ", spread " << ripple.spread << std::endl;
-  }
-
   void check_point()
   {
     // one point 0.1 mm below the sphere: F = eps depth A, A = (20 um)^2
@@ -92,8 +86,6 @@ namespace
     const Ripple smooth = slide(slider, 0., options_for(ContactSurfaceKind::true_flank, 1), force);
     const Ripple faceted =
       slide(slider, 0., options_for(ContactSurfaceKind::flat_facets, 1), force);
-    report("one point, true surface", smooth);
-    report("one point, flat facets", faceted);
     // the interpolated normal differs from the sphere's by 1e-5: depth errors of 1e-7 mm in 0.1 mm
     check_below("one point over the true surface: deviation", smooth.deviation, 5e-6);
     check_below("one point over the true surface: step", smooth.step, 5e-6);
@@ -115,8 +107,6 @@ namespace
         const Ripple         rolling = slide(cap, rise, options, force, 0.4);
         const std::string    name =
           "cap, true surface, points per direction " + std::to_string(points);
-        report(name + ", sliding", sliding);
-        report(name + ", rolling", rolling);
         // the master's facets alone: only the interpolation of offsets and normals is left
         check_below(name + ": spread over the master's facets", sliding.spread, 1e-8);
         if (points == 3)
@@ -128,13 +118,10 @@ namespace
       }
     ContactOptions two_pass = options_for(ContactSurfaceKind::true_flank, 3);
     two_pass.discretization = ContactDiscretization::two_pass;
-    report("cap, two pass", slide(cap, rise, two_pass, force, 0.4));
     ContactOptions nodes = options_for(ContactSurfaceKind::true_flank, 3);
     nodes.discretization = ContactDiscretization::nodes;
-    report("cap, nodes", slide(cap, rise, nodes, force, 0.4));
     const Ripple flat =
       slide(cap, rise, options_for(ContactSurfaceKind::flat_facets, 3), force, 0.4);
-    report("cap, flat facets", flat);
     check("cap over flat facets: far from the force of the spheres", flat.deviation > 0.2);
   }
 
@@ -167,8 +154,6 @@ namespace
         positions = slave.positions;
         forces    = slave.forces;
       }
-    std::clog << name << ": residual of work and energy over the largest energy " << residual / most
-              << std::endl;
     check_below(name + ": work of the contact force against the change of energy",
                 residual / most,
                 bound);

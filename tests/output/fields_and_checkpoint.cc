@@ -32,7 +32,7 @@ namespace
     Material material;
     material.poissons_ratio = 0; // so that a pulled block has stress along x only
     Model model;
-    Body  ring("ring", make_ring(20, 30, 5, {2, 24, 2}), material);
+    Body  ring("ring", make_ring(20, 30, 5, {{2, 24, 2}}), material);
     ring.axis.point     = Vector3(1, 2, 3);
     ring.axis.direction = Vector3(1, 2, 2) / 3.;
     ring.placement.rotation =
@@ -41,7 +41,7 @@ namespace
     ring.turns_on_axis         = true;
     ring.rate                  = rate;
     model.add_body(std::move(ring));
-    model.add_body(Body("block", make_block(Vector3(block_size, 3, 2), {4, 3, 2}), material));
+    model.add_body(Body("block", make_block(Vector3(block_size, 3, 2), {{4, 3, 2}}), material));
     ContactPair pair;
     pair.slave_body     = 0;
     pair.slave_surface  = "outer";

@@ -84,7 +84,7 @@ namespace
     ProbeValue probe;
     probe.displacement = Vector3(0.001, 0.002, 0.003);
     probe.von_mises    = 21;
-    probe.stress       = {1, 2, 3, 4, 5, 6};
+    probe.stress       = {{1, 2, 3, 4, 5, 6}};
     state.measured.probes.push_back(probe);
     return state;
   }

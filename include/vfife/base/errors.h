@@ -16,12 +16,14 @@ namespace vfife
   public:
     explicit InputError(const std::string &message)
       : std::runtime_error(message)
-    {}
+    {
+    }
 
     InputError(const std::string &entry, const std::string &message)
       : std::runtime_error(message)
       , entry_(entry)
-    {}
+    {
+    }
 
     const std::string &entry() const
     {

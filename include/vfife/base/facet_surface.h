@@ -11,15 +11,16 @@
 namespace vfife
 {
   /**
-   * A named surface of a body as plain arrays: bilinear facets on the nodes of the mesh and, where the mesh
-   * approximates a known surface (a generated tooth flank), the *true* surface as offsets from the facets.
+   * A named surface of a body as plain arrays: bilinear facets on the nodes of the mesh and, where
+   * the mesh approximates a known surface (a generated tooth flank), the *true* surface as offsets
+   * from the facets.
    *
-   * Facet: four corners X_k, counter-clockwise seen from outside the body, with bilinear weights N_k(xi, eta) on
-   * [0,1]^2 in the order (0,0), (1,0), (1,1), (0,1). True unit outward normals n_k at the nodes give the continuous
-   * normal field n(xi,eta) = normalized sum N_k n_k. The true surface is
-   *   y(xi, eta) = sum N_k X_k + delta(xi, eta) n(xi, eta),
-   * delta being tabulated at the tensor Gauss-Lobatto points (offset_points per direction on [0,1], xi fastest).
-   * The offset is zero at the corners when nodes lie on the true surface. All in the undeformed body frame.
+   * Facet: four corners X_k, counter-clockwise seen from outside the body, with bilinear weights
+   * N_k(xi, eta) on [0,1]^2 in the order (0,0), (1,0), (1,1), (0,1). True unit outward normals n_k
+   * at the nodes give the continuous normal field n(xi,eta) = normalized sum N_k n_k. The true
+   * surface is y(xi, eta) = sum N_k X_k + delta(xi, eta) n(xi, eta), delta being tabulated at the
+   * tensor Gauss-Lobatto points (offset_points per direction on [0,1], xi fastest). The offset is
+   * zero at the corners when nodes lie on the true surface. All in the undeformed body frame.
    */
   struct FacetSurface
   {
@@ -31,15 +32,16 @@ namespace vfife
     std::vector<Vector3>      normals;   ///< true unit outward normals
 
     std::vector<std::array<unsigned int, 4>> facets; ///< corners as surface nodes
-    std::vector<unsigned int>                group;  ///< tooth number of each facet (0 for bodies without teeth)
-    unsigned int                             n_groups = 1;
+    std::vector<unsigned int> group; ///< tooth number of each facet (0 for bodies without teeth)
+    unsigned int              n_groups = 1;
 
     /** Neighbour facet across side 0: eta=0, 1: xi=1, 2: eta=1, 3: xi=0; no_facet at the border. */
     std::vector<std::array<unsigned int, 4>> neighbours;
 
-    unsigned int              offset_points = 0; ///< points per direction; 0: plain facets
-    std::vector<unsigned int> offset_row;        ///< per facet: row of the table (rotated copies share a row)
-    std::vector<double>       offsets;           ///< rows of offset_points^2 values [mm]
+    unsigned int offset_points = 0; ///< points per direction; 0: plain facets
+    std::vector<unsigned int>
+                        offset_row; ///< per facet: row of the table (rotated copies share a row)
+    std::vector<double> offsets;    ///< rows of offset_points^2 values [mm]
 
     static constexpr unsigned int no_facet = static_cast<unsigned int>(-1);
   };

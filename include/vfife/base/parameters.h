@@ -23,7 +23,7 @@ namespace vfife
   public:
     Subsection(dealii::ParameterHandler &prm, const std::string &name);
     ~Subsection();
-    Subsection(const Subsection &) = delete;
+    Subsection(const Subsection &)            = delete;
     Subsection &operator=(const Subsection &) = delete;
 
   private:
@@ -33,9 +33,9 @@ namespace vfife
   /** What a number may be; the words appear in the message and in the description. */
   struct Range
   {
-    double lowest       = -std::numeric_limits<double>::infinity();
-    double highest      = std::numeric_limits<double>::infinity();
-    bool   open_below   = false; ///< lowest itself is not allowed
+    double lowest     = -std::numeric_limits<double>::infinity();
+    double highest    = std::numeric_limits<double>::infinity();
+    bool   open_below = false; ///< lowest itself is not allowed
 
     static Range any()
     {
@@ -56,11 +56,12 @@ namespace vfife
   };
 
   /**
-   * Declares a dimensioned entry bound to @p value. A bare number in the file is in @p unit; a number with a
-   * unit of the same dimension is converted ("5 mm", "0.2 in" is not known, "20000 rpm", "70 deg", "800 N m").
-   * @p value holds the default on entry and is always in *internal* units (mm, s, t, N, MPa, rad, rad/s, N mm):
-   * a default of 70 deg is `70 * pi / 180`. The range is stated in @p unit. @p value must outlive @p prm.
-   * The description shown to the user becomes "meaning [unit]".
+   * Declares a dimensioned entry bound to @p value. A bare number in the file is in @p unit; a
+   * number with a unit of the same dimension is converted ("5 mm", "0.2 in" is not known, "20000
+   * rpm", "70 deg", "800 N m").
+   * @p value holds the default on entry and is always in *internal* units (mm, s, t, N, MPa, rad,
+   * rad/s, N mm): a default of 70 deg is `70 * pi / 180`. The range is stated in @p unit. @p value
+   * must outlive @p prm. The description shown to the user becomes "meaning [unit]".
    */
   void declare_quantity(dealii::ParameterHandler &prm,
                         const std::string        &name,
@@ -106,13 +107,14 @@ namespace vfife
   template <typename Enum>
   using Choices = std::vector<std::pair<std::string, Enum>>;
 
-  /** Declares an entry whose words are those of a table; @p select is called with the row's index. */
-  void declare_choice(dealii::ParameterHandler           &prm,
-                      const std::string                  &name,
-                      const std::vector<std::string>     &words,
-                      const std::string                  &default_word,
+  /** Declares an entry whose words are those of a table; @p select is called with the row's index.
+   */
+  void declare_choice(dealii::ParameterHandler            &prm,
+                      const std::string                   &name,
+                      const std::vector<std::string>      &words,
+                      const std::string                   &default_word,
                       const std::function<void(unsigned)> &select,
-                      const std::string                  &meaning);
+                      const std::string                   &meaning);
 
   template <typename Enum>
   void declare_choice(dealii::ParameterHandler &prm,
@@ -130,7 +132,12 @@ namespace vfife
           default_word = choice.first;
       }
     declare_choice(
-      prm, name, words, default_word, [&value, choices](const unsigned i) { value = choices[i].second; }, meaning);
+      prm,
+      name,
+      words,
+      default_word,
+      [&value, choices](const unsigned i) { value = choices[i].second; },
+      meaning);
   }
 
   /** The word that stands for @p value in a table of choices. */

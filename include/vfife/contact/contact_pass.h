@@ -7,6 +7,7 @@
 #include <vfife/contact/group_path.h>
 #include <vfife/contact/local_search.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -91,6 +92,32 @@ namespace vfife
       double       gap, pressure; ///< of the last evaluation
     };
 
+    /** Weight of a point near the master's border and its slopes in xi and eta. */
+    struct Fading
+    {
+      double weight = 1., slope_xi = 0., slope_eta = 0.;
+    };
+
+    /** Directions along the master's facet at a point, and what a tangential force there needs. */
+    struct TangentBasis
+    {
+      Vector3               dual_xi, dual_eta; ///< gradients of xi and eta [1/mm]
+      double                distance;          ///< of slave and master point along the normal [mm]
+      std::array<double, 4> shape_xi, shape_eta; ///< derivatives of the bilinear weights
+
+      TangentBasis(ContactPass &pass,
+                   const ListedPoint &point,
+                   const Vector3     &x,
+                   const Vector3     &normal);
+
+      /** Adds normal forces to the master's corners that balance the moment of a tangential @p
+       * force on the slave. */
+      void balance_couple(const Vector3                     &force,
+                          const Vector3                     &normal,
+                          const std::array<unsigned int, 4> &corners,
+                          double                            *master_forces) const;
+    };
+
     struct Pair
     {
       unsigned int             slave_group, master_group;
@@ -129,7 +156,7 @@ namespace vfife
                          const ContactLaw  &law,
                          GroupPairResult   &result,
                          double            *master_forces);
-    double  fading_weight(const Projection &projection) const;
+    Fading  fading(const Projection &projection) const;
 
     SurfaceGeometry                   slave_, master_;
     std::vector<FacetQuadraturePoint> rule_;

@@ -10,8 +10,9 @@ namespace vfife
   struct State;
 
   /**
-   * In words for a failure's message: the element of this rank with the least Jacobian relative to the undeformed one in the last measured state,
-   * and the first node whose position is no longer finite now.
+   * In words for a failure's message: the element of this rank with the least Jacobian relative to
+   * the undeformed one in the last measured state, and the first node whose position is no longer
+   * finite now.
    */
   std::string find_broken_element(const Model &model, const State &last_measured, const State &now);
 } // namespace vfife

@@ -10,8 +10,9 @@ namespace vfife
   class Body;
 
   /**
-   * Elements of a body that are rotated and shifted copies of each other (same local node order): all teeth of a gear, the cells of
-   * a structured block. They share stiffness, mass and stable step.
+   * Elements of a body that are rotated and shifted copies of each other (same local node order):
+   * all teeth of a gear, the cells of a structured block. They share stiffness, mass and stable
+   * step.
    */
   struct CongruenceClasses
   {
@@ -21,10 +22,11 @@ namespace vfife
   };
 
   /**
-   * Compares the elements' node coordinates in their own triads to 1e-8 of their size. Rounding may split a class
-   * in rare cases; this costs storage, not correctness.
+   * Compares the elements' node coordinates in their own triads to 1e-8 of their size. Rounding may
+   * split a class in rare cases; this costs storage, not correctness.
    */
-  CongruenceClasses find_congruence_classes(const Body &body, const std::vector<std::uint32_t> &elements);
+  CongruenceClasses find_congruence_classes(const Body                       &body,
+                                            const std::vector<std::uint32_t> &elements);
 } // namespace vfife
 
 #endif

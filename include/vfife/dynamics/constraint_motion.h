@@ -20,28 +20,34 @@ namespace vfife
   };
 
   /**
-   * The nodes that constraints hold or lead. After update_nodes() has moved all nodes, apply() puts these where they
-   * belong: prescribed rotations by position, X -> p + R(rate t)(X - p), so that nothing drifts; free rotations on their circles with
-   * one angle a node, or one angle for all (rigid hub).
+   * The nodes that constraints hold or lead. After update_nodes() has moved all nodes, apply() puts
+   * these where they belong: prescribed rotations by position, X -> p + R(rate t)(X - p), so that
+   * nothing drifts; free rotations on their circles with one angle a node, or one angle for all
+   * (rigid hub).
    */
   class ConstraintMotion
   {
   public:
-    ConstraintMotion(const Model &model, const Partition &partition, const Communicator &communicator);
+    ConstraintMotion(const Model        &model,
+                     const Partition    &partition,
+                     const Communicator &communicator);
 
-    /** The masses that tangential motion accelerates (lumped ones, or those of a relaxation), by local node. */
+    /** The masses that tangential motion accelerates (lumped ones, or those of a relaxation), by
+     * local node. */
     void set_masses(const std::vector<double> &masses);
 
     /** Sets mass and inverse mass of the constrained nodes in the records of @p state to zero. */
     void clear_masses(State &state) const;
 
-    /** Takes over angles and angular velocities of free rotations from positions and velocities of the state. */
+    /** Takes over angles and angular velocities of free rotations from positions and velocities of
+     * the state. */
     void read(const State &state, MotionFrame frame);
 
     /** Remembers the old positions and velocities, before update_nodes(). */
     void save(const double *positions, const double *velocities);
 
-    /** Power and moments of the constrained nodes of one body in one step; drive_power is done on the body. */
+    /** Power and moments of the constrained nodes of one body in one step; drive_power is done on
+     * the body. */
     struct Sums
     {
       UpdateSums update;
@@ -50,8 +56,8 @@ namespace vfife
     };
 
     /**
-     * Moves the constrained nodes from the saved state at @p time to time + dt. @p damping: one entry a body. Adds to @p sums (one a body).
-     * Collective where there is a rigid hub.
+     * Moves the constrained nodes from the saved state at @p time to time + dt. @p damping: one
+     * entry a body. Adds to @p sums (one a body). Collective where there is a rigid hub.
      */
     void apply(double                          time,
                double                          dt,
@@ -62,10 +68,12 @@ namespace vfife
                double                         *velocities,
                std::vector<Sums>              &sums);
 
-    /** Adds momentum and inertia of the constrained nodes in the present state to @p sums (one a body). */
+    /** Adds momentum and inertia of the constrained nodes in the present state to @p sums (one a
+     * body). */
     void add_moments(const State &state, std::vector<UpdateSums> &sums) const;
 
-    /** Leaves of the forces at constrained nodes the tangential part where the node may turn (@p rotation_is_free), else nothing. */
+    /** Leaves of the forces at constrained nodes the tangential part where the node may turn (@p
+     * rotation_is_free), else nothing. */
     void project(const double *positions, double *forces, bool rotation_is_free) const;
 
     /** The line of update sums for a body. */
@@ -76,9 +84,9 @@ namespace vfife
     {
       std::uint32_t local;
       bool          owned;
-      double        mass;      ///< lumped
+      double        mass;       ///< lumped
       double        moved_mass; ///< see set_masses()
-      Vector3       start;     ///< undeformed position at time zero relative to the axis point
+      Vector3       start;      ///< undeformed position at time zero relative to the axis point
       Vector3       old_position = Vector3::Zero(), old_velocity = Vector3::Zero();
       double        angle = 0, rate = 0; ///< free rotations
     };
@@ -93,19 +101,20 @@ namespace vfife
     };
 
     static Vector3 turned(const Axis &axis, const Vector3 &start, double angle);
-    void           turn_freely(Group &group, double dt, const BodyDamping &damping, const double *forces) const;
-    static void    add_sums(const Group       &group,
-                            const Node        &node,
-                            double             dt,
-                            const BodyDamping &damping,
-                            const Vector3     &force,
-                            const Vector3     &x,
-                            const Vector3     &v,
-                            const UpdateAxis  &axis,
-                            Sums              &sums);
+    void
+    turn_freely(Group &group, double dt, const BodyDamping &damping, const double *forces) const;
+    static void add_sums(const Group       &group,
+                         const Node        &node,
+                         double             dt,
+                         const BodyDamping &damping,
+                         const Vector3     &force,
+                         const Vector3     &x,
+                         const Vector3     &v,
+                         const UpdateAxis  &axis,
+                         Sums              &sums);
 
-    const Communicator &communicator_;
-    std::vector<Group>  groups_;
+    const Communicator     &communicator_;
+    std::vector<Group>      groups_;
     std::vector<UpdateAxis> axes_; ///< per body
   };
 } // namespace vfife

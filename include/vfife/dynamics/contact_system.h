@@ -14,8 +14,9 @@ namespace vfife
   struct Model;
 
   /**
-   * All contact pairs of a model in the explicit loop: brings the surface nodes that may touch together on every rank, lets each rank treat its
-   * share of the points, and returns the forces to all copies of the nodes.
+   * All contact pairs of a model in the explicit loop: brings the surface nodes that may touch
+   * together on every rank, lets each rank treat its share of the points, and returns the forces to
+   * all copies of the nodes.
    */
   class ContactSystem
   {
@@ -26,20 +27,21 @@ namespace vfife
     bool empty() const;
 
     /**
-     * Largest stable step [s] when elements alone allow @p element_step (safety included): the contact springs' share of the largest
-     * frequency is added.
+     * Largest stable step [s] when elements alone allow @p element_step (safety included): the
+     * contact springs' share of the largest frequency is added.
      */
     double vote_on_step(double element_step) const;
 
-    /** Sets the penalties for a step of @p dt [s] (fixed ones, or those that follow from the step). */
+    /** Sets the penalties for a step of @p dt [s] (fixed ones, or those that follow from the step).
+     */
     void set_penalties(double dt);
 
     /** Penalty of each pair [N/mm^3]. */
     std::vector<double> penalties() const;
 
     /**
-     * Broad search: which surface groups (teeth) can touch during the next @p duration [s], from the bodies' mean motion, its rates, and the deformation
-     * in @p positions. Collective.
+     * Broad search: which surface groups (teeth) can touch during the next @p duration [s], from
+     * the bodies' mean motion, its rates, and the deformation in @p positions. Collective.
      */
     void search(const std::vector<RigidMotion>   &body_motion,
                 const std::vector<RigidVelocity> &rates,
@@ -47,7 +49,8 @@ namespace vfife
                 double                            duration);
 
     /**
-     * Adds contact forces to @p forces (4 doubles a local node, all copies). @p dt is the step of the explicit integration. Collective.
+     * Adds contact forces to @p forces (4 doubles a local node, all copies). @p dt is the step of
+     * the explicit integration. Collective.
      */
     void add_forces(const std::vector<RigidMotion> &body_motion,
                     const double                   *positions,
@@ -57,7 +60,8 @@ namespace vfife
 
     /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. */
     double energy() const;
-    /** Power lost in contact damping and friction at the last add_forces() [mW = mJ/s]; all ranks. */
+    /** Power lost in contact damping and friction at the last add_forces() [mW = mJ/s]; all ranks.
+     */
     double lost_power() const;
     /** Largest penetration at the last add_forces() on this rank [mm]. */
     double largest_local_penetration() const;
@@ -65,23 +69,25 @@ namespace vfife
     /** Pairs of surface groups that press on each other, summed over ranks. Collective. */
     std::vector<ToothContact> collect_results() const;
 
-    /** Adds the stabilizing mass that penalty springs need in a relaxation with pseudo time step 1. */
+    /** Adds the stabilizing mass that penalty springs need in a relaxation with pseudo time step 1.
+     */
     void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
 
   private:
     struct Side;
     struct Pair;
 
-    double largest_deformation(const std::vector<RigidMotion> &body_motion, const double *positions) const;
+    double largest_deformation(const std::vector<RigidMotion> &body_motion,
+                               const double                   *positions) const;
     void   gather(const double *positions, const double *velocities);
 
     const Model                       &model_;
     const Partition                   &partition_;
     const Communicator                &communicator_;
     std::vector<std::unique_ptr<Pair>> pairs_;
-    std::vector<double>                reach_; ///< largest distance of each body's nodes from its axis point [mm]
-    std::vector<double>                buffer_;
-    double                             energy_ = 0, lost_power_ = 0, largest_penetration_ = 0;
+    std::vector<double> reach_; ///< largest distance of each body's nodes from its axis point [mm]
+    std::vector<double> buffer_;
+    double              energy_ = 0, lost_power_ = 0, largest_penetration_ = 0;
   };
 } // namespace vfife
 

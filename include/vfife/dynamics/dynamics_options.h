@@ -23,15 +23,16 @@ namespace vfife
 
   enum class Start
   {
-    static_preload, ///< rotating-frame equilibrium under centrifugal force, torque and contact, then release
+    static_preload, ///< rotating-frame equilibrium under centrifugal force, torque and contact,
+                    ///< then release
     ramp            ///< centrifugal equilibrium, then the torque grows linearly
   };
 
   /** How the equilibrium before the start is found (dynamic relaxation). */
   struct RelaxationOptions
   {
-    double       tolerance        = 1e-6;  ///< residual force norm over the norm of the applied forces
-    unsigned int largest_steps    = 60000; ///< failure beyond
+    double       tolerance     = 1e-6;  ///< residual force norm over the norm of the applied forces
+    unsigned int largest_steps = 60000; ///< failure beyond
 
     void declare(dealii::ParameterHandler &prm);
   };
@@ -46,7 +47,7 @@ namespace vfife
     double            mesh_damping = 2000.; ///< zeta_k [1/s]
     DampingRate       damping_rate = DampingRate::momentum;
     Start             start        = Start::static_preload;
-    double            energy_limit = 0.5;   ///< energy error at which a run is given up [-]
+    double            energy_limit = 0.5; ///< energy error at which a run is given up [-]
     RelaxationOptions relaxation;
 
     void declare(dealii::ParameterHandler &prm);

@@ -15,32 +15,39 @@ namespace vfife
   class Timers;
 
   /**
-   * Explicit VFIFE dynamics of a model: central differences of mass points under the forces of massless hexahedra, contact, loads, damping
-   * relative to the turning bodies, and constraints.
+   * Explicit VFIFE dynamics of a model: central differences of mass points under the forces of
+   * massless hexahedra, contact, loads, damping relative to the turning bodies, and constraints.
    */
   class ExplicitSolver
   {
   public:
-    ExplicitSolver(const Model &model, const DynamicsOptions &options, const Communicator &communicator, Log &log, Timers &timers);
+    ExplicitSolver(const Model           &model,
+                   const DynamicsOptions &options,
+                   const Communicator    &communicator,
+                   Log                   &log,
+                   Timers                &timers);
 
     VfifeOperator &vfife_operator();
     ContactSystem &contact();
 
-    /** Largest stable step times safety, after the contact's vote [s]; penalties are set for set_step(). */
+    /** Largest stable step times safety, after the contact's vote [s]; penalties are set for
+     * set_step(). */
     double stable_step();
 
     /** The step of the run [s], at most stable_step(). Sets the penalties that follow from it. */
     void set_step(double dt);
 
-    /** Undeformed bodies at time zero, turning as rigid bodies at their rates (velocities at -dt/2). */
+    /** Undeformed bodies at time zero, turning as rigid bodies at their rates (velocities at
+     * -dt/2). */
     void start(State &state);
 
-    /** Replaces velocities by those of rigid turning at the bodies' rates, positions unchanged (after a preload). */
+    /** Replaces velocities by those of rigid turning at the bodies' rates, positions unchanged
+     * (after a preload). */
     void set_rigid_velocities(State &state) const;
 
     /**
-     * Integrates from state.time to @p end_time. Throws NumericalError (non-finite or runaway energy, runaway penetration) after observers
-     * have seen the last state.
+     * Integrates from state.time to @p end_time. Throws NumericalError (non-finite or runaway
+     * energy, runaway penetration) after observers have seen the last state.
      */
     void run(State &state, double end_time, Observers &observers);
 
@@ -70,10 +77,10 @@ namespace vfife
     /** Copies the state for the observers, measures it, and returns the strain energy [mJ]. */
     double take_measurements(const State &state);
     void   show(Observers &observers, bool last);
-    void measure_contact();
-    void check(const State &state, bool measured) const;
-    void add_audit();
-    void finish_audit(const std::vector<RigidVelocity> &rates_at_start, double duration);
+    void   measure_contact();
+    void   check(const State &state, bool measured) const;
+    void   add_audit();
+    void   finish_audit(const std::vector<RigidVelocity> &rates_at_start, double duration);
 
     const Model           &model_;
     const DynamicsOptions &options_;

@@ -12,8 +12,8 @@ namespace vfife
   struct Model;
 
   /**
-   * Sums nodal records over the ranks that share the node. Every rank adds the same parts in the same order (ascending rank), so that all copies
-   * of a node stay equal to the last bit.
+   * Sums nodal records over the ranks that share the node. Every rank adds the same parts in the
+   * same order (ascending rank), so that all copies of a node stay equal to the last bit.
    */
   class HaloExchange
   {
@@ -23,7 +23,8 @@ namespace vfife
                  const std::vector<std::uint32_t> &rank_of_element,
                  const Communicator               &communicator);
 
-    /** @p values: 4 doubles a local node; the first three of shared nodes become sums over ranks. */
+    /** @p values: 4 doubles a local node; the first three of shared nodes become sums over ranks.
+     */
     void add_over_ranks(double *values);
 
   private:

@@ -11,10 +11,14 @@ namespace vfife
   struct State;
 
   /**
-   * The paper's Eq. (8): the rotation about the axis at the mass-weighted mean of |v|/r over the nodes of body @p b of the model, r the distance to the
-   * axis. Unsigned as published (the sense is that of the body's initial rate) and not torque-free; for comparison. Collective.
+   * The paper's Eq. (8): the rotation about the axis at the mass-weighted mean of |v|/r over the
+   * nodes of body @p b of the model, r the distance to the axis. Unsigned as published (the sense
+   * is that of the body's initial rate) and not torque-free; for comparison. Collective.
    */
-  RigidVelocity compute_mean_speed_rate(const Body &body, const State &state, unsigned int b, const Communicator &communicator);
+  RigidVelocity compute_mean_speed_rate(const Body         &body,
+                                        const State        &state,
+                                        unsigned int        b,
+                                        const Communicator &communicator);
 } // namespace vfife
 
 #endif

@@ -13,8 +13,8 @@ namespace vfife
   class VfifeOperator;
 
   /**
-   * Mass-weighted mean rotation of @p nodes of a body about its axis beyond the turn @p turned of the whole body since time zero [rad].
-   * Collective.
+   * Mass-weighted mean rotation of @p nodes of a body about its axis beyond the turn @p turned of
+   * the whole body since time zero [rad]. Collective.
    */
   double measure_rotation(const Body                      &body,
                           const std::vector<unsigned int> &nodes,
@@ -25,9 +25,12 @@ namespace vfife
   /** Sets angles and transmission errors of the measurements from positions. Collective. */
   void measure_transmission(const Model &model, State &state, const Communicator &communicator);
 
-  /** Displacement in the turning body and stress at the probes; elements' nodal stresses averaged. Collective. */
-  std::vector<ProbeValue>
-  measure_probes(const Model &model, const State &state, const VfifeOperator &vfife, const Communicator &communicator);
+  /** Displacement in the turning body and stress at the probes; elements' nodal stresses averaged.
+   * Collective. */
+  std::vector<ProbeValue> measure_probes(const Model         &model,
+                                         const State         &state,
+                                         const VfifeOperator &vfife,
+                                         const Communicator  &communicator);
 } // namespace vfife
 
 #endif

@@ -24,18 +24,23 @@ namespace vfife
   };
 
   /**
-   * Rank that computes each element of the model: whole sectors (teeth) of each body in contiguous shares, cells where there are more ranks than
-   * sectors. Bodies are dealt in alternating order so that the remainders even out.
+   * Rank that computes each element of the model: whole sectors (teeth) of each body in contiguous
+   * shares, cells where there are more ranks than sectors. Bodies are dealt in alternating order so
+   * that the remainders even out.
    */
   std::vector<std::uint32_t> assign_elements(const Model &model, unsigned int n_ranks);
 
   /**
-   * Congruent elements into packs. Packs are sorted by their first element: for a gear that is chunk of eight teeth by chunk,
-   * template element by template element, so that the lanes' nodes lie side by side.
+   * Congruent elements into packs. Packs are sorted by their first element: for a gear that is
+   * chunk of eight teeth by chunk, template element by template element, so that the lanes' nodes
+   * lie side by side.
    */
-  std::vector<BodyPacks> make_packs(const Model &model, const std::vector<std::uint32_t> &rank_of_element, unsigned int rank);
+  std::vector<BodyPacks> make_packs(const Model                      &model,
+                                    const std::vector<std::uint32_t> &rank_of_element,
+                                    unsigned int                      rank);
 
-  /** Numbers this rank's nodes in the order in which the packs first touch them, body by body; owned: the lowest rank that touches the node. */
+  /** Numbers this rank's nodes in the order in which the packs first touch them, body by body;
+   * owned: the lowest rank that touches the node. */
   Partition make_partition(const Model                      &model,
                            const std::vector<BodyPacks>     &packs,
                            const std::vector<std::uint32_t> &rank_of_element,

@@ -20,11 +20,12 @@ namespace vfife
   };
 
   /**
-   * Static equilibrium of a model by the traditional VFIFE, i.e. explicit steps with virtual damping,
-   *   M a + c M v = F   (Eq. (1) of the paper),
-   * in the frames that turn with the bodies: prescribed rotations stand still and the centrifugal force m omega^2 r, r in the deformed state, is
-   * applied. The masses M are fictitious, scaled element by element to one common stable step, and the damping follows the lowest frequency that the motion
-   * itself shows (Rayleigh quotient of the last step; Underwood 1983). It stops on the residual, not on a time.
+   * Static equilibrium of a model by the traditional VFIFE, i.e. explicit steps with virtual
+   * damping, M a + c M v = F   (Eq. (1) of the paper), in the frames that turn with the bodies:
+   * prescribed rotations stand still and the centrifugal force m omega^2 r, r in the deformed
+   * state, is applied. The masses M are fictitious, scaled element by element to one common stable
+   * step, and the damping follows the lowest frequency that the motion itself shows (Rayleigh
+   * quotient of the last step; Underwood 1983). It stops on the residual, not on a time.
    */
   class Relaxation
   {
@@ -39,15 +40,15 @@ namespace vfife
     /** What acts beside internal forces. */
     struct Loads
     {
-      bool centrifugal = true;
-      double torque    = 1; ///< part of the full torque
-      bool contact     = true;
-      bool hold_rotation = false; ///< free rotations are held
+      bool   centrifugal   = true;
+      double torque        = 1; ///< part of the full torque
+      bool   contact       = true;
+      bool   hold_rotation = false; ///< free rotations are held
     };
 
     /**
-     * Moves the positions of @p state into equilibrium; velocities are left alone. Throws NumericalError when the residual does not fall below the tolerance, with its
-     * history.
+     * Moves the positions of @p state into equilibrium; velocities are left alone. Throws
+     * NumericalError when the residual does not fall below the tolerance, with its history.
      */
     RelaxationReport solve(State &state, const Loads &loads);
 

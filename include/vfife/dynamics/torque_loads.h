@@ -10,20 +10,23 @@
 namespace vfife
 {
   /**
-   * Torques as tangential forces of constant traction: F_i = T A_i t_i / sum_j A_j r_j, which follow the moving nodes.
+   * Torques as tangential forces of constant traction: F_i = T A_i t_i / sum_j A_j r_j, which
+   * follow the moving nodes.
    */
   class TorqueLoads
   {
   public:
     TorqueLoads(const Model &model, const Partition &partition);
 
-    /** Adds the forces at @p time to @p forces (4 a local node, all copies); remembers them for power(). */
+    /** Adds the forces at @p time to @p forces (4 a local node, all copies); remembers them for
+     * power(). */
     void add_forces(double time, const double *positions, double *forces);
 
     /** The same with @p part of the full torque whatever the time. */
     void add_part(double part, const double *positions, double *forces);
 
-    /** Half of the power of the remembered forces with these velocities on this rank [mJ/s]: called before and after the update. */
+    /** Half of the power of the remembered forces with these velocities on this rank [mJ/s]: called
+     * before and after the update. */
     double half_power(const double *velocities) const;
 
   private:

@@ -22,7 +22,7 @@ namespace vfife
   {
     double      frequency = 0; ///< largest circular frequency of the free element [rad/s]
     std::string body;
-    unsigned    element  = 0;  ///< of the body
+    unsigned    element  = 0;               ///< of the body
     Vector3     centroid = Vector3::Zero(); ///< body frame [mm]
 
     double stable_step() const
@@ -32,15 +32,18 @@ namespace vfife
   };
 
   /**
-   * The internal forces of massless hexahedra between mass points (VFIFE): partition over ranks, packed layout, congruence classes, kernels
-   * of the best instruction set. Built once for a model.
+   * The internal forces of massless hexahedra between mass points (VFIFE): partition over ranks,
+   * packed layout, congruence classes, kernels of the best instruction set. Built once for a model.
    */
   class VfifeOperator
   {
   public:
-    VfifeOperator(const Model &model, FrameKind frame, StiffnessKind stiffness, const Communicator &communicator);
+    VfifeOperator(const Model        &model,
+                  FrameKind           frame,
+                  StiffnessKind       stiffness,
+                  const Communicator &communicator);
 
-    VfifeOperator(const VfifeOperator &) = delete;
+    VfifeOperator(const VfifeOperator &)            = delete;
     VfifeOperator &operator=(const VfifeOperator &) = delete;
 
     const Partition &partition() const;
@@ -50,7 +53,8 @@ namespace vfife
     /** Length of nodal arrays: 4 doubles a local node and one node that unused lanes write to. */
     std::size_t array_size() const;
 
-    /** Sets @p forces [N] (4 a node, on all copies of a node) to the internal forces at @p positions [mm]. Collective. */
+    /** Sets @p forces [N] (4 a node, on all copies of a node) to the internal forces at @p
+     * positions [mm]. Collective. */
     void compute_internal_forces(const double *positions, double *forces);
 
     /** Strain energy of all elements of the model [mJ]. Collective. */
@@ -63,12 +67,13 @@ namespace vfife
     const std::vector<double> &masses() const;
 
     /**
-     * Nodal masses for a relaxation with pseudo time step 1: every element's share is scaled such that its largest frequency is 2 @p fraction.
-     * Summed over ranks. Collective.
+     * Nodal masses for a relaxation with pseudo time step 1: every element's share is scaled such
+     * that its largest frequency is 2 @p fraction. Summed over ranks. Collective.
      */
     std::vector<double> compute_relaxation_masses(double fraction);
 
-    /** Elements of the model on this rank that a local node belongs to (searched: for a few nodes at observations). */
+    /** Elements of the model on this rank that a local node belongs to (searched: for a few nodes
+     * at observations). */
     const std::vector<std::uint32_t> &elements_at(std::uint32_t local_node) const;
 
     std::size_t n_local_elements() const;
@@ -105,17 +110,19 @@ namespace vfife
     LimitingElement            limiting_element_;
     std::vector<double>        energy_forces_, element_energies_;
 
-    /** Per body and class: constants of the kernel, lumped masses of the element's nodes, largest frequency. */
+    /** Per body and class: constants of the kernel, lumped masses of the element's nodes, largest
+     * frequency. */
     struct ClassData
     {
       std::vector<double>                constants;
       std::vector<std::array<double, 8>> masses;
       std::vector<double>                frequency;
     };
-    std::vector<ClassData>                                 class_data_;
-    std::vector<std::uint32_t>                             first_element_; ///< per body
-    mutable std::map<std::uint32_t, std::vector<std::uint32_t>> elements_at_; ///< found so far
-    std::vector<std::vector<std::array<std::uint32_t, 8>>> local_elements_; ///< local nodes of each row of BodyPacks::elements
+    std::vector<ClassData>                                      class_data_;
+    std::vector<std::uint32_t>                                  first_element_; ///< per body
+    mutable std::map<std::uint32_t, std::vector<std::uint32_t>> elements_at_;   ///< found so far
+    std::vector<std::vector<std::array<std::uint32_t, 8>>>
+      local_elements_; ///< local nodes of each row of BodyPacks::elements
   };
 } // namespace vfife
 

@@ -24,8 +24,9 @@ namespace vfife
   };
 
   /**
-   * A deformable body: mesh, material, lumped masses, and where it is and how it turns at time zero. Nodes and elements are
-   * numbered as the mesh's vertices and active cells; first_node shifts them into the model's numbering.
+   * A deformable body: mesh, material, lumped masses, and where it is and how it turns at time
+   * zero. Nodes and elements are numbered as the mesh's vertices and active cells; first_node
+   * shifts them into the model's numbering.
    */
   class Body
   {
@@ -50,7 +51,8 @@ namespace vfife
     const std::vector<std::array<std::uint32_t, 8>> &elements() const;
     HexahedronNodes                                  element_nodes(unsigned int element) const;
 
-    /** Sorted (or ordered by sector) nodes of a named set; throws InputError with the nearest known name. */
+    /** Sorted (or ordered by sector) nodes of a named set; throws InputError with the nearest known
+     * name. */
     const std::vector<unsigned int> &node_set(const std::string &set) const;
     bool                             has_node_set(const std::string &set) const;
 
@@ -58,11 +60,12 @@ namespace vfife
     /** Moment of inertia of the lumped masses about the body's axis of rotation [t mm^2]. */
     double axial_inertia() const;
 
-    RigidMotion  placement;                ///< body frame -> fixed frame at time zero
-    Axis         axis;                     ///< axis of rotation, fixed frame
-    bool         turns_on_axis = false;    ///< held by bearings: rigid motion is a rotation about the axis
-    double       rate          = 0;        ///< angular velocity about the axis at time zero [rad/s]
-    Vector3      velocity      = Vector3::Zero(); ///< translation velocity at time zero (bodies without bearings) [mm/s]
+    RigidMotion placement;         ///< body frame -> fixed frame at time zero
+    Axis        axis;              ///< axis of rotation, fixed frame
+    bool    turns_on_axis = false; ///< held by bearings: rigid motion is a rotation about the axis
+    double  rate          = 0;     ///< angular velocity about the axis at time zero [rad/s]
+    Vector3 velocity =
+      Vector3::Zero(); ///< translation velocity at time zero (bodies without bearings) [mm/s]
     unsigned int first_node    = 0;
     unsigned int first_element = 0;
 

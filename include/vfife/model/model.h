@@ -29,8 +29,9 @@ namespace vfife
   };
 
   /**
-   * A torque about the body's axis, applied as tangential nodal forces of constant traction. History: linear ramp from zero over
-   * ramp_time, then constant (ramp_time 0: full from the start).
+   * A torque about the body's axis, applied as tangential nodal forces of constant traction.
+   * History: linear ramp from zero over ramp_time, then constant (ramp_time 0: full from the
+   * start).
    */
   struct Torque
   {
@@ -46,7 +47,7 @@ namespace vfife
   struct ContactPair
   {
     std::string    side; ///< "drive", "coast", or a user's name
-    unsigned int   slave_body  = 0;
+    unsigned int   slave_body = 0;
     std::string    slave_surface;
     unsigned int   master_body = 0;
     std::string    master_surface;
@@ -78,7 +79,8 @@ namespace vfife
   };
 
   /**
-   * Area of the mesh's boundary faces that belongs to each of @p nodes (a quarter of every face whose four nodes are all in the set) [mm^2].
+   * Area of the mesh's boundary faces that belongs to each of @p nodes (a quarter of every face
+   * whose four nodes are all in the set) [mm^2].
    */
   std::vector<double> compute_nodal_areas(const Body &body, const std::vector<unsigned int> &nodes);
 } // namespace vfife

@@ -16,7 +16,8 @@ namespace vfife
   public:
     virtual ~Observer() = default;
 
-    /** Whether observe() is wanted at this state; the solver measures first (State::measured). Equal on all ranks. */
+    /** Whether observe() is wanted at this state; the solver measures first (State::measured).
+     * Equal on all ranks. */
     virtual bool due(const State &state) const = 0;
 
     virtual void observe(const Model &model, const State &state) = 0;

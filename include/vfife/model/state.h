@@ -28,21 +28,23 @@ namespace vfife
     }
   };
 
-  /** Energies since the start of the run [mJ]. Work is counted as received by the bodies, dissipation as lost. */
+  /** Energies since the start of the run [mJ]. Work is counted as received by the bodies,
+   * dissipation as lost. */
   struct EnergyLedger
   {
-    double kinetic             = 0; ///< now
-    double kinetic_relative    = 0; ///< of the motion relative to the rigidly turning bodies, now
-    double strain              = 0; ///< now
-    double contact             = 0; ///< stored in the contact springs, now
-    double drive_work          = 0;
-    double torque_work         = 0;
-    double damping_loss        = 0;
-    double mesh_damping_loss   = 0;
-    double contact_loss        = 0; ///< contact damping and friction
-    double start               = 0; ///< kinetic + strain + contact at the start
-    double scale               = 0; ///< largest value so far that the error is divided by
-    /** Residual of the ledger over the scale (CONVENTIONS: changes since the start, spin left out). */
+    double kinetic           = 0; ///< now
+    double kinetic_relative  = 0; ///< of the motion relative to the rigidly turning bodies, now
+    double strain            = 0; ///< now
+    double contact           = 0; ///< stored in the contact springs, now
+    double drive_work        = 0;
+    double torque_work       = 0;
+    double damping_loss      = 0;
+    double mesh_damping_loss = 0;
+    double contact_loss      = 0; ///< contact damping and friction
+    double start             = 0; ///< kinetic + strain + contact at the start
+    double scale             = 0; ///< largest value so far that the error is divided by
+    /** Residual of the ledger over the scale (CONVENTIONS: changes since the start, spin left out).
+     */
     double error() const;
     double residual() const;
   };
@@ -61,8 +63,8 @@ namespace vfife
   {
     std::string  side;
     unsigned int slave_group = 0, master_group = 0;
-    Vector3      force            = Vector3::Zero(); ///< on the slave, fixed frame [N]
-    double       torque           = 0; ///< on the driven member about its axis, + resists the load [N mm]
+    Vector3      force  = Vector3::Zero(); ///< on the slave, fixed frame [N]
+    double       torque = 0; ///< on the driven member about its axis, + resists the load [N mm]
     double       normal_force     = 0; ///< [N]
     double       largest_pressure = 0; ///< [MPa]
     double       area             = 0; ///< [mm^2]
@@ -71,30 +73,32 @@ namespace vfife
 
   struct ProbeValue
   {
-    Vector3               displacement = Vector3::Zero(); ///< R^T (x - c) - (X - c) in r, theta, z of the body [mm]
-    std::array<double, 6> stress       = {};              ///< rr tt zz rt tz zr, node average of the elements [MPa]
-    double                von_mises    = 0;               ///< [MPa]
+    Vector3 displacement =
+      Vector3::Zero();                    ///< R^T (x - c) - (X - c) in r, theta, z of the body [mm]
+    std::array<double, 6> stress    = {}; ///< rr tt zz rt tz zr, node average of the elements [MPa]
+    double                von_mises = 0;  ///< [MPa]
   };
 
   /** What observers report of one instant; equal on all ranks. */
   struct Measurements
   {
-    double driver_angle = 0, driven_angle = 0, rim_angle = 0; ///< in the drive direction [rad]
+    double driver_angle = 0, driven_angle = 0, rim_angle = 0;  ///< in the drive direction [rad]
     double transmission_error = 0, rim_transmission_error = 0; ///< [rad]
-    double contact_force      = 0; ///< sum over pairs of the resultants' magnitudes [N]
-    double contact_torque     = 0; ///< on the driven member [N mm]
-    double drive_torque       = 0; ///< [N mm]
-    unsigned int teeth_in_contact   = 0;
-    double       largest_penetration = 0; ///< [mm]
-    EnergyLedger energy;
+    double contact_force  = 0; ///< sum over pairs of the resultants' magnitudes [N]
+    double contact_torque = 0; ///< on the driven member [N mm]
+    double drive_torque   = 0; ///< [N mm]
+    unsigned int              teeth_in_contact    = 0;
+    double                    largest_penetration = 0; ///< [mm]
+    EnergyLedger              energy;
     std::vector<ToothContact> teeth;
     std::vector<ProbeValue>   probes;
     std::vector<double>       body_rates; ///< momentum rate of each body about its axis [rad/s]
   };
 
   /**
-   * The moving part of a run on this rank. Records of four doubles a local node: position [x y z 1/m], velocity [vx vy vz m]
-   * (1/m and m are 0 at constrained nodes). Positions are at `time`, velocities at time - dt/2.
+   * The moving part of a run on this rank. Records of four doubles a local node: position [x y z
+   * 1/m], velocity [vx vy vz m] (1/m and m are 0 at constrained nodes). Positions are at `time`,
+   * velocities at time - dt/2.
    */
   struct State
   {
@@ -103,8 +107,10 @@ namespace vfife
     double              dt   = 0; ///< [s]
     Partition           partition;
     std::vector<double> position, velocity;
-    std::vector<double> contact_force; ///< [fx fy fz 0] a local node [N], valid when an observer asked for this instant
-    /** Mean rigid motion of each body, body frame -> fixed frame now: its momentum's rotation, integrated. */
+    std::vector<double> contact_force; ///< [fx fy fz 0] a local node [N], valid when an observer
+                                       ///< asked for this instant
+    /** Mean rigid motion of each body, body frame -> fixed frame now: its momentum's rotation,
+     * integrated. */
     std::vector<RigidMotion> body_motion;
     Measurements             measured; ///< of this instant, when an observer asked for it
 

@@ -9,20 +9,22 @@
 namespace vfife
 {
   /**
-   * A gear pair among the bodies of a model. Angles of the two members grow in the drive direction (sense +1 or -1 about the member's axis)
-   * and are zero at the unloaded, unspun mean contact; dynamic transmission error
-   *   DTE = theta_driven - (z_driver / z_driven) theta_driver,   negative when the driven member lags.
+   * A gear pair among the bodies of a model. Angles of the two members grow in the drive direction
+   * (sense +1 or -1 about the member's axis) and are zero at the unloaded, unspun mean contact;
+   * dynamic transmission error DTE = theta_driven - (z_driver / z_driven) theta_driver,   negative
+   * when the driven member lags.
    */
   struct Transmission
   {
-    unsigned int driver = 0, driven = 1;           ///< bodies
+    unsigned int driver = 0, driven = 1; ///< bodies
     unsigned int driver_teeth = 0, driven_teeth = 0;
     double       driver_sense = 1, driven_sense = -1;
     double       driver_start = 0, driven_start = 0; ///< theta at time zero [rad]
-    double       driver_rate  = 0;                   ///< d theta_driver / dt [rad/s]
+    double       driver_rate = 0;                    ///< d theta_driver / dt [rad/s]
 
-    std::vector<unsigned int> driven_bore; ///< nodes whose mass-weighted mean rotation is theta_driven
-    std::vector<unsigned int> driven_rim;  ///< nodes of the rim
+    std::vector<unsigned int>
+      driven_bore; ///< nodes whose mass-weighted mean rotation is theta_driven
+    std::vector<unsigned int> driven_rim; ///< nodes of the rim
 
     Vector3 contact_point  = Vector3::Zero();  ///< mean contact, fixed frame [mm]
     Vector3 contact_normal = Vector3::UnitX(); ///< into the driven member's metal

@@ -10,8 +10,9 @@ namespace vfife
   class Communicator;
 
   /**
-   * Where the transmission error of a loaded pair at the mean contact comes from [rad], lag negative. With n the normal out of the gear into the pinion
-   * and p its arm about the gear axis, flanks that touch after displacements u_g and u_p at the contact ask the hub for the rotation
+   * Where the transmission error of a loaded pair at the mean contact comes from [rad], lag
+   * negative. With n the normal out of the gear into the pinion and p its arm about the gear axis,
+   * flanks that touch after displacements u_g and u_p at the contact ask the hub for the rotation
    *   (n . u_g - n . u_p)/p   in the drive direction.
    */
   struct DeflectionParts
@@ -38,15 +39,17 @@ namespace vfife
   private:
     struct Shape
     {
-      double  contact     = 0;                ///< (n . u_g - n . u_p)/p at the flanks
-      double  hub_lead    = 0, rim_lead = 0;  ///< drive direction
-      Vector3 rim_shift   = Vector3::Zero();  ///< rigid motion of the rim: u = shift + tilt x (x - axis point)
-      Vector3 rim_turn    = Vector3::Zero();
+      double  contact  = 0;               ///< (n . u_g - n . u_p)/p at the flanks
+      double  hub_lead = 0, rim_lead = 0; ///< drive direction
+      Vector3 rim_shift =
+        Vector3::Zero(); ///< rigid motion of the rim: u = shift + tilt x (x - axis point)
+      Vector3 rim_turn = Vector3::Zero();
     };
 
-    Shape   measure(State &state) const;
-    Vector3 flank_displacement(const State &state, unsigned int body, const std::string &surface) const;
-    void    fit_rim(const State &state, Shape &shape) const;
+    Shape measure(State &state) const;
+    Vector3
+    flank_displacement(const State &state, unsigned int body, const std::string &surface) const;
+    void fit_rim(const State &state, Shape &shape) const;
 
     const Model        &model_;
     const Communicator &communicator_;

@@ -15,7 +15,8 @@ namespace vfife
   class ExplicitSolver;
   class OutputFolder;
 
-  /** Study kind `run`: explicit dynamics of a gear pair from the start to the last tooth mesh, with all results. */
+  /** Study kind `run`: explicit dynamics of a gear pair from the start to the last tooth mesh, with
+   * all results. */
   class DynamicRun : public StudyKind
   {
   public:
@@ -26,11 +27,23 @@ namespace vfife
 
   private:
     void            log_step(const Model &model, ExplicitSolver &solver, double dt, Log &log) const;
-    DeflectionParts preload(const Model &model, ExplicitSolver &solver, State &state, const Communicator &communicator, Log &log) const;
-    RunSummary      start_summary(const Model &model, ExplicitSolver &solver, double dt, const Communicator &communicator) const;
-    void            finish_summary(const Model &model, ExplicitSolver &solver, const State &state, const Table &history, RunSummary &summary, Log &log) const;
+    DeflectionParts preload(const Model        &model,
+                            ExplicitSolver     &solver,
+                            State              &state,
+                            const Communicator &communicator,
+                            Log                &log) const;
+    RunSummary      start_summary(const Model        &model,
+                                  ExplicitSolver     &solver,
+                                  double              dt,
+                                  const Communicator &communicator) const;
+    void            finish_summary(const Model    &model,
+                                   ExplicitSolver &solver,
+                                   const State    &state,
+                                   const Table    &history,
+                                   RunSummary     &summary,
+                                   Log            &log) const;
 
-    double          swing_period_meshes() const;
+    double swing_period_meshes() const;
 
     GearCase        gear_case_;
     DynamicsOptions dynamics_;

@@ -26,10 +26,10 @@ namespace vfife
   /** Section Operation: what the pair is run at. */
   struct OperationOptions
   {
-    double       speed  = 0;        ///< of the pinion [rad/s]
-    double       torque = 0;        ///< on the gear [N mm]
-    unsigned int meshes = 40;       ///< tooth meshes to run
-    double       ramp   = 12;       ///< of the torque, with Dynamics/Start = ramp [tooth meshes]
+    double       speed  = 0;  ///< of the pinion [rad/s]
+    double       torque = 0;  ///< on the gear [N mm]
+    unsigned int meshes = 40; ///< tooth meshes to run
+    double       ramp   = 12; ///< of the torque, with Dynamics/Start = ramp [tooth meshes]
     HubKind      hub    = HubKind::free_rotation;
 
     void declare(dealii::ParameterHandler &prm);
@@ -52,10 +52,12 @@ namespace vfife
     void declare(dealii::ParameterHandler &prm, const ParameterFile &file);
     void check() const;
 
-    /** Derives the flanks, meshes both bodies and puts them together; logs what a user wants to know about them. */
+    /** Derives the flanks, meshes both bodies and puts them together; logs what a user wants to
+     * know about them. */
     Model make_model(bool torque_is_ramped, Log &log) const;
 
-    /** Step of central differences that divides a tooth mesh into a multiple of @p samples steps, at most @p stable_step [s]. */
+    /** Step of central differences that divides a tooth mesh into a multiple of @p samples steps,
+     * at most @p stable_step [s]. */
     double choose_step(double stable_step, unsigned int samples) const;
 
     const OperationOptions &operation() const;

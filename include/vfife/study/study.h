@@ -9,8 +9,8 @@ namespace vfife
   class Log;
 
   /**
-   * Does what the parameter file's section Study asks for: one explicit table of kinds. Throws InputError (complete message) and NumericalError.
-   * Collective.
+   * Does what the parameter file's section Study asks for: one explicit table of kinds. Throws
+   * InputError (complete message) and NumericalError. Collective.
    */
   void run_study(const CommandLine &command_line, Communicator &communicator, Log &log);
 } // namespace vfife

@@ -14,13 +14,15 @@ namespace vfife
   class OutputFolder;
   class ParameterFile;
 
-  /** One kind of thing that a user can ask for. Called in the order of the functions, on all ranks. */
+  /** One kind of thing that a user can ask for. Called in the order of the functions, on all ranks.
+   */
   class StudyKind
   {
   public:
     virtual ~StudyKind() = default;
 
-    /** Declares all sections that the kind reads. Names that decide what is declared are read from @p file. */
+    /** Declares all sections that the kind reads. Names that decide what is declared are read from
+     * @p file. */
     virtual void declare(dealii::ParameterHandler &prm, const ParameterFile &file) = 0;
 
     /** Throws InputError when entries contradict each other. */

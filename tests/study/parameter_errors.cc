@@ -1,0 +1,80 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// What a user reads whose parameter file is wrong: file, line, what is wrong, and what may be meant.
+#include "../tests.h"
+
+#include <vfife/base/command_line.h>
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/log.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/study/study.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace vfife;
+
+namespace
+{
+  /** A case that can be run, with @p lines in front of its own entries. */
+  std::string write_case(const std::string &lines)
+  {
+    const std::string name = "case.prm";
+    std::ofstream     file(name);
+    file << "include " << SOURCE_DIR << "/../../prm/paper_pair.prm\n"
+         << lines << "subsection Operation\n"
+         << "  set speed        = 20000 rpm\n"
+         << "  set torque       = 800 N m\n"
+         << "end\n";
+    return name;
+  }
+
+  void refuse(const std::string &name, Communicator &communicator, const std::vector<std::string> &overrides = {})
+  {
+    CommandLine line;
+    line.parameter_file = name;
+    line.overrides      = overrides;
+    line.check          = true;
+    std::ostringstream nothing;
+    Log                log(nothing, true, Verbosity::quiet);
+    try
+      {
+        run_study(line, communicator, log);
+        std::cout << "FAILED: accepted" << std::endl;
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  }
+
+  std::string gear_body(const std::string &entry)
+  {
+    return "subsection Gear pair\n  subsection Gear\n    subsection Body\n      set web = conical\n      " + entry +
+           "\n    end\n  end\nend\n";
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession    session(argc, argv);
+  Communicator &world = session.world();
+
+  refuse(write_case(gear_body("set web thicknes = 5 mm")), world);
+  refuse(write_case(gear_body("set web thickness = 5 deg")), world);
+  refuse(write_case(gear_body("set web thickness = -5 mm")), world);
+  refuse(write_case(gear_body("set web thickness = 0 mm")), world);
+  refuse(write_case(gear_body("set web angle = 120 deg")), world);
+  refuse(write_case("subsection Gear pairs\nend\n"), world);
+  refuse(write_case("subsection Study\n  set kind = walk\nend\n"), world);
+  refuse(write_case("subsection Operation\n  set hub = rigid hob\nend\n"), world);
+  refuse(write_case("subsection Dynamics\n  set damping = 1e5 1/s\nend\n"), world);
+  refuse(write_case("subsection Dynamics\n  set damping = 1000 1/s\n"), world);
+  refuse(write_case("include nothing_here.prm\n"), world);
+  refuse("missing.prm", world);
+  refuse(write_case(""), world, {"Operation/sped=1 rpm"});
+  refuse(write_case(""), world, {"Operation/speed=1 mm"});
+  refuse(write_case(""), world, {"Operation/speed=0 rpm"});
+  refuse(write_case(""), world, {"Operation/speed"});
+  refuse(write_case(""), world, {"Operations/speed=1 rpm"});
+}

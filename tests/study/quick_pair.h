@@ -1,0 +1,95 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_tests_study_quick_pair_h
+#define vfife_tests_study_quick_pair_h
+
+#include <vfife/base/command_line.h>
+#include <vfife/base/communicator.h>
+#include <vfife/base/log.h>
+#include <vfife/study/study.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/** One tooth mesh of the paper's pair on meshes as coarse as they go; @p gear: entries of the gear's body and mesh. */
+inline std::string quick_pair(const std::string &gear_body, const std::string &gear_mesh, const std::string &tolerance)
+{
+  return std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n" +
+         R"(
+subsection Gear pair
+  subsection Pinion
+    subsection Mesh
+      set cells lengthwise   = 2
+      set cells across tooth = 2
+      set flank rows         = 2
+      set rim rows           = 2
+    end
+  end
+  subsection Gear
+    subsection Body
+)" + gear_body +
+         R"(
+    end
+    subsection Mesh
+      set cells lengthwise   = 2
+      set cells across tooth = 2
+      set flank rows         = 2
+)" + gear_mesh +
+         R"(
+    end
+  end
+end
+subsection Operation
+  set speed        = 20000 rpm
+  set torque       = 800 N m
+  set tooth meshes = 1
+end
+subsection Dynamics
+  subsection Relaxation
+    set tolerance = )" +
+         tolerance + R"(
+  end
+end
+subsection Output
+  set history every = 98
+  set verbosity     = quiet
+end
+)";
+}
+
+inline void run_pair(const std::string &file, const std::string &folder, vfife::Communicator &communicator)
+{
+  vfife::CommandLine line;
+  line.parameter_file = file;
+  line.output_folder  = folder;
+  std::ostringstream nothing;
+  vfife::Log         log(nothing, communicator.is_root(), vfife::Verbosity::quiet);
+  vfife::run_study(line, communicator, log);
+}
+
+/** Columns of a CSV file of numbers by name ("dte"), without the units of the header. */
+inline std::map<std::string, std::vector<double>> read_columns(const std::string &path)
+{
+  std::ifstream            file(path);
+  std::string              text, cell;
+  std::vector<std::string> names;
+  std::getline(file, text);
+  std::istringstream header(text);
+  while (std::getline(header, cell, ','))
+    names.push_back(cell.substr(0, cell.find(" [")));
+  std::map<std::string, std::vector<double>> columns;
+  while (std::getline(file, text))
+    {
+      std::istringstream row(text);
+      for (const std::string &name : names)
+        {
+          std::getline(row, cell, ',');
+          columns[name].push_back(std::stod(cell));
+        }
+    }
+  return columns;
+}
+
+#endif
