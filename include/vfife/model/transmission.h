@@ -27,7 +27,7 @@ namespace vfife
     std::vector<unsigned int> driven_rim; ///< nodes of the rim
 
     Vector3 contact_point  = Vector3::Zero();  ///< mean contact, fixed frame [mm]
-    Vector3 contact_normal = Vector3::UnitX(); ///< into the driven member's metal
+    Vector3 contact_normal = Vector3::UnitX(); ///< out of the driven member, into the driver
     double  arm            = 0;                ///< |(P x n) . axis| of the driven member [mm]
 
     double ratio() const
