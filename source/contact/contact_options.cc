@@ -49,7 +49,7 @@ namespace vfife
                    "penalty fraction",
                    penalty_fraction,
                    "Penalty times dt^2 over the least nodal mass per area of both surfaces",
-                   {0., 2., true});
+                   {0., 1.9, true});
     declare_quantity(prm,
                      "penalty",
                      penalty,
@@ -102,7 +102,7 @@ namespace vfife
     if (penalty_from_step && !(penalty_fraction > 0. && penalty_fraction <= 2.))
       throw InputError(
         entry("penalty fraction"),
-        "the fraction must be positive and at most 2, beyond which no step is stable");
+        "the fraction must be positive and at most 1.9; from 2 on no step is stable");
     if (!penalty_from_step && !(penalty > 0. && std::isfinite(penalty)))
       throw InputError(entry("penalty"), "the penalty must be a positive number of N/mm^3");
     if (!(damping_ratio >= 0. && damping_ratio <= 1.))

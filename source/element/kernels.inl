@@ -46,6 +46,20 @@ namespace vfife
       }
     };
 
+    /** b_j(a): mean derivative of the shape function of node a = 1..7 to X_j. */
+    template <typename Constants>
+    VFIFE_INLINE V gradient(const Constants &constants, const unsigned int a, const unsigned int j)
+    {
+      return constants[start_of_gradients + 3 * (a - 1) + j];
+    }
+
+    /** sum_a h_k(a) X_j(a): what the hourglass sum k = 0..3 owes to the linear field X_j. */
+    template <typename Constants>
+    VFIFE_INLINE V pattern(const Constants &constants, const unsigned int k, const unsigned int j)
+    {
+      return constants[start_of_patterns + 3 * k + j];
+    }
+
 
     /** out += H q from the upper triangle. */
     template <unsigned int row, unsigned int column, unsigned int entry, typename Constants>
@@ -121,6 +135,92 @@ namespace vfife
     }
 
 
+    /** Mean deformation gradient F from the positions @p d relative to node 0. */
+    template <typename Constants>
+    VFIFE_INLINE void
+    compute_deformation_gradient(const Constants &constants, const V (&d)[8][3], V (&F)[3][3])
+    {
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          const V b1 = gradient(constants, 1, j);
+          for (unsigned int i = 0; i < 3; ++i)
+            F[i][j] = d[1][i] * b1;
+        }
+      for (unsigned int a = 2; a < 8; ++a)
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            const V ba = gradient(constants, a, j);
+            for (unsigned int i = 0; i < 3; ++i)
+              F[i][j] += d[a][i] * ba;
+          }
+    }
+
+
+    /** Hourglass amplitudes @p g in the axes of space: sum_a h_k(a) d(a) less their linear part. */
+    template <typename Constants>
+    VFIFE_INLINE void compute_hourglass_amplitudes(const Constants &constants,
+                                                   const V (&d)[8][3],
+                                                   const V (&F)[3][3],
+                                                   V (&g)[12])
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          V sums[4];
+          compute_hourglass_sums(d, i, sums);
+          for (unsigned int k = 0; k < 4; ++k)
+            g[3 * k + i] = sums[k] - pattern(constants, k, 0) * F[i][0] -
+                           pattern(constants, k, 1) * F[i][1] - pattern(constants, k, 2) * F[i][2];
+        }
+    }
+
+
+    /** Volume times the mean stress in the frame, xx, yy, zz, xy, yz, zx, from the strain there. */
+    template <typename Constants>
+    VFIFE_INLINE void
+    compute_stress(const Constants &constants, const V (&strain)[6], V (&stress)[6])
+    {
+      const V two_mu   = constants[start_of_moduli + 1];
+      const V pressure = constants[start_of_moduli] * (strain[0] + strain[1] + strain[2]);
+      for (unsigned int i = 0; i < 6; ++i)
+        stress[i] = two_mu * strain[i] + (i < 3 ? pressure : V(0.));
+    }
+
+
+    /**
+     * Forces @p f of the nodes in the axes of space: p_k = R (H q)_k, and P = R local less what the
+     * patterns owe to the gradients.
+     */
+    template <typename Constants>
+    VFIFE_INLINE void compute_nodal_forces(const Constants &constants,
+                                           const V (&R)[3][3],
+                                           const V (&local)[3][3],
+                                           const V (&hourglass)[12],
+                                           V (&f)[8][3])
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          V p[4], P[3];
+          for (unsigned int k = 0; k < 4; ++k)
+            p[k] = R[i][0] * hourglass[3 * k] + R[i][1] * hourglass[3 * k + 1] +
+                   R[i][2] * hourglass[3 * k + 2];
+          for (unsigned int j = 0; j < 3; ++j)
+            P[j] = (R[i][0] * local[0][j] + R[i][1] * local[1][j] + R[i][2] * local[2][j]) -
+                   (p[0] * pattern(constants, 0, j) + p[1] * pattern(constants, 1, j)) -
+                   (p[2] * pattern(constants, 2, j) + p[3] * pattern(constants, 3, j));
+          V force[8];
+          spread_hourglass(p[0], p[1], p[2], p[3], force);
+          V sum = 0.;
+          for (unsigned int a = 1; a < 8; ++a)
+            {
+              f[a][i] = force[a] + P[0] * gradient(constants, a, 0) +
+                        P[1] * gradient(constants, a, 1) + P[2] * gradient(constants, a, 2);
+              sum += f[a][i];
+            }
+          f[0][i] = -sum;
+        }
+    }
+
+
     /**
      * Forces f = dW/dx of the nodes (in place of the positions @p d relative to node 0), returns
      * twice the strain energy W.
@@ -128,37 +228,9 @@ namespace vfife
     template <FrameKind frame_kind, bool with_energy, typename Constants>
     VFIFE_INLINE V compute_element(const Constants &constants, V (&d)[8][3])
     {
-      const auto b = [&constants](const unsigned int a, const unsigned int j) {
-        return constants[start_of_gradients + 3 * (a - 1) + j];
-      };
-      const auto c = [&constants](const unsigned int k, const unsigned int j) {
-        return constants[start_of_patterns + 3 * k + j];
-      };
-
-      V F[3][3];
-      for (unsigned int j = 0; j < 3; ++j)
-        {
-          const V b1 = b(1, j);
-          for (unsigned int i = 0; i < 3; ++i)
-            F[i][j] = d[1][i] * b1;
-        }
-      for (unsigned int a = 2; a < 8; ++a)
-        for (unsigned int j = 0; j < 3; ++j)
-          {
-            const V ba = b(a, j);
-            for (unsigned int i = 0; i < 3; ++i)
-              F[i][j] += d[a][i] * ba;
-          }
-
-      // Hourglass amplitudes in the axes of space.
-      V g[12];
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          V sums[4];
-          compute_hourglass_sums(d, i, sums);
-          for (unsigned int k = 0; k < 4; ++k)
-            g[3 * k + i] = sums[k] - c(k, 0) * F[i][0] - c(k, 1) * F[i][1] - c(k, 2) * F[i][2];
-        }
+      V F[3][3], g[12];
+      compute_deformation_gradient(constants, d, F);
+      compute_hourglass_amplitudes(constants, d, F, g);
 
       Frame<width> frame;
       if constexpr (frame_kind == FrameKind::polar)
@@ -182,11 +254,8 @@ namespace vfife
           }
       add_hourglass_product<0, 0, 0>(constants, q, hourglass);
 
-      const V two_mu   = constants[start_of_moduli + 1];
-      const V pressure = constants[start_of_moduli] * (strain[0] + strain[1] + strain[2]);
-      V       stress[6];
-      for (unsigned int i = 0; i < 6; ++i)
-        stress[i] = two_mu * strain[i] + (i < 3 ? pressure : V(0.));
+      V stress[6];
+      compute_stress(constants, strain, stress);
 
       V twice_energy = 0.;
       if constexpr (with_energy)
@@ -212,27 +281,7 @@ namespace vfife
           local[0][2] -= t[1];
         }
 
-      // Back to the axes of space: p_k = R (H q)_k, and P = R local less what the patterns owe to
-      // b.
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          V p[4], P[3];
-          for (unsigned int k = 0; k < 4; ++k)
-            p[k] = R[i][0] * hourglass[3 * k] + R[i][1] * hourglass[3 * k + 1] +
-                   R[i][2] * hourglass[3 * k + 2];
-          for (unsigned int j = 0; j < 3; ++j)
-            P[j] = (R[i][0] * local[0][j] + R[i][1] * local[1][j] + R[i][2] * local[2][j]) -
-                   (p[0] * c(0, j) + p[1] * c(1, j)) - (p[2] * c(2, j) + p[3] * c(3, j));
-          V force[8];
-          spread_hourglass(p[0], p[1], p[2], p[3], force);
-          V sum = 0.;
-          for (unsigned int a = 1; a < 8; ++a)
-            {
-              d[a][i] = force[a] + P[0] * b(a, 0) + P[1] * b(a, 1) + P[2] * b(a, 2);
-              sum += d[a][i];
-            }
-          d[0][i] = -sum;
-        }
+      compute_nodal_forces(constants, R, local, hourglass, d);
       return twice_energy;
     }
 

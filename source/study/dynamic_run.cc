@@ -280,7 +280,8 @@ namespace vfife
         summary.failure  = error.what();
         summary.run_time = seconds_since(start);
         finish_summary(model, solver, state, history, summary, log);
-        write_checkpoint(folder, model, state);
+        if (!(output_.checkpoint_every > 0)) // else the last good one is kept
+          write_checkpoint(folder, model, state);
         write_summary(folder, summary);
         throw;
       }

@@ -116,10 +116,6 @@ namespace
             check_below(name + ": deviation from the spheres", rolling.deviation, 1e-2);
           }
       }
-    ContactOptions two_pass = options_for(ContactSurfaceKind::true_flank, 3);
-    two_pass.discretization = ContactDiscretization::two_pass;
-    ContactOptions nodes = options_for(ContactSurfaceKind::true_flank, 3);
-    nodes.discretization = ContactDiscretization::nodes;
     const Ripple flat =
       slide(cap, rise, options_for(ContactSurfaceKind::flat_facets, 3), force, 0.4);
     check("cap over flat facets: far from the force of the spheres", flat.deviation > 0.2);

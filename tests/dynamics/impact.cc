@@ -1,10 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// A flying bar hits an equal one at rest: they exchange their velocities while the wave runs forth and back.
+// A flying bar hits an equal one at rest: they exchange their velocities while the wave runs forth
+// and back.
 #include "../tests.h"
 #include "one_solver.h"
 
 #include <vfife/base/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
+
+#include <limits>
 
 using namespace vfife;
 
@@ -20,7 +23,9 @@ namespace
     Model model;
     for (unsigned int b = 0; b < 2; ++b)
       {
-        Body bar(b == 0 ? "flying" : "resting", make_block(Vector3(length, width, width), {{cells, 2, 2}}), material);
+        Body bar(b == 0 ? "flying" : "resting",
+                 make_block(Vector3(length, width, width), {{cells, 2, 2}}),
+                 material);
         bar.placement.translation[0] = b * (length + gap);
         bar.axis.point               = bar.placement.translation;
         if (b == 0)
@@ -28,12 +33,12 @@ namespace
         model.add_body(std::move(bar));
       }
     ContactPair pair;
-    pair.side                     = "faces";
-    pair.slave_surface            = "x+";
-    pair.master_body              = 1;
-    pair.master_surface           = "x-";
-    pair.options.surface          = ContactSurfaceKind::flat_facets;
-    pair.options.edge_fading      = 0; // the faces match: fading would press on the middle only
+    pair.side                = "faces";
+    pair.slave_surface       = "x+";
+    pair.master_body         = 1;
+    pair.master_surface      = "x-";
+    pair.options.surface     = ContactSurfaceKind::flat_facets;
+    pair.options.edge_fading = 0; // the faces match: fading would press on the middle only
     model.contacts.push_back(pair);
     return model;
   }
@@ -43,29 +48,39 @@ int main(int argc, char **argv)
 {
   MpiSession  session(argc, argv);
   const Model model = make_model();
-  OneSolver   run(model, undamped());
+
+  // Before they meet, all energies but that of flight are round-off, and so is the scale of the
+  // energy error.
+  DynamicsOptions options = undamped();
+  options.energy_limit    = std::numeric_limits<double>::max();
+  OneSolver run(model, options);
 
   const Material &material = model.bodies[0].material();
-  const double    mass = model.bodies[0].mass(), c = std::sqrt(material.youngs_modulus / material.density);
-  const double    meeting = gap / speed, wave = 2 * length / c;
-  const auto     &masses = run.solver.vfife_operator().masses();
-  double          momentum = 0, sideways = 0, energy = 0, first_touch = -1, last_touch = -1, impulse = 0, plateau = 0;
-  unsigned int    n_plateau = 0;
-  double          velocity[2];
+  const double    mass     = model.bodies[0].mass(),
+               c           = std::sqrt(material.youngs_modulus / material.density);
+  const double meeting = gap / speed, wave = 2 * length / c;
+  const auto  &masses = run.solver.vfife_operator().masses();
+  double momentum = 0, sideways = 0, energy = 0, first_touch = -1, last_touch = -1, impulse = 0,
+         plateau         = 0;
+  unsigned int n_plateau = 0;
+  double       velocity[2];
 
   auto observers = watch(1, [&](const State &state) {
     Vector3 total = Vector3::Zero();
     for (unsigned int b = 0; b < 2; ++b)
       {
         Vector3 p = Vector3::Zero();
-        for (std::uint32_t i = state.partition.first_local_node[b]; i < state.partition.first_local_node[b + 1]; ++i)
+        for (std::uint32_t i = state.partition.first_local_node[b];
+             i < state.partition.first_local_node[b + 1];
+             ++i)
           p += masses[i] * state.node_velocity(i);
         velocity[b] = p[0] / mass;
         total += p;
       }
     momentum = std::max(momentum, std::abs(total[0] / (mass * speed) - 1));
     sideways = std::max(sideways, total.tail<2>().norm() / (mass * speed));
-    energy   = std::max(energy, std::abs(state.measured.energy.error()));
+    energy =
+      std::max(energy, std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
     const double force = state.measured.contact_force;
     if (force > 0)
       {
@@ -82,24 +97,32 @@ int main(int argc, char **argv)
   });
   run.solver.run(run.state, meeting + 3 * wave, observers);
 
-  // Contact forces are equal and opposite node set by node set: round-off of the sums of some 400 nodes in 2000 steps.
+  // Contact forces are equal and opposite node set by node set: round-off of the sums of some 400
+  // nodes in 2000 steps.
   check_below("momentum", momentum, 1e-12);
   check_below("momentum sideways", sideways, 1e-12);
-  check_close("impulse is the momentum that is handed over", impulse / (mass * velocity[1]), 1., 1e-9);
-  // The front is not sharp: 40 cells spread it over about (cells)^(1/3) of them, some 3 of the 40, whose energy stays
-  // as vibration behind: 0.5 (1 - e) of the velocity with e about 0.97.
-  check_below("flying bar stops: velocity over the first one", velocity[0] / speed, 0.03);
-  check_close("resting bar flies on: velocity over the first one", velocity[1] / speed, 1., 0.03);
-  // Force of the wave, A rho c v/2; ripples behind the front average out over many of their periods.
+  check_close("impulse is the momentum that is handed over",
+              impulse / (mass * velocity[1]),
+              1.,
+              1e-9);
+  // The mesh spreads the front over about (40 cells)^(1/3), some 3 of 40, and part of its energy
+  // stays behind as vibration: 0.1 % of the velocity is measured, a wrong contact time or penalty
+  // force makes it per cents.
+  check_below("flying bar stops: velocity over the first one", velocity[0] / speed, 0.01);
+  check_close("resting bar flies on: velocity over the first one", velocity[1] / speed, 1., 0.01);
+  // Force of the wave, A rho c v/2; ripples behind the front average out over many of their
+  // periods.
   check_close("contact force over that of the wave",
               plateau / n_plateau / (width * width * material.density * c * speed / 2),
               1.,
               0.01);
   // Within one step of the way that is left.
   check_close("contact begins, in steps", (first_touch - meeting) / run.state.dt, 0., 1.5);
-  // Ends when the reflected front is back, blurred by three cells each way.
-  check_close("contact ends, in wave times", (last_touch - meeting) / wave, 1., 0.15);
-  check("contact has ended", run.state.measured.contact_force == 0 && run.state.measured.energy.contact == 0);
-  // Velocities at half steps and penalty springs met in the middle of a step: some percent of a blow with a sharp front.
-  check_below("energy error", energy, 0.02);
+  // Ends when the reflected front is back, blurred by three cells in 40 on the way.
+  check_close("contact ends, in wave times", (last_touch - meeting) / wave, 1., 0.08);
+  check("contact has ended",
+        run.state.measured.contact_force == 0 && run.state.measured.energy.contact == 0);
+  // Velocities at half steps and penalty springs met in the middle of a step: a part of the energy
+  // of the first layer of 40.
+  check_below("energy residual over that of flight", energy, 0.003);
 }

@@ -74,7 +74,8 @@ inline vfife::Observers watch(const unsigned int every, const Watcher::Function 
   return observers;
 }
 
-/** Momentum and angular momentum about the origin, velocities half a step back [t mm/s, t mm^2/s]. */
+/** Momentum and angular momentum about the origin, velocities half a step back [t mm/s, t mm^2/s].
+ */
 struct Momentum
 {
   vfife::Vector3 linear  = vfife::Vector3::Zero();
@@ -84,7 +85,8 @@ struct Momentum
   {
     for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
       {
-        // x(t) - dt v(t - dt/2)/2 is the middle of the step; its part along v adds nothing to x cross v
+        // x(t) - dt v(t - dt/2)/2 is the middle of the step; its part along v adds nothing to x
+        // cross v
         const vfife::Vector3 p = masses[i] * state.node_velocity(i);
         linear += p;
         angular += state.node_position(i).cross(p);

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// What a user reads whose parameter file is wrong: file, line, what is wrong, and what may be meant.
+// What a user reads whose parameter file is wrong: file, line, what is wrong, and what may be
+// meant.
 #include "../tests.h"
 
 #include <vfife/base/command_line.h>
@@ -29,7 +30,9 @@ namespace
     return name;
   }
 
-  void refuse(const std::string &name, Communicator &communicator, const std::vector<std::string> &overrides = {})
+  void refuse(const std::string              &name,
+              Communicator                   &communicator,
+              const std::vector<std::string> &overrides = {})
   {
     CommandLine line;
     line.parameter_file = name;
@@ -50,8 +53,9 @@ namespace
 
   std::string gear_body(const std::string &entry)
   {
-    return "subsection Gear pair\n  subsection Gear\n    subsection Body\n      set web = conical\n      " + entry +
-           "\n    end\n  end\nend\n";
+    return "subsection Gear pair\n  subsection Gear\n    subsection Body\n      set web = "
+           "conical\n      " +
+           entry + "\n    end\n  end\nend\n";
   }
 } // namespace
 

@@ -13,8 +13,10 @@
 #include <string>
 #include <vector>
 
-/** One tooth mesh of the paper's pair on meshes as coarse as they go; @p gear: entries of the gear's body and mesh. */
-inline std::string quick_pair(const std::string &gear_body, const std::string &gear_mesh, const std::string &tolerance)
+/** One tooth mesh of the paper's pair on meshes as coarse as they go; @p gear: entries of the
+ * gear's body and mesh. */
+inline std::string
+quick_pair(const std::string &gear_body, const std::string &gear_mesh, const std::string &tolerance)
 {
   return std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n" +
          R"(
@@ -59,7 +61,8 @@ end
 )";
 }
 
-inline void run_pair(const std::string &file, const std::string &folder, vfife::Communicator &communicator)
+inline void
+run_pair(const std::string &file, const std::string &folder, vfife::Communicator &communicator)
 {
   vfife::CommandLine line;
   line.parameter_file = file;

@@ -1,0 +1,111 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of ExplicitSolver that measures: energies, contact, dampers, and what observers see.
+#include <vfife/base/communicator.h>
+#include <vfife/base/timers.h>
+#include <vfife/dynamics/explicit_solver.h>
+#include <vfife/dynamics/measurement.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  void ExplicitSolver::add_work(const double factor)
+  {
+    ledger_.drive_work += factor * dt_ * powers_.drive;
+    ledger_.torque_work += factor * dt_ * powers_.torque;
+    ledger_.damping_loss += factor * dt_ * powers_.damping;
+    ledger_.mesh_damping_loss += factor * dt_ * powers_.mesh;
+    ledger_.contact_loss += factor * dt_ * powers_.contact;
+  }
+
+  void ExplicitSolver::update_ledger(const double strain, const bool first)
+  {
+    ledger_.kinetic = ledger_.kinetic_relative = 0;
+    for (const auto &s : sums_)
+      ledger_.kinetic += s.update.kinetic;
+    ledger_.kinetic_relative = ledger_.kinetic;
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      ledger_.kinetic_relative -=
+        compute_rigid_kinetic_energy(ConstraintMotion::axis_of(model_.bodies[b]),
+                                     model_.bodies[b].mass(),
+                                     sums_[b].update);
+    ledger_.strain  = strain;
+    ledger_.contact = contact_.energy();
+    if (first)
+      {
+        ledger_.start    = ledger_.kinetic + ledger_.strain + ledger_.contact;
+        ledger_at_start_ = ledger_;
+      }
+    ledger_.scale =
+      std::max(ledger_.scale,
+               std::abs(ledger_.strain - ledger_at_start_.strain) +
+                 std::abs(ledger_.contact - ledger_at_start_.contact) +
+                 std::abs(ledger_.kinetic_relative - ledger_at_start_.kinetic_relative) +
+                 std::abs(ledger_.damping_loss + ledger_.mesh_damping_loss + ledger_.contact_loss));
+  }
+
+  void ExplicitSolver::measure_contact()
+  {
+    Measurements &m = observed_.measured;
+    m.teeth         = contact_.collect_results();
+    m.contact_force = m.contact_torque = m.largest_penetration = 0;
+    m.teeth_in_contact                                         = m.teeth.size();
+    for (const ToothContact &tooth : m.teeth)
+      {
+        m.contact_force += tooth.force.norm();
+        m.contact_torque += tooth.torque;
+        m.largest_penetration = std::max(m.largest_penetration, tooth.penetration);
+      }
+  }
+
+  void ExplicitSolver::add_audit()
+  {
+    for (unsigned int b = 0; b < audit_.size(); ++b)
+      {
+        audit_[b].net_torque += dt_ * sums_[b].update.damping_torque;
+        audit_[b].power += dt_ * sums_[b].update.damping_power;
+      }
+  }
+
+  void ExplicitSolver::finish_audit(const std::vector<RigidVelocity> &rates_at_start,
+                                    const double                      duration)
+  {
+    for (unsigned int b = 0; b < audit_.size(); ++b)
+      {
+        audit_[b].net_torque /= duration + dt_;
+        audit_[b].power /= duration + dt_;
+        audit_[b].body = model_.bodies[b].name();
+        audit_[b].spin_drift =
+          (rigid_[b].omega - rates_at_start[b].omega).dot(model_.bodies[b].axis.direction);
+      }
+  }
+
+  const std::vector<DampingAudit> &ExplicitSolver::damping_audit() const
+  {
+    return audit_;
+  }
+
+  double ExplicitSolver::take_measurements(const State &state)
+  {
+    const auto scope = timers_.time(timers_.section("measurement"));
+    observed_        = state;
+    measure_transmission(model_, observed_, communicator_);
+    observed_.measured.probes = measure_probes(model_, observed_, operator_, communicator_);
+    measure_contact();
+    return operator_.compute_strain_energy(state.position.data());
+  }
+
+  void ExplicitSolver::show(Observers &observers, const bool last)
+  {
+    const auto scope                = timers_.time(timers_.section("observers"));
+    observed_.measured.energy       = ledger_;
+    observed_.measured.drive_torque = drive_torque_;
+    observed_.measured.body_rates.clear();
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      observed_.measured.body_rates.push_back(model_.bodies[b].axis.direction.dot(rigid_[b].omega));
+    for (const auto &observer : observers)
+      if (last || observer->due(observed_))
+        observer->observe(model_, observed_);
+  }
+} // namespace vfife
