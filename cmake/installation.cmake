@@ -11,7 +11,7 @@ endif()
 install(DIRECTORY include/vfife DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_BINARY_DIR}/include/vfife/revision.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vfife)
-install(DIRECTORY prm meshes DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife)
+install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife)
 install(EXPORT vfifeTargets NAMESPACE vfife:: DESTINATION ${package_folder})
 
 configure_package_config_file(cmake/vfifeConfig.cmake.in ${PROJECT_BINARY_DIR}/vfifeConfig.cmake

@@ -192,7 +192,7 @@ namespace vfife
   }
 
 
-  ContactPass::TangentBasis::TangentBasis(ContactPass &pass,
+  ContactPass::TangentBasis::TangentBasis(ContactPass       &pass,
                                           const ListedPoint &point,
                                           const Vector3     &x,
                                           const Vector3     &normal)

@@ -115,7 +115,7 @@ namespace vfife
         const double edges       = concave.edge_width() + convex.edge_width();
         if (point_width < edges)
           throw InputError(
-            section + "/Concave flank/Point radius",
+            section + "/Concave flank/point radius",
             text("the point width ",
                  point_width,
                  " mm (outside less inside point radius) does not hold the rounded blade edges, ",
@@ -206,7 +206,7 @@ namespace vfife
     options.gear.check(section + "/Gear");
 
     if (std::abs(blank1.pitch_angle + blank2.pitch_angle - pi / 2) > angle_tolerance)
-      throw InputError(section + "/Gear/Blank/Pitch angle",
+      throw InputError(section + "/Gear/Blank/pitch angle",
                        text("the pitch angles ",
                             blank1.pitch_angle / degree,
                             " and ",
@@ -214,7 +214,7 @@ namespace vfife
                             " deg do not sum up to a shaft angle of 90 deg"));
     const double ratio = static_cast<double>(blank1.teeth) / blank2.teeth;
     if (std::abs(std::atan(ratio) - blank1.pitch_angle) > angle_tolerance)
-      throw InputError(section + "/Pinion/Blank/Pitch angle",
+      throw InputError(section + "/Pinion/Blank/pitch angle",
                        text("the pinion's pitch angle ",
                             blank1.pitch_angle / degree,
                             " deg contradicts the numbers of teeth ",
@@ -225,10 +225,10 @@ namespace vfife
                             std::atan(ratio) / degree,
                             " deg"));
     if (blank1.hand == blank2.hand)
-      throw InputError(section + "/Gear/Blank/Hand of spiral",
+      throw InputError(section + "/Gear/Blank/hand of spiral",
                        "pinion and gear have the same hand of spiral");
     if (std::abs(blank1.mean_cone_distance - blank2.mean_cone_distance) > 0.005 * blank2.face_width)
-      throw InputError(section + "/Pinion/Blank/Mean cone distance",
+      throw InputError(section + "/Pinion/Blank/mean cone distance",
                        text("the mean cone distances ",
                             blank1.mean_cone_distance,
                             " mm of the pinion and ",
@@ -237,7 +237,7 @@ namespace vfife
     const auto check_clearance =
       [&](const Blank &tip, const Blank &root, const char *tip_name, const char *root_name) {
         if (root.mean_dedendum <= tip.mean_addendum)
-          throw InputError(section + "/" + root_name + "/Blank/Mean dedendum",
+          throw InputError(section + "/" + root_name + "/Blank/mean dedendum",
                            text("no clearance: mean dedendum ",
                                 root.mean_dedendum,
                                 " mm of the ",
@@ -250,7 +250,7 @@ namespace vfife
     check_clearance(blank1, blank2, "Pinion", "Gear");
     check_clearance(blank2, blank1, "Gear", "Pinion");
     if (!(backlash >= 0.))
-      throw InputError(section + "/Mounting/Backlash",
+      throw InputError(section + "/Mounting/backlash",
                        text("Backlash ", backlash, " mm is negative"));
   }
 } // namespace vfife

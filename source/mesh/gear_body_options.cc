@@ -65,17 +65,17 @@ namespace vfife
                         std::string("Mesh/") + entry,
                         std::to_string(count) + " is too few, at least " + std::to_string(least));
         };
-      at_least("Cells lengthwise", options.cells_lengthwise, 1);
-      at_least("Cells across tooth", options.cells_across, 2);
-      at_least("Flank rows", options.flank_rows, 1);
-      at_least("Rim rows", options.rim_rows, 1);
+      at_least("cells lengthwise", options.cells_lengthwise, 1);
+      at_least("cells across tooth", options.cells_across, 2);
+      at_least("flank rows", options.flank_rows, 1);
+      at_least("rim rows", options.rim_rows, 1);
       if (options.web != WebKind::conical)
         return;
-      at_least("Web layers", options.web_layers, 1);
-      at_least("Web rows", options.web_rows, 2);
-      at_least("Hub rows", options.hub_rows, 1);
-      at_least("Hub side cells", options.hub_side_cells, 1);
-      at_least("Rim rows", options.rim_rows, options.web_layers + 2);
+      at_least("web layers", options.web_layers, 1);
+      at_least("web rows", options.web_rows, 2);
+      at_least("hub rows", options.hub_rows, 1);
+      at_least("hub side cells", options.hub_side_cells, 1);
+      at_least("rim rows", options.rim_rows, options.web_layers + 2);
     }
 
     void check_conical(const GearBodyOptions &options, const Blank &blank, const Refusal &refuse)
@@ -83,7 +83,7 @@ namespace vfife
       refuse.unless(options.web_thickness > 0.,
                     "Body/web thickness",
                     "must be positive, not " + millimetres(options.web_thickness) +
-                      " (choose Web = none for a rim without web)");
+                      " (choose web = none for a rim without web)");
       refuse.unless(options.web_angle > 0. && options.web_angle <= pi / 2,
                     "Body/web angle",
                     "must lie above 0 and not above 90 deg");

@@ -183,7 +183,7 @@ void check_given_ratio_of_roll()
     }
   catch (const InputError &error)
     {
-      refused = error.entry() == "Gear pair/Pinion/Concave flank/Ratio of roll";
+      refused = error.entry() == "Gear pair/Pinion/Concave flank/ratio of roll";
     }
   check("an impossible ratio of roll is refused", refused);
 }

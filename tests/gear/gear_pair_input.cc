@@ -40,19 +40,19 @@ void check_missing_entries()
   using Options = GearPairOptions;
   expect("nothing given",
          [](Options &o) { o = Options(); },
-         "Pinion/Blank/Number of teeth",
+         "Pinion/Blank/number of teeth",
          {"missing"});
   expect("missing face width",
          [](Options &o) { o.gear.blank.face_width = 0; },
-         "Gear/Blank/Face width",
+         "Gear/Blank/face width",
          {"missing"});
   expect("missing radial distance",
          [](Options &o) { o.pinion.convex.radial_distance = 0; },
-         "Pinion/Convex flank/Radial distance",
+         "Pinion/Convex flank/radial distance",
          {"missing"});
   expect("missing point radius",
          [](Options &o) { o.gear.cutter_diameter = 0; },
-         "Gear/Concave flank/Point radius",
+         "Gear/Concave flank/point radius",
          {"missing"});
 }
 
@@ -63,15 +63,15 @@ void check_printed_contradictions()
   // the contradictions of the printed tables
   expect("printed gear root angle",
          [&](Options &o) { o.gear.blank.root_angle = 72.1 * degree; },
-         "Gear/Blank/Root angle",
+         "Gear/Blank/root angle",
          {"72.1 deg", "71.131 deg", "face angle?"});
   expect("printed pinion cutter diameter",
          [](Options &o) { o.pinion.cutter_diameter = 152.4; },
-         "Pinion/Cutter diameter",
+         "Pinion/cutter diameter",
          {"152.4", "94.01", "96.18"});
   expect("one gear point radius",
          [](Options &o) { o.gear.concave.point_radius = 94.26; },
-         "Gear/Concave flank/Point radius",
+         "Gear/Concave flank/point radius",
          {"point width 0 mm"});
 }
 
@@ -82,34 +82,34 @@ void check_other_contradictions()
   // further ones
   expect("face angle below the pitch angle",
          [&](Options &o) { o.pinion.blank.face_angle = 18. * degree; },
-         "Pinion/Blank/Face angle",
+         "Pinion/Blank/face angle",
          {"18 deg", "18.869 deg"});
   expect("mean cone distance",
          [](Options &o) { o.pinion.blank.mean_cone_distance = 120.; },
-         "Pinion/Blank/Mean cone distance",
+         "Pinion/Blank/mean cone distance",
          {"120 mm", "116.491 mm"});
   expect("face width",
          [](Options &o) { o.gear.blank.face_width = 140.; },
-         "Gear/Blank/Face width",
+         "Gear/Blank/face width",
          {"140", "131.491"});
   expect("pitch angles and teeth",
          [&](Options &o) {
            o.pinion.blank.pitch_angle = 19. * degree;
            o.gear.blank.pitch_angle   = 71. * degree;
          },
-         "Pinion/Blank/Pitch angle",
+         "Pinion/Blank/pitch angle",
          {"19 deg", "27/79", "18.869 deg"});
   expect("shaft angle",
          [&](Options &o) { o.gear.blank.pitch_angle = 71. * degree; },
-         "Gear/Blank/Pitch angle",
+         "Gear/Blank/pitch angle",
          {"90 deg"});
   expect("machine root angle",
          [&](Options &o) { o.pinion.convex.machine_root_angle = 19. * degree; },
-         "Pinion/Convex flank/Machine root angle",
+         "Pinion/Convex flank/machine root angle",
          {"19 deg", "17.9 deg"});
   expect("hand against cradle angle",
          [&](Options &o) { o.pinion.convex.cradle_angle *= -1.; },
-         "Pinion/Convex flank/Cradle angle",
+         "Pinion/Convex flank/cradle angle",
          {"48.81", "left-hand", "right-hand"});
   expect("equal hands",
          [&](Options &o) {
@@ -117,17 +117,17 @@ void check_other_contradictions()
            o.pinion.concave.cradle_angle *= -1.;
            o.pinion.convex.cradle_angle *= -1.;
          },
-         "Gear/Blank/Hand of spiral",
+         "Gear/Blank/hand of spiral",
          {"same hand"});
   expect("no clearance",
          [](Options &o) { o.gear.blank.mean_dedendum = 3.; },
-         "Gear/Blank/Mean dedendum",
+         "Gear/Blank/mean dedendum",
          {"3 mm", "3.34 mm"});
   expect("edge radius",
          [](Options &o) { o.gear.convex.edge_radius = 3.; },
-         "Gear/Concave flank/Point radius",
+         "Gear/Concave flank/point radius",
          {"edges"});
-  expect("backlash", [](Options &o) { o.backlash = -0.1; }, "Mounting/Backlash", {"negative"});
+  expect("backlash", [](Options &o) { o.backlash = -0.1; }, "Mounting/backlash", {"negative"});
 }
 
 void check_reading()
@@ -139,24 +139,24 @@ void check_reading()
   options.declare(prm);
   prm.parse_input_from_string("subsection Pinion\n"
                               "  subsection Blank\n"
-                              "    set Number of teeth = 29\n"
-                              "    set Hand of spiral = left\n"
-                              "    set Face angle = 20.5 deg\n"
+                              "    set number of teeth = 29\n"
+                              "    set hand of spiral = left\n"
+                              "    set face angle = 20.5 deg\n"
                               "  end\n"
                               "  subsection Concave flank\n"
-                              "    set Ratio of roll = 3.1\n"
+                              "    set ratio of roll = 3.1\n"
                               "  end\n"
                               "end\n"
                               "subsection Gear\n"
-                              "  set Cutter diameter = 152.4\n"
+                              "  set cutter diameter = 152.4\n"
                               "  subsection Convex flank\n"
-                              "    set Point radius = 0.0943 m\n"
+                              "    set point radius = 0.0943 m\n"
                               "  end\n"
                               "end\n"
                               "subsection Mounting\n"
-                              "  set Backlash = 150 um\n"
-                              "  set Gear axial shift = -100 um\n"
-                              "  set Shaft angle error = 0.5\n"
+                              "  set backlash = 150 um\n"
+                              "  set gear axial shift = -100 um\n"
+                              "  set shaft angle error = 0.5\n"
                               "end\n");
   check("words arrive",
         options.pinion.blank.teeth == 29 && options.pinion.blank.hand == Hand::left);

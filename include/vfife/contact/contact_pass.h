@@ -105,7 +105,7 @@ namespace vfife
       double                distance;          ///< of slave and master point along the normal [mm]
       std::array<double, 4> shape_xi, shape_eta; ///< derivatives of the bilinear weights
 
-      TangentBasis(ContactPass &pass,
+      TangentBasis(ContactPass       &pass,
                    const ListedPoint &point,
                    const Vector3     &x,
                    const Vector3     &normal);
