@@ -144,18 +144,25 @@ namespace vfife
     if (area <= 0.)
       return;
 
-    const auto &shape          = rule_[point.rule_point].shape;
-    const auto  weights        = bilinear_weights(p.xi, p.eta);
-    const auto &slave_corners  = slave_.corners(point.slave_facet);
-    const auto &master_corners = master_.corners(p.facet);
-    Vector3     velocity       = Vector3::Zero();
-    const bool  needs_velocity = law.damping > 0. || law.friction > 0.;
-    if (needs_velocity)
-      for (unsigned int k = 0; k < 4; ++k)
-        velocity += shape[k] * slave_.velocity(slave_corners[k]) -
-                    weights[k] * master_.velocity(master_corners[k]);
+    const auto        &shape          = rule_[point.rule_point].shape;
+    const auto         weights        = bilinear_weights(p.xi, p.eta);
+    const auto        &slave_corners  = slave_.corners(point.slave_facet);
+    const auto        &master_corners = master_.corners(p.facet);
+    const TangentBasis basis(*this, point, x, normal);
 
-    const double gap_rate   = normal.dot(velocity);
+    double  gap_rate = 0.;
+    Vector3 slip     = Vector3::Zero();
+    if (law.damping > 0. || law.friction > 0.)
+      {
+        Vector3 velocity = Vector3::Zero();
+        for (unsigned int k = 0; k < 4; ++k)
+          velocity += shape[k] * slave_.velocity(slave_corners[k]) -
+                      weights[k] * master_.velocity(master_corners[k]);
+        slip     = basis.slip(velocity, normal, master_, master_corners);
+        gap_rate = normal.dot(velocity) - basis.slope_xi * basis.dual_xi.dot(slip) -
+                   basis.slope_eta * basis.dual_eta.dot(slip);
+      }
+
     const double pressure   = law.pressure(point.gap, gap_rate);
     const double elastic    = -law.penalty * point.gap;
     point.pressure          = pressure;
@@ -165,21 +172,21 @@ namespace vfife
     if (pressure <= 0.)
       return;
 
-    const Vector3 normal_force = (pressure * area) * normal;
-    Vector3       force        = normal_force;
+    // The force is the slope of the penalty energy w eps g^2 A/2: along the normal with the gap,
+    // and along the facet where gap or weight change as the point slides.
+    const double weight_energy = -0.5 * elastic * point.gap * point.area;
+    const double along_xi      = pressure * area * basis.slope_xi + weight_energy * fade.slope_xi;
+    const double along_eta     = pressure * area * basis.slope_eta + weight_energy * fade.slope_eta;
+    Vector3      tangential    = -along_xi * basis.dual_xi - along_eta * basis.dual_eta;
     if (law.friction > 0.)
-      force += add_friction(point, x, normal, velocity, area, law, result, master_forces);
-    if (fade.slope_xi != 0. || fade.slope_eta != 0.)
       {
-        // The weight belongs to the penalty energy w eps g^2 A/2: without the force of its slope,
-        // points that come in over the border would bring energy from nowhere.
-        const TangentBasis basis(*this, point, x, normal);
-        const double       energy = -0.5 * elastic * point.gap * point.area;
-        const Vector3      fend =
-          -energy * (fade.slope_xi * basis.dual_xi + fade.slope_eta * basis.dual_eta);
-        basis.balance_couple(fend, normal, master_corners, master_forces);
-        force += fend;
+        const Vector3 friction = area * law.friction_traction(pressure, slip);
+        result.friction_power -= friction.dot(slip);
+        tangential += friction;
       }
+    basis.balance_couple(tangential, normal, master_corners, master_forces);
+
+    const Vector3 force = (pressure * area) * normal + tangential;
     for (unsigned int k = 0; k < 4; ++k)
       {
         add_to(slave_forces, slave_corners[k], shape[k] * force);
@@ -199,14 +206,36 @@ namespace vfife
   {
     const Projection &p      = point.projection;
     const FacetState &state  = pass.master_.state(p.facet);
-    const Vector3     y_xi   = state.y[1] + p.eta * state.y[3];
-    const Vector3     y_eta  = state.y[2] + p.xi * state.y[3];
+    const Vector3     y_xi   = state.along_xi(p.eta);
+    const Vector3     y_eta  = state.along_eta(p.xi);
+    const auto        offset = pass.master_.offset_gradient(p.facet, p.xi, p.eta);
     const double      by_det = 1. / y_xi.dot(y_eta.cross(normal));
     distance                 = (x - state.position(p.xi, p.eta)).dot(normal);
     dual_xi                  = by_det * y_eta.cross(normal);
     dual_eta                 = by_det * normal.cross(y_xi);
+    slope_xi                 = normal.dot(y_xi) + offset[0];
+    slope_eta                = normal.dot(y_eta) + offset[1];
     shape_xi                 = {{p.eta - 1., 1. - p.eta, p.eta, -p.eta}};
     shape_eta                = {{p.xi - 1., -p.xi, p.xi, 1. - p.xi}};
+  }
+
+
+  Vector3 ContactPass::TangentBasis::slip(const Vector3                     &relative_velocity,
+                                          const Vector3                     &normal,
+                                          const SurfaceGeometry             &master,
+                                          const std::array<unsigned int, 4> &corners) const
+  {
+    // The velocity that the balancing forces work on completes the slip, which then vanishes for
+    // any rigid motion of both bodies together.
+    double tilt_xi = 0., tilt_eta = 0.;
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        const double v_n = normal.dot(master.velocity(corners[k]));
+        tilt_xi += shape_xi[k] * v_n;
+        tilt_eta += shape_eta[k] * v_n;
+      }
+    return relative_velocity - normal.dot(relative_velocity) * normal +
+           distance * (tilt_xi * dual_xi + tilt_eta * dual_eta);
   }
 
 
@@ -222,34 +251,5 @@ namespace vfife
     const double beta  = distance * force.dot(dual_eta);
     for (unsigned int k = 0; k < 4; ++k)
       add_to(master_forces, corners[k], (alpha * shape_xi[k] + beta * shape_eta[k]) * normal);
-  }
-
-
-  Vector3 ContactPass::add_friction(const ListedPoint &point,
-                                    const Vector3     &x,
-                                    const Vector3     &normal,
-                                    const Vector3     &relative_velocity,
-                                    const double       area,
-                                    const ContactLaw  &law,
-                                    GroupPairResult   &result,
-                                    double            *master_forces)
-  {
-    const TangentBasis basis(*this, point, x, normal);
-    const auto        &corners = master_.corners(point.projection.facet);
-    // The velocity that the balancing forces work on completes the slip, which then vanishes for
-    // any rigid motion of both bodies together.
-    double tilt_xi = 0., tilt_eta = 0.;
-    for (unsigned int k = 0; k < 4; ++k)
-      {
-        const double v_n = normal.dot(master_.velocity(corners[k]));
-        tilt_xi += basis.shape_xi[k] * v_n;
-        tilt_eta += basis.shape_eta[k] * v_n;
-      }
-    const Vector3 slip = relative_velocity - normal.dot(relative_velocity) * normal +
-                         basis.distance * (tilt_xi * basis.dual_xi + tilt_eta * basis.dual_eta);
-    const Vector3 force = area * law.friction_traction(point.pressure, slip);
-    basis.balance_couple(force, normal, corners, master_forces);
-    result.friction_power -= force.dot(slip);
-    return force;
   }
 } // namespace vfife

@@ -1,8 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact patch test (doc/design verification 13): two elastic blocks 10 x 10 x 4 mm without
-// Poisson's effect, meshes of 3 x 3 and 4 x 4 elements meeting at z = 0, pressed by 1 MPa: the
+// Poisson's effect, meshes of 3 x 3 and 5 x 5 elements meeting at z = 0, pressed by 1 MPa: the
 // exact stress is -1 MPa everywhere. The error of each discretization goes to the screen's error
-// stream, its bound is checked.
+// stream, its bound is checked. No point of these rules lies on an edge of the other mesh, where
+// the force along the facets jumps and Newton's method with differences would not end.
 #include "../tests.h"
 #include "surfaces.h"
 
@@ -131,9 +132,9 @@ namespace
   /** Largest error of the stress relative to the pressure. */
   double stress_error(const ContactOptions &options)
   {
-    const Block   upper(3, 0.), lower(4, -height);
+    const Block   upper(3, 0.), lower(5, -height);
     MovingSurface slave(plane(3, 3, 0., size, 0., size, 0., true)),
-      master(plane(4, 4, 0., size, 0., size, 0.));
+      master(plane(5, 5, 0., size, 0., size, 0.));
     const unsigned int n_upper = upper.n_dofs(), n = n_upper + lower.n_dofs();
     const unsigned int lower_surface = n_upper + 3 * lower.node(0, 0, 2);
 
@@ -247,13 +248,13 @@ int main()
 {
   using D = ContactDiscretization;
   // bounds: measured values of doc/contact.md, rounded up
-  check_error("nodes", options_for(D::nodes, 3), 0.3);
-  check_error("surface points, 2 x 2", options_for(D::surface_points, 2), 0.024);
-  check_error("surface points, 3 x 3", options_for(D::surface_points, 3), 0.0085);
-  check_error("surface points, 6 x 6", options_for(D::surface_points, 6), 0.0048);
-  check_error("two pass, 3 x 3", options_for(D::two_pass, 3), 0.007);
-  check_error("two pass, 6 x 6", options_for(D::two_pass, 6), 0.0026);
+  check_error("nodes", options_for(D::nodes, 3), 0.55);
+  check_error("surface points, 2 x 2", options_for(D::surface_points, 2), 0.027);
+  check_error("surface points, 3 x 3", options_for(D::surface_points, 3), 0.0052);
+  check_error("surface points, 6 x 6", options_for(D::surface_points, 6), 0.0041);
+  check_error("two pass, 3 x 3", options_for(D::two_pass, 3), 0.0012);
+  check_error("two pass, 6 x 6", options_for(D::two_pass, 6), 0.002);
   ContactOptions fading = options_for(D::surface_points, 3);
   fading.edge_fading    = 0.3;
-  check_error("surface points, 3 x 3, edges fading", fading, 0.03);
+  check_error("surface points, 3 x 3, edges fading", fading, 0.019);
 }

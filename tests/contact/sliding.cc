@@ -209,8 +209,8 @@ int main()
   check_point();
   check_caps();
   check_energy("true surface", ContactSurfaceKind::true_flank, 1e-5);
-  // averaged normals are not those of the facets: the flat contact is not conservative, which is
-  // why it is no default
-  check_energy("flat facets", ContactSurfaceKind::flat_facets, 0.5);
+  // averaged normals are not those of the facets: the force along the facets does the work (without
+  // it 31 % were missing). It jumps at kinks, which costs the trapezoidal rule 6e-4.
+  check_energy("flat facets", ContactSurfaceKind::flat_facets, 1e-3);
   check_fading();
 }

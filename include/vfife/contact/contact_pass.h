@@ -101,14 +101,21 @@ namespace vfife
     /** Directions along the master's facet at a point, and what a tangential force there needs. */
     struct TangentBasis
     {
-      Vector3               dual_xi, dual_eta; ///< gradients of xi and eta [1/mm]
-      double                distance;          ///< of slave and master point along the normal [mm]
+      Vector3               dual_xi, dual_eta;   ///< gradients of xi and eta [1/mm]
+      double                slope_xi, slope_eta; ///< of the gap, as the point slides: -dg/dxi [mm]
+      double                distance; ///< of slave and master point along the normal [mm]
       std::array<double, 4> shape_xi, shape_eta; ///< derivatives of the bilinear weights
 
       TangentBasis(ContactPass       &pass,
                    const ListedPoint &point,
                    const Vector3     &x,
                    const Vector3     &normal);
+
+      /** Velocity of the point over the facet [mm/s], zero in any rigid motion of both bodies. */
+      Vector3 slip(const Vector3                     &relative_velocity,
+                   const Vector3                     &normal,
+                   const SurfaceGeometry             &master,
+                   const std::array<unsigned int, 4> &corners) const;
 
       /** Adds normal forces to the master's corners that balance the moment of a tangential @p
        * force on the slave. */
@@ -130,33 +137,25 @@ namespace vfife
     Vector3 slave_point(unsigned int facet, unsigned int rule_point) const;
     void    find_points(
          Pair &pair, double open_reach, double depth_reach, unsigned int part, unsigned int n_parts);
-    bool    find_closest(const std::vector<unsigned int> &facets,
-                         const Vector3                   &x,
-                         const Vector3                   &slave_normal,
-                         double                           reach,
-                         Projection                      &projection);
-    void    add_pair(Pair             &pair,
-                     const ContactLaw &law,
-                     GroupPairResult  &result,
-                     double           *slave_forces,
-                     double           *master_forces);
-    bool    locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path);
-    void    press(ListedPoint      &point,
-                  const Vector3    &x,
-                  const Vector3    &normal,
-                  const ContactLaw &law,
-                  GroupPairResult  &result,
-                  double           *slave_forces,
-                  double           *master_forces);
-    Vector3 add_friction(const ListedPoint &point,
-                         const Vector3     &x,
-                         const Vector3     &normal,
-                         const Vector3     &relative_velocity,
-                         double             area,
-                         const ContactLaw  &law,
-                         GroupPairResult   &result,
-                         double            *master_forces);
-    Fading  fading(const Projection &projection) const;
+    bool   find_closest(const std::vector<unsigned int> &facets,
+                        const Vector3                   &x,
+                        const Vector3                   &slave_normal,
+                        double                           reach,
+                        Projection                      &projection);
+    void   add_pair(Pair             &pair,
+                    const ContactLaw &law,
+                    GroupPairResult  &result,
+                    double           *slave_forces,
+                    double           *master_forces);
+    bool   locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path);
+    void   press(ListedPoint      &point,
+                 const Vector3    &x,
+                 const Vector3    &normal,
+                 const ContactLaw &law,
+                 GroupPairResult  &result,
+                 double           *slave_forces,
+                 double           *master_forces);
+    Fading fading(const Projection &projection) const;
 
     SurfaceGeometry                   slave_, master_;
     std::vector<FacetQuadraturePoint> rule_;

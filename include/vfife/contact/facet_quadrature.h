@@ -63,6 +63,27 @@ namespace vfife
       return sum;
     }
 
+    /** Derivatives of the offset with respect to xi and eta [mm]. */
+    std::array<double, 2> gradient(const unsigned int row, const double xi, const double eta) const
+    {
+      const double  s = 2. * xi - 1., t = 2. * eta - 1.;
+      const double *c    = coefficients_.data() + static_cast<std::size_t>(row) * n_ * n_;
+      double        by_s = 0., by_t = 0., sum = 0.;
+      for (unsigned int j = n_; j-- > 0;)
+        {
+          double line = 0., slope = 0.;
+          for (unsigned int i = n_; i-- > 0;)
+            {
+              slope = slope * s + line;
+              line  = line * s + c[j * n_ + i];
+            }
+          by_t = by_t * t + sum;
+          sum  = sum * t + line;
+          by_s = by_s * t + slope;
+        }
+      return {{2. * by_s, 2. * by_t}};
+    }
+
     bool empty() const
     {
       return coefficients_.empty();

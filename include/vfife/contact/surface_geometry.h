@@ -33,6 +33,15 @@ namespace vfife
     {
       return y[0] + xi * y[1] + eta * (y[2] + xi * y[3]);
     }
+    /** Derivatives of the position with respect to xi and eta [mm]. */
+    Vector3 along_xi(const double eta) const
+    {
+      return y[1] + eta * y[3];
+    }
+    Vector3 along_eta(const double xi) const
+    {
+      return y[2] + xi * y[3];
+    }
     Vector3 normal(const double xi, const double eta) const
     {
       return m[0] + xi * m[1] + eta * (m[2] + xi * m[3]);
@@ -83,6 +92,15 @@ namespace vfife
     double offset(const unsigned int facet, const double xi, const double eta) const
     {
       return offsets_.empty() ? 0. : offsets_.value(offset_rows_[facet], xi, eta);
+    }
+
+    /** Derivatives of the offset with respect to xi and eta [mm]. */
+    std::array<double, 2>
+    offset_gradient(const unsigned int facet, const double xi, const double eta) const
+    {
+      if (offsets_.empty())
+        return {{0., 0.}};
+      return offsets_.gradient(offset_rows_[facet], xi, eta);
     }
 
     /** Largest offset of the table in magnitude at a 5 x 5 grid of each row [mm]. */
