@@ -20,6 +20,7 @@ namespace vfife
   {
     static const Choices<ContactSurfaceKind> choices = {
       {"true flank", ContactSurfaceKind::true_flank},
+      {"smooth patches", ContactSurfaceKind::smooth_patches},
       {"flat facets", ContactSurfaceKind::flat_facets}};
     return choices;
   }
@@ -37,8 +38,8 @@ namespace vfife
                    "surface",
                    surface,
                    contact_surface_kinds(),
-                   "What the facets stand for: the true surface by offsets and true normals, or "
-                   "themselves");
+                   "What the facets stand for: the true surface by offsets and true normals, "
+                   "quadratic patches with the nodal normals, or themselves");
     declare_integer(
       prm, "points per facet", points_per_facet, "Gauss points of a facet per direction", 1, 10);
     declare_switch(prm,

@@ -242,36 +242,6 @@ namespace vfife
   }
 
 
-  ContactPoint ContactPass::smallest_gap(const SurfaceMotion &slave,
-                                         const SurfaceMotion &master,
-                                         const double         reach,
-                                         const unsigned int   part,
-                                         const unsigned int   n_parts)
-  {
-    slave_.bind(slave);
-    master_.bind(master);
-    ContactPoint smallest;
-    for (const Pair &pair : pairs_)
-      {
-        Pair all         = {};
-        all.slave_group  = pair.slave_group;
-        all.master_group = pair.master_group;
-        find_points(all, reach, reach, part, n_parts);
-        for (const ListedPoint &point : all.points)
-          if (point.gap < smallest.gap)
-            {
-              smallest.position     = slave_point(point.slave_facet, point.rule_point);
-              smallest.slave_facet  = point.slave_facet;
-              smallest.master_facet = point.projection.facet;
-              smallest.xi           = point.projection.xi;
-              smallest.eta          = point.projection.eta;
-              smallest.gap          = point.gap;
-            }
-      }
-    return smallest;
-  }
-
-
   void ContactPass::append_points(std::vector<ContactPoint> &points, const bool swapped) const
   {
     for (const Pair &pair : pairs_)

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/contact/smooth_patch.h>
 #include <vfife/contact/surface_geometry.h>
 
 #include <algorithm>
@@ -8,6 +9,14 @@
 namespace vfife
 {
   SurfaceGeometry::SurfaceGeometry(const FacetSurface &surface, const ContactSurfaceKind kind)
+    : SurfaceGeometry(kind == ContactSurfaceKind::smooth_patches ? with_smooth_patches(surface)
+                                                                 : surface,
+                      kind != ContactSurfaceKind::flat_facets)
+  {
+  }
+
+
+  SurfaceGeometry::SurfaceGeometry(const FacetSurface &surface, const bool curved)
     : reference_(surface.positions)
     , facets_(surface.facets)
   {
@@ -15,7 +24,7 @@ namespace vfife
     collect_groups(surface);
     connect(surface);
     compute_areas();
-    if (kind == ContactSurfaceKind::true_flank && surface.offset_points > 0)
+    if (curved && surface.offset_points > 0)
       {
         offsets_     = OffsetPolynomials(surface.offset_points, surface.offsets);
         offset_rows_ = surface.offset_row;
@@ -28,7 +37,9 @@ namespace vfife
               std::max(largest_offset_,
                        std::abs(offsets_.value(row, 0.25 * (i % 5), 0.25 * (i / 5))));
       }
-    compute_true_normals(surface, kind);
+    normal_corrections_.assign(n_nodes(), Vector3::Zero());
+    if (curved)
+      compute_true_normals(surface);
     states_.resize(n_facets());
     facet_stamps_.assign(n_facets(), 0);
     node_normals_.resize(n_nodes());
@@ -150,11 +161,9 @@ namespace vfife
   }
 
 
-  void SurfaceGeometry::compute_true_normals(const FacetSurface      &surface,
-                                             const ContactSurfaceKind kind)
+  void SurfaceGeometry::compute_true_normals(const FacetSurface &surface)
   {
-    normal_corrections_.assign(n_nodes(), Vector3::Zero());
-    if (kind == ContactSurfaceKind::flat_facets || surface.normals.empty())
+    if (surface.normals.empty())
       return;
     for (unsigned int n = 0; n < n_nodes(); ++n)
       {

@@ -20,7 +20,8 @@ namespace vfife
   enum class ContactSurfaceKind
   {
     true_flank, ///< offsets to the true surface and its normals, carried along by the deformation
-    flat_facets ///< the bilinear facets themselves with averaged facet normals
+    smooth_patches, ///< offsets to quadratic patches with the nodal normals (smooth_patch.h)
+    flat_facets     ///< the bilinear facets themselves with averaged facet normals
   };
 
   const Choices<ContactDiscretization> &contact_discretizations();

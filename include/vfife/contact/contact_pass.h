@@ -133,10 +133,12 @@ namespace vfife
       std::vector<ListedPoint> points;
     };
 
-    void    update_paths(const SurfaceMotion &slave, const SurfaceMotion &master);
-    Vector3 slave_point(unsigned int facet, unsigned int rule_point) const;
-    void    find_points(
-         Pair &pair, double open_reach, double depth_reach, unsigned int part, unsigned int n_parts);
+    /** Smallest gap over a slave facet, from its smallest sample on. */
+    ContactPoint refined_gap(const ListedPoint &sample);
+    void         update_paths(const SurfaceMotion &slave, const SurfaceMotion &master);
+    Vector3      slave_point(unsigned int facet, unsigned int rule_point) const;
+    void         find_points(
+              Pair &pair, double open_reach, double depth_reach, unsigned int part, unsigned int n_parts);
     bool   find_closest(const std::vector<unsigned int> &facets,
                         const Vector3                   &x,
                         const Vector3                   &slave_normal,

@@ -175,11 +175,14 @@ namespace vfife
     }
 
   private:
+    /** @p curved: the facets stand for the surface given by offsets and normals. */
+    SurfaceGeometry(const FacetSurface &surface, bool curved);
+
     void           check(const FacetSurface &surface) const;
     void           collect_groups(const FacetSurface &surface);
     void           connect(const FacetSurface &surface);
     void           compute_areas();
-    void           compute_true_normals(const FacetSurface &surface, ContactSurfaceKind kind);
+    void           compute_true_normals(const FacetSurface &surface);
     void           prepare(unsigned int facet);
     const Vector3 &node_normal(unsigned int node);
 
