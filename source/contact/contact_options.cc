@@ -90,6 +90,11 @@ namespace vfife
                      "mm",
                      "Deepest penetration that is taken for contact; 0: half a facet",
                      Range::not_negative());
+    declare_number(prm,
+                   "penetration limit",
+                   penetration_limit,
+                   "Penetration over the depth limit at which a run stops as failed; 1: never",
+                   Range::between(1e-6, 1.));
   }
 
 
@@ -119,6 +124,9 @@ namespace vfife
       throw InputError(entry("search skin"), "the skin must not be negative");
     if (!(depth_limit >= 0.))
       throw InputError(entry("depth limit"), "the depth limit must not be negative");
+    if (!(penetration_limit > 0. && penetration_limit <= 1.))
+      throw InputError(entry("penetration limit"),
+                       "the penetration limit must be positive and at most 1");
   }
 
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace vfife
 {
@@ -71,6 +72,12 @@ namespace vfife
       , contact(*slave.surface, *master.surface, pair.options)
       , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
     {
+    }
+
+    /** Penetration at which a run is given up [mm]. */
+    double penetration_limit() const
+    {
+      return definition.options.penetration_limit * contact.depth_limit();
     }
 
     std::array<Side *, 2> sides()
@@ -227,6 +234,7 @@ namespace vfife
 
     std::size_t n = 0;
     energy_ = lost_power_ = largest_penetration_ = 0;
+    double too_deep                              = 0;
     for (const auto &pair : pairs_)
       {
         Side &s = pair->slave, &m = pair->master;
@@ -242,11 +250,13 @@ namespace vfife
             energy_ += result.energy;
             lost_power_ += result.damping_power + result.friction_power;
             largest_penetration_ = std::max(largest_penetration_, result.largest_penetration);
+            if (result.largest_penetration > pair->penetration_limit())
+              too_deep = 1;
           }
         n += s.active.size() + m.active.size();
       }
 
-    buffer_.resize(3 * n + 2);
+    buffer_.resize(3 * n + 3);
     double *record = buffer_.data();
     for (const auto &pair : pairs_)
       for (const Side *side : pair->sides())
@@ -257,6 +267,7 @@ namespace vfife
           }
     record[0] = energy_;
     record[1] = lost_power_;
+    record[2] = too_deep;
     communicator_.sum(buffer_);
 
     record = buffer_.data();
@@ -269,8 +280,9 @@ namespace vfife
                 forces[4 * static_cast<std::size_t>(side->local[i]) + c] += record[c];
             record += 3;
           }
-    energy_     = record[0];
-    lost_power_ = record[1];
+    energy_      = record[0];
+    lost_power_  = record[1];
+    is_too_deep_ = record[2] > 0;
   }
 
   double ContactSystem::energy() const
@@ -286,6 +298,39 @@ namespace vfife
   double ContactSystem::largest_local_penetration() const
   {
     return largest_penetration_;
+  }
+
+  bool ContactSystem::is_too_deep() const
+  {
+    return is_too_deep_;
+  }
+
+  std::string ContactSystem::describe_deepest_point() const
+  {
+    double             deepest = 0; // over the limit
+    std::ostringstream text;
+    for (const auto &pair : pairs_)
+      for (const ContactPoint &point : pair->contact.points())
+        {
+          const double ratio = -point.gap / pair->penetration_limit();
+          if (!(ratio > deepest))
+            continue;
+          deepest             = ratio;
+          const Side &pressed = point.swapped ? pair->slave : pair->master;
+          const Side &from    = point.swapped ? pair->master : pair->slave;
+          const auto  place   = [&](const Side &side, const unsigned int facet) {
+            return "\"" + model_.bodies[side.body].name() + "\", tooth or group " +
+                   std::to_string(side.surface->group[facet]) + ", facet " + std::to_string(facet);
+          };
+          text.str("");
+          text << pair->definition.side << " side: " << place(from, point.slave_facet) << ", is "
+               << 1e3 * -point.gap << " um deep in " << place(pressed, point.master_facet)
+               << " (limit " << 1e3 * pair->penetration_limit()
+               << " um, Contact/penetration limit)";
+        }
+    const std::vector<double>      all   = communicator_.all_gather(deepest);
+    const std::vector<std::string> texts = communicator_.all_gather(text.str());
+    return texts[std::max_element(all.begin(), all.end()) - all.begin()];
   }
 
   std::vector<ToothContact> ContactSystem::collect_results() const

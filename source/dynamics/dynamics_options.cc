@@ -68,6 +68,10 @@ namespace vfife
       energy_limit,
       "Energy error (residual of the ledger over its scale) at which the run stops as failed",
       Range::positive());
+    declare_integer(prm,
+                    "largest number of steps",
+                    largest_steps,
+                    "Steps after which a run ends in good order, to try a part of it; 0: no limit");
     relaxation.declare(prm);
   }
 
@@ -78,7 +82,7 @@ namespace vfife
                        "so strong a damper drags the deformation that stands still in space "
                        "through the turning material and "
                        "falsifies the compliance (more than 25 % at 20000 1/s); allowed are "
-                       "Damping up to 20000 1/s and "
-                       "Mesh damping up to 200000 1/s, recommended is not more than 2000 1/s");
+                       "damping up to 20000 1/s and "
+                       "mesh damping up to 200000 1/s, recommended is not more than 2000 1/s");
   }
 } // namespace vfife

@@ -28,6 +28,7 @@ namespace vfife
     , constraints_(model, operator_.partition(), communicator)
     , torques_(model, operator_.partition())
     , forces_(operator_.array_size())
+    , contact_watch_(log)
   {
   }
 
@@ -131,6 +132,8 @@ namespace vfife
     ledger_ = EnergyLedger();
     powers_ = StepPowers();
     audit_.assign(model_.bodies.size(), DampingAudit());
+    audited_steps_ = audited_samples_ = 0;
+    contact_watch_.reset();
     sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
     damping_.assign(model_.bodies.size(), BodyDamping());
   }
@@ -255,11 +258,18 @@ namespace vfife
     if (!std::isfinite(kinetic))
       throw NumericalError("the motion is no longer finite" + where() + ": " +
                            find_broken_element(model_, observed_, state) +
-                           "; a smaller Dynamics/Safety or a softer contact may help");
+                           "; a smaller Dynamics/safety or a softer contact may help");
+    if (contact_.is_too_deep())
+      throw NumericalError("runaway penetration" + where() + ": " +
+                           contact_.describe_deepest_point());
+    const std::string inverted =
+      measured ? find_inverted_element(model_, observed_, communicator_) : "";
+    if (!inverted.empty())
+      throw NumericalError("an element is inverted" + where() + ": " + inverted);
     if (measured && !(std::abs(ledger_.error()) < options_.energy_limit))
       throw NumericalError("the energy error is " + std::to_string(ledger_.error()) + where() +
                            " (limit " + std::to_string(options_.energy_limit) +
-                           ", Dynamics/Energy limit): the integration is unstable");
+                           ", Dynamics/energy limit): the integration is unstable");
   }
 
   void ExplicitSolver::run(State &state, const double end_time, Observers &observers)
@@ -281,6 +291,7 @@ namespace vfife
                 return observer->due(state);
               });
             compute_forces(state, due);
+            contact_watch_.observe(state.time, dt_, contact_.energy() > 0);
             const double strain = due ? take_measurements(state) : 0.;
             set_damping(state);
             update_nodes(state);
@@ -304,12 +315,13 @@ namespace vfife
     catch (const NumericalError &)
       {
         state = observed_;
+        finish_audit(rates);
         for (const auto &observer : observers)
           observer->finish(model_, observed_);
         throw;
       }
     state = observed_;
-    finish_audit(rates, state.time - start);
+    finish_audit(rates);
     for (const auto &observer : observers)
       observer->finish(model_, observed_);
   }

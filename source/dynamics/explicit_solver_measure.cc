@@ -3,6 +3,7 @@
 #include <vfife/base/communicator.h>
 #include <vfife/base/timers.h>
 #include <vfife/dynamics/explicit_solver.h>
+#include <vfife/dynamics/mean_speed.h>
 #include <vfife/dynamics/measurement.h>
 
 #include <algorithm>
@@ -35,6 +36,7 @@ namespace vfife
     if (first)
       {
         ledger_.start    = ledger_.kinetic + ledger_.strain + ledger_.contact;
+        ledger_.scale    = EnergyLedger::scale_floor * ledger_.kinetic;
         ledger_at_start_ = ledger_;
       }
     ledger_.scale =
@@ -61,24 +63,44 @@ namespace vfife
 
   void ExplicitSolver::add_audit()
   {
+    ++audited_steps_;
     for (unsigned int b = 0; b < audit_.size(); ++b)
       {
-        audit_[b].net_torque += dt_ * sums_[b].update.damping_torque;
-        audit_[b].power += dt_ * sums_[b].update.damping_power;
+        audit_[b].net_torque += sums_[b].update.damping_torque;
+        audit_[b].power += sums_[b].update.damping_power;
       }
   }
 
-  void ExplicitSolver::finish_audit(const std::vector<RigidVelocity> &rates_at_start,
-                                    const double                      duration)
+  void ExplicitSolver::add_rate_difference(const State &state)
+  {
+    ++audited_samples_;
+    for (unsigned int b = 0; b < audit_.size(); ++b)
+      {
+        const Body &body = model_.bodies[b];
+        if (!body.turns_on_axis)
+          continue;
+        const RigidVelocity mean_speed = compute_mean_speed_rate(body, state, b, communicator_);
+        audit_[b].rate_difference +=
+          (body.rate < 0 ? -1. : 1.) * body.axis.direction.dot(mean_speed.omega - rigid_[b].omega);
+      }
+  }
+
+  void ExplicitSolver::finish_audit(const std::vector<RigidVelocity> &rates_at_start)
   {
     for (unsigned int b = 0; b < audit_.size(); ++b)
       {
-        audit_[b].net_torque /= duration + dt_;
-        audit_[b].power /= duration + dt_;
+        audit_[b].net_torque /= std::max(1U, audited_steps_);
+        audit_[b].power /= std::max(1U, audited_steps_);
+        audit_[b].rate_difference /= std::max(1U, audited_samples_);
         audit_[b].body = model_.bodies[b].name();
         audit_[b].spin_drift =
           (rigid_[b].omega - rates_at_start[b].omega).dot(model_.bodies[b].axis.direction);
       }
+  }
+
+  const ContactLosses &ExplicitSolver::contact_losses() const
+  {
+    return contact_watch_.losses();
   }
 
   const std::vector<DampingAudit> &ExplicitSolver::damping_audit() const
@@ -93,6 +115,7 @@ namespace vfife
     measure_transmission(model_, observed_, communicator_);
     observed_.measured.probes = measure_probes(model_, observed_, operator_, communicator_);
     measure_contact();
+    add_rate_difference(state);
     return operator_.compute_strain_energy(state.position.data());
   }
 

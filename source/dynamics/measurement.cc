@@ -3,6 +3,7 @@
 #include <vfife/dynamics/measurement.h>
 #include <vfife/dynamics/vfife_operator.h>
 #include <vfife/element/stress.h>
+#include <vfife/model/body_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,15 +59,6 @@ namespace vfife
     m.rim_transmission_error = start + rim;
   }
 
-  namespace
-  {
-    /** Rotation of a body's frame from time zero to now, by the motion that State keeps. */
-    Matrix3 turn_since_start(const Body &body, const RigidMotion &now)
-    {
-      return now.rotation * body.placement.rotation.transpose();
-    }
-  } // namespace
-
   std::vector<ProbeValue> measure_probes(const Model         &model,
                                          const State         &state,
                                          const VfifeOperator &vfife,
@@ -111,29 +103,20 @@ namespace vfife
     std::vector<ProbeValue> values(model.probes.size());
     for (std::size_t p = 0; p < model.probes.size(); ++p)
       {
-        const Probe   &probe = model.probes[p];
-        const Body    &body  = model.bodies[probe.body];
-        const double  *s     = sums.data() + n * p;
-        const Vector3  start = body.placement(body.node_positions()[probe.node]) - body.axis.point;
-        const Vector3 &a     = body.axis.direction;
-        const Vector3  e_r   = (start - a.dot(start) * a).normalized();
-        Matrix3        cylindrical;
-        cylindrical << e_r, a.cross(e_r), a;
-
-        const Matrix3 turn = turn_since_start(body, state.body_motion[probe.body]);
+        const Probe  &probe = model.probes[p];
+        const Body   &body  = model.bodies[probe.body];
+        const double *s     = sums.data() + n * p;
+        const Matrix3 axes  = compute_cylindrical_axes(body, body.node_positions()[probe.node]);
         const Vector3 moved =
-          turn.transpose() * (Eigen::Map<const Vector3>(s) - body.axis.point) - start;
-        values[p].displacement = cylindrical.transpose() * moved;
+          compute_displacement(body,
+                               probe.node,
+                               Eigen::Map<const Vector3>(s),
+                               compute_turn(body, state.body_motion[probe.body]));
+        values[p].displacement = axes.transpose() * (body.placement.rotation.transpose() * moved);
 
-        const Stress mean = Eigen::Map<const Stress>(s + 3) / s[9];
-        Matrix3      tensor;
-        tensor << mean[0], mean[3], mean[5], mean[3], mean[1], mean[4], mean[5], mean[4], mean[2];
-        // Stresses come in the axes of the body frame.
-        const Matrix3 q     = body.placement.rotation.transpose() * cylindrical;
-        const Matrix3 local = q.transpose() * tensor * q;
-        values[p].stress    = {
-             {local(0, 0), local(1, 1), local(2, 2), local(0, 1), local(1, 2), local(2, 0)}};
-        values[p].von_mises = von_mises(mean);
+        const Stress mean                           = Eigen::Map<const Stress>(s + 3) / s[9];
+        Eigen::Map<Stress>(values[p].stress.data()) = turn_stress(mean, axes);
+        values[p].von_mises                         = von_mises(mean);
       }
     return values;
   }

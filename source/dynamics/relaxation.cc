@@ -139,7 +139,7 @@ namespace vfife
         if (!std::isfinite(report.residual))
           throw NumericalError("the equilibrium before the start diverged at relaxation step " +
                                std::to_string(report.steps));
-        if (report.residual < options_.tolerance)
+        if (report.residual < loads.looseness * options_.tolerance)
           break;
         if (report.steps % report_interval == 0)
           {

@@ -49,6 +49,17 @@ namespace vfife
   }
 
 
+  Stress turn_stress(const Stress &s, const Matrix3 &axes)
+  {
+    Matrix3 tensor;
+    tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+    const Matrix3 t = axes.transpose() * tensor * axes;
+    Stress        turned;
+    turned << t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(2, 0);
+    return turned;
+  }
+
+
   double von_mises(const Stress &stress)
   {
     const Vector3 difference(stress[0] - stress[1], stress[1] - stress[2], stress[2] - stress[0]);

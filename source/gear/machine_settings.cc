@@ -91,7 +91,7 @@ namespace vfife
     require("machine root angle", machine_root_angle);
 
     if (edge_radius <= 0.)
-      throw InputError(section + "/blade edge radius", "Blade edge radius must be positive");
+      throw InputError(section + "/blade edge radius", "blade edge radius must be positive");
     if (edge_width() >= point_radius)
       {
         std::ostringstream message;

@@ -43,7 +43,7 @@ namespace vfife
       void unless(const bool condition, const std::string &entry, const std::string &message) const
       {
         if (!condition)
-          throw InputError(section_ + "/" + entry, section_ + "/" + entry + ": " + message);
+          throw InputError(section_ + "/" + entry, message);
       }
 
     private:

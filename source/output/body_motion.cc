@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
+#include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/output/body_motion.h>
@@ -71,7 +72,7 @@ namespace vfife
         const double *sum = &sums[n_sums * b];
         motions[b].rotation =
           state.body_motion.size() == model.bodies.size()
-            ? Matrix3(state.body_motion[b].rotation * body.placement.rotation.transpose())
+            ? compute_turn(body, state.body_motion[b])
             : rotation_about(body.axis.direction, std::atan2(sum[cross_moment], sum[dot_moment]));
         if (sum[inertia] > 0)
           motions[b].rate = sum[momentum] / sum[inertia] * body.axis.direction;

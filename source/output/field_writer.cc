@@ -3,6 +3,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/element/stress.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/output/body_motion.h>
@@ -93,10 +94,9 @@ namespace vfife
                                    const std::array<double, 6> &node_stress)
     {
       NodeRecord    record;
-      const Vector3 start = body.placement(body.node_positions()[node]) - body.axis.point;
-      const Vector3 now   = x - body.axis.point;
-      const Vector3 u     = now - motion.rotation * start;
-      const Vector3 w     = 1e-3 * (v - motion.rate.cross(now)); // mm/s to m/s
+      const Vector3 now = x - body.axis.point;
+      const Vector3 u   = motion.rotation * compute_displacement(body, node, x, motion.rotation);
+      const Vector3 w   = 1e-3 * (v - motion.rate.cross(now)); // mm/s to m/s
       for (unsigned int c = 0; c < 3; ++c)
         {
           record[displacement + c] = static_cast<float>(u[c]);

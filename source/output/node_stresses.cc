@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
 #include <vfife/element/stress.h>
+#include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/output/node_stresses.h>
@@ -11,17 +12,6 @@ namespace vfife
   {
     /** Six sums of stresses and the number of elements in them. */
     constexpr unsigned int n_records = 7;
-
-    /** Stress (xx yy zz xy yz zx) in the axes that are the columns of @p axes. */
-    Stress turn_stress(const Stress &s, const Matrix3 &axes)
-    {
-      Matrix3 tensor;
-      tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-      const Matrix3 t = axes.transpose() * tensor * axes;
-      Stress        turned;
-      turned << t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(2, 0);
-      return turned;
-    }
 
     void add_element_stresses(const Body          &body,
                               const unsigned int   element,
@@ -45,22 +35,6 @@ namespace vfife
         }
     }
   } // namespace
-
-  Matrix3 compute_cylindrical_axes(const Body &body, const Vector3 &X)
-  {
-    const Matrix3 back  = body.placement.rotation.transpose();
-    const Vector3 z     = back * body.axis.direction;
-    const Vector3 point = back * (body.axis.point - body.placement.translation);
-    Vector3       r     = X - point;
-    r -= r.dot(z) * z;
-    // On the axis (to round-off of the coordinates) r has no direction of its own.
-    if (r.norm() <= 1e-12 * (X - point).norm() || r.norm() == 0)
-      r = z.unitOrthogonal();
-    r.normalize();
-    Matrix3 axes;
-    axes << r, z.cross(r), z;
-    return axes;
-  }
 
   std::vector<std::array<double, 6>> compute_node_stresses(const Model        &model,
                                                            const State        &state,

@@ -42,12 +42,14 @@ namespace vfife
                              const Communicator &communicator,
                              const double        start_time,
                              const double        end_time,
+                             const double        whole_end_time,
                              const std::uint64_t steps_between)
     : log_(log)
     , is_writer_(communicator.is_root())
     , is_terminal_(isatty(STDOUT_FILENO) != 0 && log.verbosity() != Verbosity::quiet)
     , start_time_(start_time)
     , end_time_(end_time)
+    , whole_end_time_(whole_end_time)
     , steps_between_(steps_between)
     , begin_(Clock::now())
     , last_line_(begin_)
@@ -78,10 +80,42 @@ namespace vfife
     return text.str();
   }
 
+  void ProgressLine::say_expected_time(const State &state)
+  {
+    constexpr std::uint64_t enough = 200;
+    const std::uint64_t     steps  = state.step - first_step_;
+    if (said_expected_ || steps < enough)
+      return;
+    said_expected_           = true;
+    const double one         = seconds_since(begin_) / steps;
+    const auto   count_until = [&](const double end) {
+      return std::llround((end - start_time_) / state.dt);
+    };
+    const auto whole = count_until(whole_end_time_), part = count_until(end_time_);
+    log_.line("by the first ",
+              steps,
+              " steps a step takes ",
+              1e3 * one,
+              " ms; the whole run of ",
+              whole,
+              " steps: about ",
+              duration_text(one * whole),
+              part < whole ? "; this part of " + std::to_string(part) + " steps: about " +
+                               duration_text(one * part)
+                           : "");
+  }
+
   void ProgressLine::observe(const Model &model, const State &state)
   {
+    if (!has_begun_)
+      {
+        begin_ = last_line_ = Clock::now();
+        first_step_         = state.step;
+        has_begun_          = true;
+      }
     if (!is_writer_)
       return;
+    say_expected_time(state);
     const double waited = seconds_since(last_line_);
     if (waited < 1)
       return;

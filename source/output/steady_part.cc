@@ -100,6 +100,30 @@ namespace vfife
         }
       return largest;
     }
+    /** Largest relative spread of the means of the single mesh cycles [k, end). */
+    double compute_spread(const std::vector<SampleIntegral> &judged,
+                          const unsigned int                 k,
+                          const unsigned int                 end,
+                          const double                       samples_per_mesh)
+    {
+      double largest = 0;
+      for (const SampleIntegral &column : judged)
+        {
+          double least = std::numeric_limits<double>::infinity(), most = -least;
+          for (unsigned int i = k; i < end; ++i)
+            {
+              const double mean = column.mean(i * samples_per_mesh, (i + 1) * samples_per_mesh);
+              least             = std::min(least, mean);
+              most              = std::max(most, mean);
+            }
+          const double spread =
+            (most - least) / std::abs(column.mean(k * samples_per_mesh, end * samples_per_mesh));
+          if (!std::isfinite(spread))
+            return std::numeric_limits<double>::infinity();
+          largest = std::max(largest, spread);
+        }
+      return largest;
+    }
   } // namespace
 
   SteadyPart find_steady_part(const Table                    &history,
@@ -134,14 +158,16 @@ namespace vfife
     if (judged.empty())
       throw InputError("the history has none of the columns by which a steady part is judged");
 
-    // Backwards from the end as long as all pairs agree: the first disagreement ends the steady
-    // part.
+    part.judged_cycles = n_cycles - first_cycle;
+    part.by_cycles     = part.judged_cycles >= part.period && part.judged_cycles < 2 * part.period;
+    const int span     = (part.by_cycles ? 1 : 2) * static_cast<int>(part.period);
+    // Backwards from the end as long as all agree: the first disagreement ends the steady part.
     unsigned int start = n_cycles;
-    for (int k = static_cast<int>(n_cycles) - 2 * static_cast<int>(part.period);
-         k >= static_cast<int>(first_cycle);
-         --k)
+    for (int k = static_cast<int>(n_cycles) - span; k >= static_cast<int>(first_cycle); --k)
       {
-        const double change = compute_change(judged, k, part.period, samples_per_mesh);
+        const double change = part.by_cycles
+                                ? compute_spread(judged, k, n_cycles, samples_per_mesh)
+                                : compute_change(judged, k, part.period, samples_per_mesh);
         if (!(change < tolerance))
           {
             if (!part.found)
@@ -190,22 +216,26 @@ namespace vfife
   {
     std::ostringstream text;
     text.precision(4);
-    const auto milliseconds = [](const double t) { return 1e3 * t; };
+    const auto   milliseconds = [](const double t) { return 1e3 * t; };
+    const double percent      = 100 * largest_change;
     if (found)
       text << "steady from " << milliseconds(start_time) << " ms to " << milliseconds(end_time)
-           << " ms (" << cycles << " mesh cycles): means over " << period
-           << " mesh cycles differ by at most " << 100 * largest_change << " %";
+           << " ms (" << cycles << " mesh cycles): ";
     else
-      {
-        text << "no steady part";
-        if (largest_change > 0)
-          text << " (means over the last two times " << period << " mesh cycles differ by "
-               << 100 * largest_change << " %)";
-        else
-          text << " (too short a run after the ramp for two times " << period << " mesh cycles)";
-        text << "; figures are of the last third, " << milliseconds(start_time) << " ms to "
-             << milliseconds(end_time) << " ms";
-      }
+      text << "no steady part: ";
+    if (by_cycles)
+      text << judged_cycles << " mesh cycles after the ramp are fewer than two swing periods of "
+           << period << "; means over single mesh cycles differ by " << (found ? "at most " : "")
+           << percent << " %";
+    else if (judged_cycles < period)
+      text << judged_cycles << " mesh cycles after the ramp are fewer than one swing period of "
+           << period;
+    else
+      text << "means over " << (found ? "" : "the last two times ") << period
+           << " mesh cycles differ by " << (found ? "at most " : "") << percent << " %";
+    if (!found)
+      text << "; figures are of the last third, " << milliseconds(start_time) << " ms to "
+           << milliseconds(end_time) << " ms";
     return text.str();
   }
 } // namespace vfife

@@ -67,6 +67,7 @@ namespace vfife
     Json steady_part(const SteadyPart &part)
     {
       Json json;
+      json["compared"]                    = part.by_cycles ? "single mesh cycles" : "swing periods";
       json["found"]                       = part.found;
       json["explanation"]                 = part.explain();
       json["start"]                       = figure(part.start_time, "s");
@@ -109,7 +110,9 @@ namespace vfife
         json.push_back({{"body", audit.body},
                         {"net torque", figure(1e-3 * audit.net_torque, "N m")},
                         {"power", figure(1e-3 * audit.power, "W")},
-                        {"spin drift", figure(audit.spin_drift * 30 / pi, "rpm")}});
+                        {"spin drift", figure(audit.spin_drift * 30 / pi, "rpm")},
+                        {"mean speed rate minus momentum rate",
+                         figure(audit.rate_difference * 30 / pi, "rpm")}});
       return json;
     }
   } // namespace
@@ -144,6 +147,11 @@ namespace vfife
       json["energy"] = energy(*summary.energy);
     if (!summary.damping.empty())
       json["damping audit"] = damping(summary.damping);
+    json["contact losses"] = {
+      {"count", summary.contact_losses.count},
+      {"first",
+       summary.contact_losses.count > 0 ? figure(summary.contact_losses.first, "s") : Json()},
+      {"time without contact", figure(summary.contact_losses.duration, "s")}};
     json["contradictions"] = summary.contradictions;
     json["warnings"]       = summary.warnings;
     // Names of files may hold bytes that are no UTF-8: replaced rather than failing at the end of a

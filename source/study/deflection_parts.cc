@@ -96,6 +96,18 @@ namespace vfife
     spun_ = measure(state);
   }
 
+  void DeflectionProbe::take_partly_loaded(State &state, const double torque)
+  {
+    partial_torque_ = torque;
+    partial_lead_   = measure(state).hub_lead;
+  }
+
+  double DeflectionProbe::compute_stiffness(const DeflectionParts &loaded,
+                                            const double           torque) const
+  {
+    return (torque - partial_torque_) / (partial_lead_ - loaded.total);
+  }
+
   DeflectionParts DeflectionProbe::take_loaded(State &state) const
   {
     const Transmission &t      = *model_.transmission;

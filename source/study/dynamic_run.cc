@@ -13,6 +13,7 @@
 #include <vfife/output/progress_line.h>
 #include <vfife/output/teeth_writer.h>
 #include <vfife/study/dynamic_run.h>
+#include <vfife/study/run_checks.h>
 
 #include <chrono>
 #include <cmath>
@@ -81,6 +82,33 @@ namespace vfife
              solver.vfife_operator().instruction_set());
   }
 
+  double
+  DynamicRun::expect_run_time(ExplicitSolver &solver, const State &state, const double dt) const
+  {
+    // Contact, update and measurement cost about a fifth of the element forces.
+    const double steps = gear_case_.operation().meshes / (gear_case_.mesh_frequency() * dt);
+    return 1.2 * steps * time_forces(solver.vfife_operator(), state);
+  }
+
+  void DynamicRun::report_contradictions(const Model              &model,
+                                         ExplicitSolver           &solver,
+                                         const double              dt,
+                                         const double              run_time,
+                                         std::vector<std::string> &found,
+                                         Log                      &log) const
+  {
+    RunPlan plan{gear_case_, dynamics_, output_, model};
+    plan.element_step = dynamics_.safety * solver.vfife_operator().limiting_element().stable_step();
+    plan.stable_step  = solver.stable_step();
+    plan.step         = dt;
+    plan.expected_time = run_time;
+    found              = find_contradictions(plan);
+    for (const std::string &sentence : found)
+      log.line("check: ", sentence);
+    if (found.empty())
+      log.line("check: no contradictions");
+  }
+
   void DynamicRun::inspect(Communicator &communicator, Log &log)
   {
     const auto     start = Clock::now();
@@ -94,53 +122,68 @@ namespace vfife
 
     State state;
     solver.start(state);
-    const double steps = gear_case_.operation().meshes / (gear_case_.mesh_frequency() * dt);
+    const double steps    = gear_case_.operation().meshes / (gear_case_.mesh_frequency() * dt);
+    const double run_time = expect_run_time(solver, state, dt);
     log.line("a run is ",
              std::llround(steps),
              " steps, about ",
-             duration_text(1.2 * steps * time_forces(solver.vfife_operator(), state)),
+             duration_text(run_time),
              " with ",
              communicator.size(),
              communicator.size() == 1 ? " rank" : " ranks",
              ", and the equilibrium before it");
+    std::vector<std::string> found;
+    report_contradictions(model, solver, dt, run_time, found, log);
   }
 
-  DeflectionParts DynamicRun::preload(const Model        &model,
-                                      ExplicitSolver     &solver,
-                                      State              &state,
-                                      const Communicator &communicator,
-                                      Log                &log) const
+  DynamicRun::Preload DynamicRun::preload(const Model        &model,
+                                          ExplicitSolver     &solver,
+                                          State              &state,
+                                          const Communicator &communicator,
+                                          Log                &log) const
   {
     const auto start = Clock::now();
     Relaxation relaxation(
       model, dynamics_.relaxation, solver.vfife_operator(), solver.contact(), communicator, log);
     DeflectionProbe probe(model, communicator);
+    const double    torque = gear_case_.operation().torque;
+    log.line("equilibrium before the start:");
+    const auto relax = [&](const char *name, const Relaxation::Loads &loads) {
+      const RelaxationReport report = relaxation.solve(state, loads);
+      log.line("  ", name, ": ", report.steps, " steps, residual ", report.residual);
+    };
 
     Relaxation::Loads spinning;
-    spinning.torque             = 0;
-    spinning.contact            = false;
-    spinning.hold_rotation      = true;
-    const RelaxationReport spun = relaxation.solve(state, spinning);
+    spinning.torque        = 0;
+    spinning.contact       = false;
+    spinning.hold_rotation = true;
+    relax("spinning", spinning);
     probe.take_spun(state);
 
-    // A ramp starts where the flanks of the spun shapes just touch: under a thousandth of the
-    // torque.
-    Relaxation::Loads loaded;
-    loaded.torque               = dynamics_.start == Start::ramp ? 1e-3 : 1.;
-    const RelaxationReport full = relaxation.solve(state, loaded);
-    log.line("equilibrium before the start: spinning ",
-             spun.steps,
-             " steps, ",
-             dynamics_.start == Start::ramp ? "touching " : "loaded ",
-             full.steps,
-             " steps, residual ",
-             full.residual,
-             ", ",
-             duration_text(seconds_since(start)));
+    // Teeth share the load the better, the larger it is: the swing sees the slope at full torque.
+    Relaxation::Loads loads;
+    loads.torque    = 0.9;
+    loads.looseness = 10;
+    relax("at 0.9 of the torque", loads);
+    probe.take_partly_loaded(state, loads.torque * torque);
+    relax("loaded", Relaxation::Loads());
+    Preload result;
+    result.parts           = probe.take_loaded(state);
+    result.stiffness       = probe.compute_stiffness(result.parts, torque);
+    const double inertia   = model.bodies[model.transmission->driven].axial_inertia();
+    result.swing_frequency = std::sqrt(result.stiffness / inertia) / (2 * pi);
+    if (dynamics_.start == Start::ramp)
+      {
+        // The flanks of the spun shapes just touch: under a thousandth of the torque.
+        loads        = Relaxation::Loads();
+        loads.torque = 1e-3;
+        relax("touching", loads);
+      }
+    log.line("  took ", duration_text(seconds_since(start)));
     solver.set_rigid_velocities(state);
 
-    const DeflectionParts parts = probe.take_loaded(state);
-    log.line("transmission error at the start ",
+    const DeflectionParts &parts = result.parts;
+    log.line("transmission error under load ",
              parts.total / arcsecond,
              " arcsec: centrifugal shift ",
              parts.centrifugal / arcsecond,
@@ -150,7 +193,14 @@ namespace vfife
              parts.rim_tilt / arcsecond,
              ", teeth and rest ",
              parts.teeth / arcsecond);
-    return parts;
+    log.line("the gear swings at about ",
+             result.swing_frequency,
+             " Hz, ",
+             gear_case_.mesh_frequency() / result.swing_frequency,
+             " tooth meshes a period, on ",
+             1e-3 * result.stiffness,
+             " N m/rad");
+    return result;
   }
 
   RunSummary DynamicRun::start_summary(const Model        &model,
@@ -190,6 +240,7 @@ namespace vfife
                                   ExplicitSolver &solver,
                                   const State    &state,
                                   const Table    &history,
+                                  const Preload  &preload,
                                   RunSummary     &summary,
                                   Log            &log) const
   {
@@ -197,16 +248,20 @@ namespace vfife
     summary.steps   = state.step;
     summary.energy  = state.measured.energy;
     summary.damping = solver.damping_audit();
+
+    summary.contact_losses = solver.contact_losses();
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
-    if (history.n_rows() < 2)
+    if (history.n_rows() < 2 || !(preload.swing_frequency > 0))
       return;
 
     const double ramp_end = dynamics_.start == Start::ramp
                               ? gear_case_.operation().ramp / model.transmission->mesh_frequency()
                               : 0.;
-    summary.steady =
-      find_steady_part(history, output_.history_every, swing_period_meshes(), ramp_end);
+    summary.steady        = find_steady_part(history,
+                                      output_.history_every,
+                                      gear_case_.mesh_frequency() / preload.swing_frequency,
+                                      ramp_end);
     log.line(summary.steady->explain());
     for (const char *name : {"contact force total", "dte", "rim dte"})
       {
@@ -224,9 +279,16 @@ namespace vfife
       }
   }
 
-  double DynamicRun::swing_period_meshes() const
+  void DynamicRun::add_preload(const Preload &preload, RunSummary &summary) const
   {
-    return gear_case_.has_web() ? 13. : 4.;
+    const DeflectionParts &parts = preload.parts;
+    summary.transmission_error   = {{"total at the start", {parts.total / arcsecond, "arcsec"}},
+                                    {"teeth and rest", {parts.teeth / arcsecond, "arcsec"}},
+                                    {"web windup", {parts.web_windup / arcsecond, "arcsec"}},
+                                    {"rim tilt and shift", {parts.rim_tilt / arcsecond, "arcsec"}},
+                                    {"centrifugal shift", {parts.centrifugal / arcsecond, "arcsec"}}};
+    summary.figures.push_back({"torsional stiffness", {1e-3 * preload.stiffness, "N m/rad"}});
+    summary.figures.push_back({"swing frequency, estimated", {preload.swing_frequency, "Hz"}});
   }
 
   void DynamicRun::run(OutputFolder &folder, Log &log)
@@ -243,8 +305,10 @@ namespace vfife
 
     const Transmission &t             = *model.transmission;
     const std::uint64_t history_steps = output_.compute_history_steps(&t, dt);
-    const double        end_time      = gear_case_.operation().meshes / t.mesh_frequency();
-    Observers           observers;
+    const double        whole_time    = gear_case_.operation().meshes / t.mesh_frequency();
+    const double        end_time =
+      dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
+    Observers observers;
     observers.push_back(std::make_unique<HistoryWriter>(folder, model, history_steps));
     const auto &history = static_cast<const HistoryWriter &>(*observers.back()).table();
     observers.push_back(std::make_unique<TeethWriter>(folder, model, history_steps));
@@ -256,20 +320,18 @@ namespace vfife
       observers.push_back(
         std::make_unique<CheckpointWriter>(folder, output_.checkpoint_every, history_steps));
     observers.push_back(
-      std::make_unique<ProgressLine>(log, communicator, 0., end_time, history_steps));
+      std::make_unique<ProgressLine>(log, communicator, 0., end_time, whole_time, history_steps));
 
     State state;
     solver.start(state);
+    report_contradictions(
+      model, solver, dt, expect_run_time(solver, state, dt), summary.contradictions, log);
     const auto start = Clock::now();
+    Preload    equilibrium;
     try
       {
-        const DeflectionParts parts = preload(model, solver, state, communicator, log);
-        summary.transmission_error  = {
-           {"total at the start", {parts.total / arcsecond, "arcsec"}},
-           {"teeth and rest", {parts.teeth / arcsecond, "arcsec"}},
-           {"web windup", {parts.web_windup / arcsecond, "arcsec"}},
-           {"rim tilt and shift", {parts.rim_tilt / arcsecond, "arcsec"}},
-           {"centrifugal shift", {parts.centrifugal / arcsecond, "arcsec"}}};
+        equilibrium = preload(model, solver, state, communicator, log);
+        add_preload(equilibrium, summary);
         const auto run_start = Clock::now();
         solver.run(state, end_time, observers);
         summary.run_time = seconds_since(run_start);
@@ -279,18 +341,24 @@ namespace vfife
         summary.status   = "failed";
         summary.failure  = error.what();
         summary.run_time = seconds_since(start);
-        finish_summary(model, solver, state, history, summary, log);
+        finish_summary(model, solver, state, history, equilibrium, summary, log);
         if (!(output_.checkpoint_every > 0)) // else the last good one is kept
           write_checkpoint(folder, model, state);
         write_summary(folder, summary);
         throw;
       }
-    finish_summary(model, solver, state, history, summary, log);
+    finish_summary(model, solver, state, history, equilibrium, summary, log);
     const Table times = timers.report(communicator);
     for (std::size_t i = 0; i < times.n_rows(); ++i)
       summary.timers.emplace_back(times.column("section").texts[i],
                                   Figure{times.numbers("time")[i], "s"});
     write_summary(folder, summary);
+    if (end_time < whole_time)
+      log.line("ended after Dynamics/largest number of steps, ",
+               end_time * t.mesh_frequency(),
+               " of ",
+               gear_case_.operation().meshes,
+               " tooth meshes");
     log.line("finished: ",
              state.step,
              " steps in ",

@@ -3,6 +3,7 @@
 #include <vfife/base/log.h>
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
+#include <vfife/gear/tooth_contact.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/study/gear_case.h>
@@ -53,7 +54,7 @@ namespace vfife
     declare_number(prm,
                    "ramp",
                    ramp,
-                   "Tooth meshes over which the torque grows linearly, with Dynamics/Start = ramp "
+                   "Tooth meshes over which the torque grows linearly, with Dynamics/start = ramp "
                    "(whole swing periods)",
                    Range::not_negative());
     declare_choice(prm,
@@ -162,6 +163,13 @@ namespace vfife
   bool GearCase::has_web() const
   {
     return gear_body_.web == WebKind::conical;
+  }
+
+  Vector2 GearCase::relative_curvatures() const
+  {
+    const UnloadedContact contact(GearPair(pair_), MeshSide::drive);
+    // Curvatures do not depend on the separation of the ellipse that is asked for.
+    return contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
   }
 
   unsigned int GearCase::gear_tooth_in_mesh(const unsigned int meshes) const

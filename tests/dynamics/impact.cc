@@ -7,8 +7,6 @@
 #include <vfife/base/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 
-#include <limits>
-
 using namespace vfife;
 
 namespace
@@ -48,12 +46,7 @@ int main(int argc, char **argv)
 {
   MpiSession  session(argc, argv);
   const Model model = make_model();
-
-  // Before they meet, all energies but that of flight are round-off, and so is the scale of the
-  // energy error.
-  DynamicsOptions options = undamped();
-  options.energy_limit    = std::numeric_limits<double>::max();
-  OneSolver run(model, options);
+  OneSolver   run(model, undamped());
 
   const Material &material = model.bodies[0].material();
   const double    mass     = model.bodies[0].mass(),
@@ -120,6 +113,12 @@ int main(int argc, char **argv)
   check_close("contact begins, in steps", (first_touch - meeting) / run.state.dt, 0., 1.5);
   // Ends when the reflected front is back, blurred by three cells in 40 on the way.
   check_close("contact ends, in wave times", (last_touch - meeting) / wave, 1., 0.08);
+  const ContactLosses &losses = run.solver.contact_losses();
+  check_close("contact is lost one step after the last touch",
+              (losses.first - last_touch) / run.state.dt,
+              1.,
+              1e-6);
+  check("contact is lost once", losses.count == 1);
   check("contact has ended",
         run.state.measured.contact_force == 0 && run.state.measured.energy.contact == 0);
   // Velocities at half steps and penalty springs met in the middle of a step: a part of the energy

@@ -147,8 +147,13 @@ namespace
       folder.attach_log(log);
       log.line("during");
 
-      ProgressLine progress(log, communicator, 0, 1e-3, 10);
-      progress.finish(make_pair_model(), make_state());
+      const Model  model = make_pair_model();
+      State        state = make_state();
+      ProgressLine progress(log, communicator, 0, 1e-3, 4e-3, 10);
+      progress.observe(model, state);
+      progress.finish(model, state);
+      state.step += 200;
+      progress.observe(model, state);
     }
     log.line("after");
     const std::string text = read(folder_name + "/run.log");
@@ -156,6 +161,10 @@ namespace
           text.rfind("before\nduring\n", 0) == 0 && text.find("after") == std::string::npos);
     check("progress in the log",
           text.find(" 25 %  0.250 ms  mesh 2.2  step 40") != std::string::npos);
+    check("expected time of the whole run and of its part",
+          text.find("by the first 200 steps a step takes ") != std::string::npos &&
+            text.find("the whole run of 640 steps: about ") != std::string::npos &&
+            text.find("this part of 160 steps: about ") != std::string::npos);
     check("quiet screen", screen.str().empty());
     std::cout << duration_text(41.2) << ", " << duration_text(125) << ", "
               << duration_text(3 * 3600 + 12 * 60) << ", "

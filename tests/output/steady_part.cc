@@ -138,6 +138,30 @@ namespace
     const auto       flat  = [](double) { return 9000.; };
     const SteadyPart brief = find_steady_part(make_history(3, 20, flat, constant_dte), 20, 13, 0);
     check("shorter than two periods: none", !brief.found && brief.cycles == 1);
+    check("shorter than a period: said so",
+          brief.explain().find("fewer than one swing period of 13") != std::string::npos);
+
+    // A period of 13 meshes in a record of 20: the swing shows in the means of the cycles.
+    const auto swinging = [](const double size) {
+      return [size](const double t) { return -50 * (1 + size * std::cos(2 * pi * t / 13)); };
+    };
+    const auto short_part = [&](const double size) {
+      return find_steady_part(make_history(20, 40, flat, swinging(size)), 40, 12.6, 0);
+    };
+    const SteadyPart calm = short_part(0.004), loud = short_part(0.006);
+    check("between one and two periods: a small swing is steady",
+          calm.found && calm.by_cycles && calm.cycles == 20);
+    check("between one and two periods: a large one is not", !loud.found && loud.by_cycles);
+    check("between one and two periods: said so",
+          loud.explain().find("fewer than two swing periods of 13") != std::string::npos);
+    // Means over a cycle are sin(pi/13)/(pi/13) of the swing in its middle; one cycle has its
+    // middle in the trough, the best two at pi/13 from the crest. The trapezoidal rule with 40
+    // samples adds (pi/260)^2/3 of the swing.
+    check_close("between one and two periods: crest to trough",
+                loud.largest_change,
+                0.006 * std::sin(pi / 13) / (pi / 13) * (1 + std::cos(pi / 13)),
+                0.012 * 1e-4);
+
     const SteadyPart tiny = find_steady_part(make_history(0.5, 20, flat, constant_dte), 20, 1, 0);
     check("shorter than a mesh: rows of the last third",
           !tiny.found && tiny.cycles == 0 && tiny.first_row == 7);

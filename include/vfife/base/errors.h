@@ -9,7 +9,7 @@ namespace vfife
 {
   /**
    * The user's input cannot be used: exit code 1. The entry is a path such as
-   * "Gear pair/Gear/Body/Web thickness", by which the driver finds file and line; it may be empty.
+   * "Gear pair/Gear/Body/web thickness", by which the driver finds file and line; it may be empty.
    */
   class InputError : public std::runtime_error
   {

@@ -45,6 +45,8 @@ namespace vfife
     double edge_fading = 0.15; ///< part of a master border facet over which the pressure fades [-]
     double search_skin = 0.;   ///< [mm]; 0: a fifth of the master's mean facet size
     double depth_limit = 0.;   ///< deepest penetration taken for contact [mm]; 0: half a facet
+    double penetration_limit =
+      0.2; ///< penetration over the depth limit at which a run is given up [-]; 1: never
 
     /** Declares the entries in the subsection entered (the caller enters "Contact"). */
     void declare(dealii::ParameterHandler &prm);

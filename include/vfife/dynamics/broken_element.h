@@ -6,6 +6,7 @@
 
 namespace vfife
 {
+  class Communicator;
   struct Model;
   struct State;
 
@@ -15,6 +16,11 @@ namespace vfife
    * finite now.
    */
   std::string find_broken_element(const Model &model, const State &last_measured, const State &now);
+
+  /** In words the element with the least Jacobian if that is not positive in the state, of the
+   * lowest rank that has one; empty where no element is inverted. Collective. */
+  std::string
+  find_inverted_element(const Model &model, const State &state, const Communicator &communicator);
 } // namespace vfife
 
 #endif

@@ -6,6 +6,7 @@
 #include <vfife/model/state.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vfife
@@ -66,6 +67,14 @@ namespace vfife
     /** Largest penetration at the last add_forces() on this rank [mm]. */
     double largest_local_penetration() const;
 
+    /** Whether a penetration at the last add_forces() is beyond its pair's penetration limit; all
+     * ranks. */
+    bool is_too_deep() const;
+
+    /** In words: the deepest point of the last add_forces() over its pair's limit, with teeth,
+     * facets, depth and limit. Collective. */
+    std::string describe_deepest_point() const;
+
     /** Pairs of surface groups that press on each other, summed over ranks. Collective. */
     std::vector<ToothContact> collect_results() const;
 
@@ -88,6 +97,7 @@ namespace vfife
     std::vector<double> reach_; ///< largest distance of each body's nodes from its axis point [mm]
     std::vector<double> buffer_;
     double              energy_ = 0, lost_power_ = 0, largest_penetration_ = 0;
+    bool                is_too_deep_ = false;
   };
 } // namespace vfife
 

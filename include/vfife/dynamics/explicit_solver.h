@@ -4,6 +4,7 @@
 
 #include <vfife/dynamics/constraint_motion.h>
 #include <vfife/dynamics/contact_system.h>
+#include <vfife/dynamics/contact_watch.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/torque_loads.h>
 #include <vfife/dynamics/vfife_operator.h>
@@ -47,12 +48,15 @@ namespace vfife
 
     /**
      * Integrates from state.time to @p end_time. Throws NumericalError (non-finite or runaway
-     * energy, runaway penetration) after observers have seen the last state.
+     * energy, runaway penetration, inverted element) after observers have seen the last state.
      */
     void run(State &state, double end_time, Observers &observers);
 
     /** Of each body in the last run(). */
     const std::vector<DampingAudit> &damping_audit() const;
+
+    /** Of the last run(). */
+    const ContactLosses &contact_losses() const;
 
     /** The rigid motion of each body that follows from its momentum. */
     std::vector<RigidVelocity> compute_rigid_rates(const State &state) const;
@@ -80,7 +84,8 @@ namespace vfife
     void   measure_contact();
     void   check(const State &state, bool measured) const;
     void   add_audit();
-    void   finish_audit(const std::vector<RigidVelocity> &rates_at_start, double duration);
+    void   add_rate_difference(const State &state);
+    void   finish_audit(const std::vector<RigidVelocity> &rates_at_start);
 
     const Model           &model_;
     const DynamicsOptions &options_;
@@ -101,6 +106,8 @@ namespace vfife
     double                              drive_torque_ = 0;
     EnergyLedger                        ledger_, ledger_at_start_;
     std::vector<DampingAudit>           audit_;
+    unsigned int                        audited_steps_ = 0, audited_samples_ = 0;
+    ContactWatch                        contact_watch_;
     State                               observed_;
   };
 } // namespace vfife

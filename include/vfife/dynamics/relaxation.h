@@ -44,6 +44,7 @@ namespace vfife
       double torque        = 1; ///< part of the full torque
       bool   contact       = true;
       bool   hold_rotation = false; ///< free rotations are held
+      double looseness     = 1;     ///< factor of the tolerance, for states that are passed through
     };
 
     /**

@@ -32,6 +32,9 @@ namespace vfife
                              const Material        &material,
                              FrameKind              frame);
 
+  /** The stress in the axes that are the columns of @p axes. */
+  Stress turn_stress(const Stress &stress, const Matrix3 &axes);
+
   /** Von Mises' equivalent stress [MPa]. */
   double von_mises(const Stress &stress);
 } // namespace vfife

@@ -42,7 +42,12 @@ namespace vfife
     double mesh_damping_loss = 0;
     double contact_loss      = 0; ///< contact damping and friction
     double start             = 0; ///< kinetic + strain + contact at the start
-    double scale             = 0; ///< largest value so far that the error is divided by
+    double scale             = 0; ///< largest value so far that the error is divided by; at least
+                                  ///< scale_floor of the kinetic energy at the start
+    /** Round-off of the kinetic energy of rigid flight or spin is some 1e-15 of it and must not be
+     * the measure of itself. */
+    static constexpr double scale_floor = 1e-10;
+
     /** Residual of the ledger over the scale (CONVENTIONS: changes since the start, spin left out).
      */
     double error() const;
@@ -56,6 +61,17 @@ namespace vfife
     double      net_torque = 0; ///< time mean, about the axis [N mm]
     double      power      = 0; ///< time mean of the loss [mJ/s]
     double      spin_drift = 0; ///< change of the mean rate about the axis [rad/s]
+    /** Mean speed rate minus momentum rate, mean over the samples, in the sense of the body's own
+     * rate [rad/s]. */
+    double rate_difference = 0;
+  };
+
+  /** How often a run lost all contact after it had been in contact. */
+  struct ContactLosses
+  {
+    unsigned int count    = 0;
+    double       first    = 0; ///< time of the first loss [s]
+    double       duration = 0; ///< without contact, all losses together [s]
   };
 
   /** One tooth pair (or other pair of surface groups) in contact. */

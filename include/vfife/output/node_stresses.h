@@ -10,16 +10,9 @@
 
 namespace vfife
 {
-  class Body;
   class Communicator;
   struct Model;
   struct State;
-
-  /**
-   * Axes r, theta, z (columns) of a body at the undeformed point @p X, in its body frame: about its
-   * axis of rotation; on the axis itself any r is taken.
-   */
-  Matrix3 compute_cylindrical_axes(const Body &body, const Vector3 &X);
 
   /**
    * Averages of the elements' nodal stresses at each node of the model, over the elements of all

@@ -21,11 +21,14 @@ namespace vfife
   class ProgressLine : public Observer
   {
   public:
-    /** The run goes from @p start_time to @p end_time [s] of the model. */
+    /** The run goes from @p start_time to @p end_time [s] of the model; of a run that is to do a
+     * part only, @p whole_end_time is where it would end. After some 200 steps the expected time of
+     * the whole run is said. */
     ProgressLine(Log                &log,
                  const Communicator &communicator,
                  double              start_time,
                  double              end_time,
+                 double              whole_end_time,
                  std::uint64_t       steps_between);
 
     bool due(const State &state) const override;
@@ -35,14 +38,18 @@ namespace vfife
   private:
     using Clock = std::chrono::steady_clock;
 
+    void        say_expected_time(const State &state);
     std::string compose(const Model &model, const State &state) const;
 
     Log              &log_;
     bool              is_writer_;
     bool              is_terminal_;
-    double            start_time_, end_time_;
+    double            start_time_, end_time_, whole_end_time_;
     std::uint64_t     steps_between_;
-    Clock::time_point begin_, last_line_;
+    Clock::time_point begin_, last_line_; ///< set when the first state is seen
+    std::uint64_t     first_step_    = 0;
+    bool              has_begun_     = false;
+    bool              said_expected_ = false;
     double            last_fraction_ = 0;
     std::size_t       shown_         = 0; ///< characters of the overwritten line
   };

@@ -30,7 +30,11 @@ namespace vfife
     double       end_time   = 0; ///< [s]
     unsigned int cycles =
       0; ///< whole mesh cycles in the part; 0: shorter than one, plain row means
-    unsigned int period = 1; ///< swing period that was compared, in whole mesh cycles
+    unsigned int period        = 1; ///< swing period that was compared, in whole mesh cycles
+    unsigned int judged_cycles = 0; ///< whole mesh cycles after the ramp
+    /** Fewer than two swing periods after the ramp, but at least one: means of single mesh cycles
+     * were compared. */
+    bool by_cycles = false;
     /** Largest relative difference of consecutive means in the part (of the last pair when not
      * found). */
     double                        largest_change = 0;
@@ -50,6 +54,11 @@ namespace vfife
    * the later mean) in all columns of @p judged that exist. "From which on" means every later pair
    * of periods up to the end of the run too, so that a drifting mean that passes by does not count.
    * Without one the last third of the run is used and SteadyPart::found is false.
+   *
+   * Between one and two swing periods after the ramp there are no consecutive ones. Then the part
+   * is steady where the means of all single mesh cycles lie within @p tolerance of each other over
+   * at least a whole swing period (SteadyPart::by_cycles): a period shows crest and trough of the
+   * swing, and means over longer spans lie between those of the cycles, so this asks for more.
    *
    * Means and standard deviations are integrals (trapezoidal rule over the equally spaced samples)
    * over whole mesh cycles, counted from the first row; they are exact for whole cycles also when

@@ -57,6 +57,7 @@ namespace vfife
     NamedFigures                transmission_error; ///< parts of the mean DTE
     std::optional<EnergyLedger> energy;
     std::vector<DampingAudit>   damping;
+    ContactLosses               contact_losses;
     NamedFigures                timers;      ///< seconds by section
     std::vector<std::string> contradictions; ///< checks of figures against each other that failed
     std::vector<std::string> warnings;

@@ -33,8 +33,15 @@ namespace vfife
     /** To be called with the spun, unloaded state. Collective. */
     void take_spun(State &state);
 
-    /** With the loaded state. Collective. */
+    /** With the state under a part of the torque. Collective. */
+    void take_partly_loaded(State &state, double torque);
+
+    /** With the state under the full torque. Collective. */
     DeflectionParts take_loaded(State &state) const;
+
+    /** Torque over rotation of the hub [N mm/rad] between the partly loaded state and @p loaded
+     * under @p torque: the stiffness that the driven member swings on. */
+    double compute_stiffness(const DeflectionParts &loaded, double torque) const;
 
   private:
     struct Shape
@@ -54,6 +61,7 @@ namespace vfife
     const Model        &model_;
     const Communicator &communicator_;
     Shape               spun_;
+    double              partial_torque_ = 0, partial_lead_ = 0; ///< [N mm], [rad]
   };
 } // namespace vfife
 

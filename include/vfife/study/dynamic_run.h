@@ -26,24 +26,39 @@ namespace vfife
     void run(OutputFolder &folder, Log &log) override;
 
   private:
-    void            log_step(const Model &model, ExplicitSolver &solver, double dt, Log &log) const;
-    DeflectionParts preload(const Model        &model,
-                            ExplicitSolver     &solver,
-                            State              &state,
-                            const Communicator &communicator,
-                            Log                &log) const;
-    RunSummary      start_summary(const Model        &model,
-                                  ExplicitSolver     &solver,
-                                  double              dt,
-                                  const Communicator &communicator) const;
-    void            finish_summary(const Model    &model,
-                                   ExplicitSolver &solver,
-                                   const State    &state,
-                                   const Table    &history,
-                                   RunSummary     &summary,
-                                   Log            &log) const;
+    /** What the equilibrium before the start tells. */
+    struct Preload
+    {
+      DeflectionParts parts;
+      double          stiffness = 0; ///< at full torque, torque over rotation of the hub [N mm/rad]
+      double          swing_frequency = 0; ///< of the driven member on it [Hz]
+    };
 
-    double swing_period_meshes() const;
+    void       log_step(const Model &model, ExplicitSolver &solver, double dt, Log &log) const;
+    double     expect_run_time(ExplicitSolver &solver, const State &state, double dt) const;
+    void       report_contradictions(const Model              &model,
+                                     ExplicitSolver           &solver,
+                                     double                    dt,
+                                     double                    run_time,
+                                     std::vector<std::string> &found,
+                                     Log                      &log) const;
+    Preload    preload(const Model        &model,
+                       ExplicitSolver     &solver,
+                       State              &state,
+                       const Communicator &communicator,
+                       Log                &log) const;
+    RunSummary start_summary(const Model        &model,
+                             ExplicitSolver     &solver,
+                             double              dt,
+                             const Communicator &communicator) const;
+    void       add_preload(const Preload &preload, RunSummary &summary) const;
+    void       finish_summary(const Model    &model,
+                              ExplicitSolver &solver,
+                              const State    &state,
+                              const Table    &history,
+                              const Preload  &preload,
+                              RunSummary     &summary,
+                              Log            &log) const;
 
     GearCase        gear_case_;
     DynamicsOptions dynamics_;

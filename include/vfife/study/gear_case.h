@@ -29,7 +29,7 @@ namespace vfife
     double       speed  = 0;  ///< of the pinion [rad/s]
     double       torque = 0;  ///< on the gear [N mm]
     unsigned int meshes = 40; ///< tooth meshes to run
-    double       ramp   = 12; ///< of the torque, with Dynamics/Start = ramp [tooth meshes]
+    double       ramp   = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
     HubKind      hub    = HubKind::free_rotation;
 
     void declare(dealii::ParameterHandler &prm);
@@ -65,6 +65,10 @@ namespace vfife
 
     /** Whether the gear's rim is carried by an elastic web. */
     bool has_web() const;
+
+    /** Smaller and larger curvature of the gap between the unloaded flanks at the mean contact
+     * [1/mm]. */
+    Vector2 relative_curvatures() const;
 
     /** Gear tooth (sector) at the pitch point after @p meshes tooth meshes. */
     unsigned int gear_tooth_in_mesh(unsigned int meshes) const;

@@ -1,0 +1,32 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_body_frame_h
+#define vfife_model_body_frame_h
+
+#include <vfife/base/types.h>
+
+namespace vfife
+{
+  class Body;
+
+  /**
+   * Axes r, theta, z (columns) of a body at the undeformed point @p X, in its body frame: about its
+   * axis of rotation; on the axis itself any r is taken.
+   */
+  Matrix3 compute_cylindrical_axes(const Body &body, const Vector3 &X);
+
+  /**
+   * Rotation R of a body in bearings from time zero to its mean rigid motion @p now (body frame ->
+   * fixed frame), in the fixed frame. Bodies that no bearing holds keep R = 1: their displacement
+   * is the whole way, as in statics.
+   */
+  Matrix3 compute_turn(const Body &body, const RigidMotion &now);
+
+  /**
+   * Displacement R^T (x - c) - (X - c) [mm] of a node of the body that is now at @p x, c the axis
+   * point and @p turn = R of compute_turn(); axes of the fixed frame at time zero.
+   */
+  Vector3
+  compute_displacement(const Body &body, unsigned int node, const Vector3 &x, const Matrix3 &turn);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,46 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/log.h>
+#include <vfife/dynamics/contact_watch.h>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Chatter must not fill the log: later losses are counted only. */
+    constexpr unsigned int most_lines = 20;
+  } // namespace
+
+  ContactWatch::ContactWatch(Log &log)
+    : log_(log)
+  {
+  }
+
+  void ContactWatch::reset()
+  {
+    losses_  = ContactLosses();
+    touched_ = false;
+  }
+
+  void ContactWatch::observe(const double time, const double dt, const bool touching)
+  {
+    if (touched_ && !touching)
+      {
+        if (losses_.count == 0)
+          losses_.first = time;
+        ++losses_.count;
+        if (losses_.count <= most_lines)
+          log_.line("contact is lost at time ",
+                    1e3 * time,
+                    " ms",
+                    losses_.count == most_lines ? "; further losses are counted only" : "");
+      }
+    if (!touching && losses_.count > 0)
+      losses_.duration += dt;
+    touched_ = touching;
+  }
+
+  const ContactLosses &ContactWatch::losses() const
+  {
+    return losses_;
+  }
+} // namespace vfife

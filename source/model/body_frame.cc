@@ -1,0 +1,38 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/model/body.h>
+#include <vfife/model/body_frame.h>
+
+namespace vfife
+{
+  Matrix3 compute_cylindrical_axes(const Body &body, const Vector3 &X)
+  {
+    const Matrix3 back  = body.placement.rotation.transpose();
+    const Vector3 z     = back * body.axis.direction;
+    const Vector3 point = back * (body.axis.point - body.placement.translation);
+    Vector3       r     = X - point;
+    r -= r.dot(z) * z;
+    // On the axis (to round-off of the coordinates) r has no direction of its own.
+    if (r.norm() <= 1e-12 * (X - point).norm() || r.norm() == 0)
+      r = z.unitOrthogonal();
+    r.normalize();
+    Matrix3 axes;
+    axes << r, z.cross(r), z;
+    return axes;
+  }
+
+  Matrix3 compute_turn(const Body &body, const RigidMotion &now)
+  {
+    if (!body.turns_on_axis)
+      return Matrix3::Identity();
+    return now.rotation * body.placement.rotation.transpose();
+  }
+
+  Vector3 compute_displacement(const Body        &body,
+                               const unsigned int node,
+                               const Vector3     &x,
+                               const Matrix3     &turn)
+  {
+    return turn.transpose() * (x - body.axis.point) -
+           (body.placement(body.node_positions()[node]) - body.axis.point);
+  }
+} // namespace vfife

@@ -1,0 +1,117 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Runs that must not go on: an inverted element, a surface that sinks into another; and one that
+// must: rigid flight.
+#include "../tests.h"
+#include "one_solver.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/mesh/body_mesh.h>
+
+#include <limits>
+
+using namespace vfife;
+
+namespace
+{
+  /** The message of the run's failure, or that there was none. */
+  std::string run_and_fail(OneSolver &run, const double end_time, Observers &observers)
+  {
+    try
+      {
+        run.solver.run(run.state, end_time, observers);
+      }
+    catch (const NumericalError &error)
+      {
+        return error.what();
+      }
+    return "no failure";
+  }
+
+  bool contains(const std::string &text, const std::string &part)
+  {
+    if (text.find(part) == std::string::npos)
+      std::cout << text << std::endl;
+    return text.find(part) != std::string::npos;
+  }
+
+  /** A block driven into its held end faster than its waves: the first layer turns inside out. */
+  void invert()
+  {
+    Model model;
+    Body  block("block", make_block(Vector3(10, 2, 2), {{5, 1, 1}}), Material());
+    block.velocity[0] = 2 * std::sqrt(block.material().youngs_modulus / block.material().density);
+    model.add_body(std::move(block));
+    model.constraints.push_back({"wall", ConstraintKind::held, 0, model.bodies[0].node_set("x+")});
+    DynamicsOptions options = undamped();
+    options.energy_limit    = std::numeric_limits<double>::max();
+    OneSolver         run(model, options);
+    auto              observers = watch(1, [](const State &) {});
+    const std::string message   = run_and_fail(run, 100 * run.solver.stable_step(), observers);
+    check("inverted element is named",
+          contains(message, "an element is inverted at time") &&
+            contains(message, "body \"block\", element 4, least Jacobian -"));
+  }
+
+  /** Two blocks on penalty springs so soft that they do not stop each other. */
+  void sink()
+  {
+    Model model;
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        Body block(b == 0 ? "falling" : "resting",
+                   make_block(Vector3(4, 4, 4), {{2, 2, 2}}),
+                   Material());
+        block.placement.translation[2] = b == 0 ? 4.01 : 0;
+        block.velocity[2]              = b == 0 ? -1e5 : 0;
+        model.add_body(std::move(block));
+      }
+    ContactPair pair;
+    pair.side                      = "faces";
+    pair.slave_surface             = "z-";
+    pair.master_body               = 1;
+    pair.master_surface            = "z+";
+    pair.options.surface           = ContactSurfaceKind::flat_facets;
+    pair.options.edge_fading       = 0;
+    pair.options.penalty_from_step = false;
+    pair.options.penalty           = 1;
+    pair.options.depth_limit       = 1;
+    pair.options.penetration_limit = 0.1;
+    model.contacts.push_back(pair);
+    OneSolver         run(model, undamped());
+    Observers         none;
+    const std::string message = run_and_fail(run, 1e-5, none);
+    check("sinking surface is named",
+          contains(message, "runaway penetration at time 0.0011") &&
+            contains(message, "faces side: \"falling\", tooth or group 0, facet ") &&
+            contains(message, "deep in \"resting\", tooth or group 0, facet ") &&
+            contains(message, "(limit 100 um, Contact/penetration limit)"));
+    // 0.11 mm at 1e5 mm/s are 1.1 us; the springs take 1e-7 of the energy on that way.
+    check("stopped in the step that passes the limit", message.find(" is 10") != std::string::npos);
+  }
+
+  /** Flight and spin have kinetic energy alone: its round-off is no error of energy. */
+  void fly()
+  {
+    Model model;
+    Body  block("block", make_block(Vector3(10, 2, 2), {{5, 1, 1}}), Material());
+    block.velocity[0] = 1e5;
+    model.add_body(std::move(block));
+    OneSolver run(model, undamped());
+    double    error     = 0;
+    auto      observers = watch(10, [&](const State &state) {
+      error = std::max(error, std::abs(state.measured.energy.error()));
+    });
+    run.solver.run(run.state, 1e4 * run.state.dt, observers);
+    // Round-off, some 1e-15 of the kinetic energy, over the floor, 1e-10 of it.
+    check_below("energy error of rigid flight", error, 1e-3);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  invert();
+  sink();
+  fly();
+}
