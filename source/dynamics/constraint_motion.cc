@@ -97,6 +97,28 @@ namespace vfife
                   sense * 2. / state.dt * std::asin(std::min(1., v.norm() * state.dt / (2. * rho)));
               }
           }
+    for (Group &group : groups_)
+      if (group.kind == ConstraintKind::rigid_hub)
+        share_rotation(group);
+  }
+
+  void ConstraintMotion::share_rotation(Group &group) const
+  {
+    // Round-off of the chords would make the nodes of a rigid hub drift apart over many steps.
+    std::vector<double> sums(3, 0.);
+    for (const Node &node : group.nodes)
+      if (node.owned)
+        {
+          sums[0] += node.angle;
+          sums[1] += node.rate;
+          sums[2] += 1.;
+        }
+    communicator_.sum(sums);
+    for (Node &node : group.nodes)
+      {
+        node.angle = sums[0] / sums[2];
+        node.rate  = sums[1] / sums[2];
+      }
   }
 
   void ConstraintMotion::save(const double *positions, const double *velocities)
@@ -245,18 +267,38 @@ namespace vfife
                                  double       *forces,
                                  const bool    rotation_is_free) const
   {
+    const auto lever = [&](const Group &group, const Node &node) {
+      return Vector3(group.axis.direction.cross(record(positions, node.local) - group.axis.point));
+    };
     for (const Group &group : groups_)
-      for (const Node &node : group.nodes)
-        {
-          Vector3 f = Vector3::Zero();
-          if (rotation_is_free && turns_freely(group.kind))
-            {
-              const Vector3 t =
-                group.axis.direction.cross(record(positions, node.local) - group.axis.point)
-                  .normalized();
-              f = t.dot(record(forces, node.local)) * t;
-            }
-          set_record(forces, node.local, f);
-        }
+      {
+        // A rigid hub is in equilibrium when its nodes' torques add up to zero: each keeps its part
+        // of the sum, all in one direction of motion.
+        double per_lever = 0;
+        if (group.kind == ConstraintKind::rigid_hub)
+          {
+            std::vector<double> sums(2, 0.);
+            for (const Node &node : group.nodes)
+              if (node.owned)
+                {
+                  sums[0] += lever(group, node).dot(record(forces, node.local));
+                  sums[1] += lever(group, node).squaredNorm();
+                }
+            communicator_.sum(sums);
+            per_lever = sums[0] / sums[1];
+          }
+        for (const Node &node : group.nodes)
+          {
+            Vector3 f = Vector3::Zero();
+            if (rotation_is_free && group.kind == ConstraintKind::rigid_hub)
+              f = per_lever * lever(group, node);
+            else if (rotation_is_free && group.kind == ConstraintKind::free_rotation)
+              {
+                const Vector3 t = lever(group, node).normalized();
+                f               = t.dot(record(forces, node.local)) * t;
+              }
+            set_record(forces, node.local, f);
+          }
+      }
   }
 } // namespace vfife

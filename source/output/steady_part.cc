@@ -150,7 +150,8 @@ namespace vfife
 
     SteadyPart part;
     // A period longer than the run is never compared, however long.
-    part.period = std::min(std::max(1., std::ceil(swing_period_meshes - 1e-6)), 1. + n_cycles);
+    part.period =
+      static_cast<unsigned int>(std::clamp(std::ceil(swing_period_meshes - 1e-6), 1., 1e6));
     std::vector<SampleIntegral> judged;
     for (const std::string &name : judged_names)
       if (has_numbers(history, name))

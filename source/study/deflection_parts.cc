@@ -98,14 +98,33 @@ namespace vfife
 
   void DeflectionProbe::take_partly_loaded(State &state, const double torque)
   {
-    partial_torque_ = torque;
-    partial_lead_   = measure(state).hub_lead;
+    partial_torque_   = torque;
+    partial_lead_     = measure(state).hub_lead;
+    partial_position_ = state.position;
   }
 
-  double DeflectionProbe::compute_stiffness(const DeflectionParts &loaded,
-                                            const double           torque) const
+  Swing DeflectionProbe::compute_swing(const State           &loaded,
+                                       const DeflectionParts &parts,
+                                       const double           torque) const
   {
-    return (torque - partial_torque_) / (partial_lead_ - loaded.total);
+    double sum = 0;
+    for (const Body &body : model_.bodies)
+      for (unsigned int node = 0; node < body.n_nodes(); ++node)
+        {
+          const std::uint32_t local = loaded.partition.local_node[body.first_node + node];
+          if (local == Partition::absent || !loaded.partition.owned[local])
+            continue;
+          const Vector3 before = Eigen::Map<const Vector3>(partial_position_.data() +
+                                                           4 * static_cast<std::size_t>(local));
+          sum += body.node_masses()[node] * (loaded.node_position(local) - before).squaredNorm();
+        }
+    const double psi = partial_lead_ - parts.total;
+    return {(torque - partial_torque_) / psi, communicator_.sum(sum) / (psi * psi)};
+  }
+
+  double Swing::frequency() const
+  {
+    return stiffness > 0 && inertia > 0 ? std::sqrt(stiffness / inertia) / (2 * pi) : 0.;
   }
 
   DeflectionParts DeflectionProbe::take_loaded(State &state) const

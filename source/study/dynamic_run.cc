@@ -168,10 +168,8 @@ namespace vfife
     probe.take_partly_loaded(state, loads.torque * torque);
     relax("loaded", Relaxation::Loads());
     Preload result;
-    result.parts           = probe.take_loaded(state);
-    result.stiffness       = probe.compute_stiffness(result.parts, torque);
-    const double inertia   = model.bodies[model.transmission->driven].axial_inertia();
-    result.swing_frequency = std::sqrt(result.stiffness / inertia) / (2 * pi);
+    result.parts = probe.take_loaded(state);
+    result.swing = probe.compute_swing(state, result.parts, torque);
     if (dynamics_.start == Start::ramp)
       {
         // The flanks of the spun shapes just touch: under a thousandth of the torque.
@@ -194,12 +192,14 @@ namespace vfife
              ", teeth and rest ",
              parts.teeth / arcsecond);
     log.line("the gear swings at about ",
-             result.swing_frequency,
+             result.swing.frequency(),
              " Hz, ",
-             gear_case_.mesh_frequency() / result.swing_frequency,
-             " tooth meshes a period, on ",
-             1e-3 * result.stiffness,
-             " N m/rad");
+             gear_case_.mesh_frequency() / result.swing.frequency(),
+             " tooth meshes a period: stiffness ",
+             1e-3 * result.swing.stiffness,
+             " N m/rad, inertia of the shape ",
+             1e3 * result.swing.inertia,
+             " kg mm^2");
     return result;
   }
 
@@ -252,7 +252,7 @@ namespace vfife
     summary.contact_losses = solver.contact_losses();
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
-    if (history.n_rows() < 2 || !(preload.swing_frequency > 0))
+    if (history.n_rows() < 2 || !(preload.swing.frequency() > 0))
       return;
 
     const double ramp_end = dynamics_.start == Start::ramp
@@ -260,7 +260,7 @@ namespace vfife
                               : 0.;
     summary.steady        = find_steady_part(history,
                                       output_.history_every,
-                                      gear_case_.mesh_frequency() / preload.swing_frequency,
+                                      gear_case_.mesh_frequency() / preload.swing.frequency(),
                                       ramp_end);
     log.line(summary.steady->explain());
     for (const char *name : {"contact force total", "dte", "rim dte"})
@@ -287,8 +287,9 @@ namespace vfife
                                     {"web windup", {parts.web_windup / arcsecond, "arcsec"}},
                                     {"rim tilt and shift", {parts.rim_tilt / arcsecond, "arcsec"}},
                                     {"centrifugal shift", {parts.centrifugal / arcsecond, "arcsec"}}};
-    summary.figures.push_back({"torsional stiffness", {1e-3 * preload.stiffness, "N m/rad"}});
-    summary.figures.push_back({"swing frequency, estimated", {preload.swing_frequency, "Hz"}});
+    summary.figures.push_back({"torsional stiffness", {1e-3 * preload.swing.stiffness, "N m/rad"}});
+    summary.figures.push_back({"inertia of the swing", {1e-3 * preload.swing.inertia, "kg m^2"}});
+    summary.figures.push_back({"swing frequency, estimated", {preload.swing.frequency(), "Hz"}});
   }
 
   void DynamicRun::run(OutputFolder &folder, Log &log)

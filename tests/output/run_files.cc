@@ -147,8 +147,9 @@ namespace
       folder.attach_log(log);
       log.line("during");
 
-      const Model  model = make_pair_model();
-      State        state = make_state();
+      const Model model = make_pair_model();
+      State       state = make_state();
+      state.dt          = state.time / state.step;
       ProgressLine progress(log, communicator, 0, 1e-3, 4e-3, 10);
       progress.observe(model, state);
       progress.finish(model, state);

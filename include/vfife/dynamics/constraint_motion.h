@@ -40,7 +40,7 @@ namespace vfife
     void clear_masses(State &state) const;
 
     /** Takes over angles and angular velocities of free rotations from positions and velocities of
-     * the state. */
+     * the state; nodes of a rigid hub share their mean. Collective. */
     void read(const State &state, MotionFrame frame);
 
     /** Remembers the old positions and velocities, before update_nodes(). */
@@ -73,7 +73,7 @@ namespace vfife
     void add_moments(const State &state, std::vector<UpdateSums> &sums) const;
 
     /** Leaves of the forces at constrained nodes the tangential part where the node may turn (@p
-     * rotation_is_free), else nothing. */
+     * rotation_is_free), of a rigid hub its share of the hub's torque; else nothing. Collective. */
     void project(const double *positions, double *forces, bool rotation_is_free) const;
 
     /** The line of update sums for a body. */
@@ -100,6 +100,7 @@ namespace vfife
       std::vector<Node> nodes;
     };
 
+    void           share_rotation(Group &group) const;
     static Vector3 turned(const Axis &axis, const Vector3 &start, double angle);
     void
     turn_freely(Group &group, double dt, const BodyDamping &damping, const double *forces) const;

@@ -5,6 +5,8 @@
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
+#include <vector>
+
 namespace vfife
 {
   class Communicator;
@@ -24,6 +26,16 @@ namespace vfife
     double teeth       = 0; ///< what remains: bending of teeth and rim, contact, pinion body
   };
 
+  /** The lowest oscillation of a loaded pair whose driver is held. */
+  struct Swing
+  {
+    double stiffness = 0; ///< torque over rotation of the driven member's hub [N mm/rad]
+    double inertia   = 0; ///< of the shape, as of a rotation of the hub [t mm^2]
+
+    /** [Hz]; 0 where nothing is known. */
+    double frequency() const;
+  };
+
   /** Displacements of a pair at rest in its turning frames, for DeflectionParts. */
   class DeflectionProbe
   {
@@ -39,9 +51,13 @@ namespace vfife
     /** With the state under the full torque. Collective. */
     DeflectionParts take_loaded(State &state) const;
 
-    /** Torque over rotation of the hub [N mm/rad] between the partly loaded state and @p loaded
-     * under @p torque: the stiffness that the driven member swings on. */
-    double compute_stiffness(const DeflectionParts &loaded, double torque) const;
+    /**
+     * The slope of the pair at full load, from the partly loaded state to the loaded one. With u
+     * the difference of both shapes and psi that of the hub's rotations, the swing of the pair in
+     * the shape u has the frequency (1/2pi) sqrt(k/J), k = dT/psi and J = sum m u . u/psi^2
+     * (Rayleigh). Collective.
+     */
+    Swing compute_swing(const State &loaded, const DeflectionParts &parts, double torque) const;
 
   private:
     struct Shape
@@ -62,6 +78,7 @@ namespace vfife
     const Communicator &communicator_;
     Shape               spun_;
     double              partial_torque_ = 0, partial_lead_ = 0; ///< [N mm], [rad]
+    std::vector<double> partial_position_;                      ///< records as in State
   };
 } // namespace vfife
 

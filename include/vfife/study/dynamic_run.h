@@ -30,8 +30,7 @@ namespace vfife
     struct Preload
     {
       DeflectionParts parts;
-      double          stiffness = 0; ///< at full torque, torque over rotation of the hub [N mm/rad]
-      double          swing_frequency = 0; ///< of the driven member on it [Hz]
+      Swing           swing;
     };
 
     void       log_step(const Model &model, ExplicitSolver &solver, double dt, Log &log) const;
