@@ -45,6 +45,8 @@ class Section:
 
     def __init__(self, points, origin, normal):
         height = (points - origin) @ normal
+        # A plane along faces of cells would cut none of them: it is moved by a millionth.
+        height += 1e-6 * np.abs(height).max()
         self.cells = np.flatnonzero((height.min(axis=1) < 0) & (height.max(axis=1) > 0))
         height = height[self.cells]
         a, b = height[:, EDGES[:, 0]], height[:, EDGES[:, 1]]

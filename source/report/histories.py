@@ -53,31 +53,33 @@ def draw_transmission_error(run):
     time = 1e3 * history["time"]
     figure, axes = plt.subplots()
     mark_steady_part(run, axes)
-    for name, text, colour in (("dte", "hub", COLOURS[1]), ("rim dte", "rim", COLOURS[2])):
+    curves = (("dte", "hub", COLOURS[1]), ("rim dte", "rim", COLOURS[2]))
+    for name, _, colour in curves:
         axes.plot(time, history[name], color=colour, linewidth=0.7, alpha=0.55)
-        style.label_end(axes, time[-1], history[name][-1], text, colour)
         if samples:
             axes.plot(time, compute_mesh_average(history[name], samples), color=colour, linewidth=2)
     axes.set_ylabel(history.label("dte"))
     axes.set_title("Dynamic transmission error: as it is (thin), mean over a tooth mesh (thick)")
     finish_time_axis(run, axes)
+    style.label_ends(axes, [(time[-1], history[name][-1], text, colour)
+                            for name, text, colour in curves])
     return figure
 
 
 def draw_contact_force(run):
-    """Sum of all tooth pairs and each pair; in the colour of the pinion's tooth."""
+    """Sum of all tooth pairs and each pair; coast sides dashed."""
     history, teeth = run.history, run.teeth
     time = 1e3 * history["time"]
     figure, axes = plt.subplots()
     mark_steady_part(run, axes)
     axes.plot(time, history["contact force total"], color=COLOURS[0])
-    style.label_end(axes, time[-1], history["contact force total"][-1], "total", COLOURS[0])
     if teeth is not None and "pinion tooth" in teeth:
         draw_tooth_pairs(axes, history, teeth)
     axes.set_ylabel("contact force [N]")
     axes.set_ylim(bottom=0)
     axes.set_title("Contact force and its share on tooth pairs (pinion tooth/gear tooth)")
     finish_time_axis(run, axes)
+    style.label_ends(axes, [(time[-1], history["contact force total"][-1], "total", COLOURS[0])])
     return figure
 
 
@@ -127,14 +129,16 @@ def draw_probes(run):
     probes = run.probes
     figure, axes = plt.subplots()
     mark_steady_part(run, axes)
+    curves = []
     for number, name in enumerate(dict.fromkeys(probes["probe"])):
         rows = probes["probe"] == name
         colour = COLOURS[1 + number % (len(COLOURS) - 1)]
         time = 1e3 * probes["time"][rows]
         axes.plot(time, probes["von mises"][rows], color=colour)
-        style.label_end(axes, time[-1], probes["von mises"][rows][-1], name, colour)
+        curves.append((time[-1], probes["von mises"][rows][-1], name, colour))
     axes.set_ylabel(probes.label("von mises"))
     axes.set_ylim(bottom=0)
     axes.set_title("Stress at the probes (averaged to nodes)")
     finish_time_axis(run, axes)
+    style.label_ends(axes, curves)
     return figure

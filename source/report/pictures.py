@@ -15,6 +15,8 @@ class Scene:
     """Fields of a gear pair and where its axes and its contact are, found from the fields."""
 
     def __init__(self, run, fields):
+        if not np.all(np.isfinite(fields.points)):
+            raise ValueError("positions of the last fields are no numbers")
         self.run, self.fields = run, fields
         names = {run.body_name(b): b for b in fields.bodies()}
         self.is_pair = {"pinion", "gear"} <= set(names)
@@ -128,7 +130,7 @@ def draw_teeth_in_mesh(scene):
     shown = np.stack([offset @ sideways, offset @ up], axis=-1)
     stress = section.interpolate(near["von mises"])
     window = 13.0
-    visible = np.all(np.abs(shown) < window, axis=(1, 2))
+    visible = np.all((shown.min(axis=1) < window) & (shown.max(axis=1) > -window), axis=1)
     largest, note = find_scale(stress[visible])
     add_section(left, shown, stress, STRESS_MAP, 0, largest)
     left.set_xlim(-window, window)
@@ -156,10 +158,10 @@ def draw_pressure(scene, figure, axes):
     largest = gear["contact pressure"].max()
     canvas = draw_faces(gear, "contact pressure", camera, edge_width=1.2)
     show_image(axes, canvas.image(PRESSURE_MAP, 0, largest))
+    axes.set_title("Contact pressure on the gear's teeth, pinion taken away")
     peak = scene.largest_pressure()
-    text = f", at the contact's own points up to {peak:.0f} MPa" if peak else ""
-    axes.set_title(f"Gear's teeth, pinion taken away: mean pressure at the nodes{text}")
-    add_colour_bar(figure, axes, PRESSURE_MAP, 0, largest, "contact pressure [MPa]")
+    note = f"\n(largest at the contact's own points {peak:.0f})" if peak else ""
+    add_colour_bar(figure, axes, PRESSURE_MAP, 0, largest, "mean pressure at nodes [MPa]", note)
 
 
 def find_meridian(scene):

@@ -29,6 +29,11 @@ def draw_all(run):
     yield "energies.svg", history, lambda: histories.draw_energies(run)
     yield "probes.svg", run.probes is not None, lambda: histories.draw_probes(run)
     yield "spectra.svg", pair and run.samples_per_mesh(), lambda: spectra.draw_spectra(run)
+    yield from draw_fields(run)
+
+
+def draw_fields(run):
+    """The same for the pictures of the last fields."""
     fields = read_last_fields(run.fields) if run.fields.is_file() else None
     if fields is None:
         return
@@ -43,20 +48,21 @@ def draw_all(run):
 def main(arguments):
     if len(arguments) != 1 or arguments[0].startswith("-"):
         sys.exit(__doc__)
+    drawn = []
     try:
         run = RunFolder(arguments[0])
-    except (OSError, ValueError) as error:
-        sys.exit(f"no pictures: {error}")
-    folder = run.path / "pictures"
-    folder.mkdir(exist_ok=True)
-    drawn = []
-    for name, possible, draw in draw_all(run):
-        figure = draw() if possible else None
-        if figure is not None:
-            style.save(figure, folder / name)
-            drawn.append(name)
+        folder = run.path / "pictures"
+        folder.mkdir(exist_ok=True)
+        for name, possible, draw in draw_all(run):
+            figure = draw() if possible else None
+            if figure is not None:
+                style.save(figure, folder / name)
+                drawn.append(name)
+    except (OSError, ValueError, KeyError) as error:
+        # What is no run's folder or was cut off; errors of these scripts show their trace.
+        sys.exit(f"pictures: {error or type(error).__name__}")
     if not drawn:
-        sys.exit(f"no pictures: {run.path} has neither histories nor fields")
+        sys.exit(f"pictures: {run.path} has neither histories nor fields")
     print(f"{len(drawn)} pictures in {folder}: {', '.join(drawn)}")
 
 

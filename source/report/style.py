@@ -52,7 +52,15 @@ def darken_edges(colour, edge):
     return np.where(edge[:, None], 0.5 * colour + 0.5 * np.array(to_rgb(EDGE)), colour)
 
 
-def label_end(axes, x, y, text, colour):
-    """Names a curve at its last point instead of in a legend."""
-    axes.annotate(text, (x, y), xytext=(4, 0), textcoords="offset points", color=colour,
-                  va="center", annotation_clip=False, fontsize=9)
+def label_ends(axes, curves):
+    """Names curves at their last points instead of in a legend: (x, y, text, colour) each. To be
+    called when the axes have their limits; names that would overlap are moved apart."""
+    low, high = axes.get_ylim()
+    points = axes.get_position().height * axes.figure.get_figheight() * 72
+    previous = -np.inf
+    for x, y, text, colour in sorted(curves, key=lambda curve: curve[1]):
+        place = max((y - low) / (high - low) * points, previous + 11)
+        previous = place
+        axes.annotate(text, (x, y), xytext=(4, place - (y - low) / (high - low) * points),
+                      textcoords="offset points", color=colour, va="center",
+                      annotation_clip=False, fontsize=9)
