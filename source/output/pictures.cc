@@ -64,25 +64,18 @@ namespace vfife
       const fs::path  program = fs::read_symlink("/proc/self/exe", error);
       for (const fs::path &folder :
            {program.parent_path().parent_path() / VFIFE_REPORT_BESIDE_PROGRAM,
-            fs::path(VFIFE_REPORT_INSTALLED),
-            fs::path(VFIFE_REPORT_SOURCE)})
+            fs::path(VFIFE_REPORT_SOURCE),
+            fs::path(VFIFE_REPORT_INSTALLED)})
         if (fs::is_regular_file(folder / "plot_run.py", error))
           return (folder / "plot_run.py").string();
       return "";
     }
 
-    /** A Python that can draw, else an empty text and the @p reason. */
-    std::string find_python(std::string &reason)
+    /** Exit codes that ask for another Python: plot_run.py's for a missing module, the shell's for
+     * a missing program. */
+    bool lacks_something(const Outcome &outcome)
     {
-      for (const char *python : {"python3", "/usr/bin/python3"})
-        {
-          const Outcome outcome =
-            run_command(std::string(python) + " -c 'import numpy, matplotlib'");
-          if (outcome.exit_code == 0)
-            return python;
-          reason = last_line(outcome.text);
-        }
-      return "";
+      return outcome.exit_code == 77 || outcome.exit_code == 127;
     }
   } // namespace
 
@@ -96,18 +89,18 @@ namespace vfife
         log.line("no pictures: the scripts of share/vfife/report are not installed");
         return;
       }
-    std::string       reason;
-    const std::string python = find_python(reason);
-    if (python.empty())
-      {
-        log.line("no pictures: they need python3 with numpy and matplotlib (", reason, ")");
-        return;
-      }
     // -B: nothing is written beside the scripts.
-    const Outcome outcome =
-      run_command(python + " -B " + quote(script) + " " + quote(folder.path()));
+    const std::string arguments = " -B " + quote(script) + " " + quote(folder.path());
+    Outcome           outcome   = run_command("python3" + arguments);
+    if (lacks_something(outcome))
+      outcome = run_command("/usr/bin/python3" + arguments);
+
     if (outcome.exit_code == 0)
       log.line(last_line(outcome.text));
+    else if (lacks_something(outcome))
+      log.line("no pictures: they need python3 with numpy and matplotlib (",
+               last_line(outcome.text),
+               ")");
     else
       log.line("not all pictures could be drawn: ", last_line(outcome.text));
   }

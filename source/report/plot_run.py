@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Plots and pictures of a run: plot_run.py DIR reads the files of the run's folder DIR and writes
-into DIR/pictures. Needs numpy and matplotlib, no display. Exit code 0, or 1 if nothing could be drawn.
+into DIR/pictures. Needs numpy and matplotlib, no display. Exit codes: 0; 1 if not all could be drawn;
+77 if numpy or matplotlib is missing.
 """
 import sys
 from pathlib import Path
@@ -10,7 +11,8 @@ try:
     import numpy  # noqa: F401
     import matplotlib  # noqa: F401
 except ImportError as error:
-    sys.exit(f"no pictures: {error} (Debian: python3-numpy, python3-matplotlib)")
+    print(error)
+    sys.exit(77)
 
 import histories
 import pictures
