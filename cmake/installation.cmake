@@ -11,6 +11,12 @@ endif()
 install(DIRECTORY include/vfife DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_BINARY_DIR}/include/vfife/revision.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vfife)
+install(
+  DIRECTORY source/report/
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife/report
+  USE_SOURCE_PERMISSIONS
+  FILES_MATCHING
+  PATTERN *.py)
 install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife)
 install(EXPORT vfifeTargets NAMESPACE vfife:: DESTINATION ${package_folder})
 

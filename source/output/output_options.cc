@@ -46,6 +46,11 @@ namespace vfife
                      "s",
                      "Wall time from checkpoint to checkpoint, 0 for none",
                      Range::not_negative());
+    declare_switch(
+      prm,
+      "pictures",
+      pictures,
+      "Plots and pictures of the results at the end of the run, in its folder pictures");
     declare_choice(prm,
                    "verbosity",
                    verbosity,

@@ -9,6 +9,7 @@
 #include <vfife/output/field_writer.h>
 #include <vfife/output/history_writer.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/output/pictures.h>
 #include <vfife/output/probe_writer.h>
 #include <vfife/output/progress_line.h>
 #include <vfife/output/teeth_writer.h>
@@ -367,5 +368,7 @@ namespace vfife
              ", ",
              1e-6 * summary.element_steps_per_second(),
              " million element-steps a second");
+    if (output_.pictures)
+      draw_pictures(folder, log);
   }
 } // namespace vfife

@@ -4,6 +4,7 @@
 
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
+#include <vfife/base/log.h>
 #include <vfife/base/mpi_session.h>
 #include <vfife/mesh/primitives.h>
 #include <vfife/model/model.h>
@@ -13,6 +14,7 @@
 #include <vfife/output/field_writer.h>
 #include <vfife/output/node_stresses.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/output/pictures.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -264,6 +266,22 @@ namespace
     refuse("missing.bin", model);
   }
 
+  /** The scripts read what the writers wrote; without numpy and matplotlib the log says so. */
+  void check_pictures(const OutputFolder &folder)
+  {
+    folder.communicator().barrier(); // all pieces are written
+    std::ostringstream text;
+    Log                log(text, folder.is_writer());
+    draw_pictures(folder, log);
+    if (!folder.is_writer())
+      return;
+    const bool cannot = text.str().rfind("no pictures: they need python3", 0) == 0;
+    check("one line", text.str().find('\n') == text.str().size() - 1);
+    check("picture of the bodies",
+          cannot || (text.str().rfind("1 pictures in ", 0) == 0 &&
+                     std::filesystem::file_size(folder.file("pictures/bodies.png")) > 10000));
+  }
+
   void check_checkpoint_writer(const Model &model, const State &state, const OutputFolder &folder)
   {
     // The other ranks may still be reading it.
@@ -298,6 +316,7 @@ int main(int argc, char **argv)
   const State        state = make_state(model, communicator.rank(), communicator.size());
   check_motion_and_stress(model, state, communicator, communicator.is_root());
   check_fields(model, state, folder);
+  check_pictures(folder);
   check_checkpoint(model, state, folder);
   check_checkpoint_writer(model, state, folder);
 }

@@ -56,6 +56,7 @@ subsection Dynamics
 end
 subsection Output
   set history every = 98
+  set pictures      = false
   set verbosity     = quiet
 end
 )";

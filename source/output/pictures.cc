@@ -1,0 +1,107 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/log.h>
+#include <vfife/output/output_folder.h>
+#include <vfife/output/pictures.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include <sys/wait.h>
+
+namespace vfife
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** What a command said (both streams) and how it ended. */
+    struct Outcome
+    {
+      int         exit_code = -1;
+      std::string text;
+    };
+
+    Outcome run_command(const std::string &command)
+    {
+      Outcome    outcome;
+      std::FILE *pipe = popen((command + " 2>&1 </dev/null").c_str(), "r");
+      if (pipe == nullptr)
+        return outcome;
+      std::array<char, 512> buffer;
+      while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr)
+        outcome.text += buffer.data();
+      const int status = pclose(pipe);
+      if (status != -1 && WIFEXITED(status))
+        outcome.exit_code = WEXITSTATUS(status);
+      return outcome;
+    }
+
+    /** One word of the shell. */
+    std::string quote(const std::string &word)
+    {
+      std::string quoted = "'";
+      for (const char c : word)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      return quoted + "'";
+    }
+
+    /** The last line that is not empty: of a Python error the one that names it. */
+    std::string last_line(const std::string &text)
+    {
+      const std::size_t end = text.find_last_not_of(" \n");
+      if (end == std::string::npos)
+        return "no message";
+      const std::size_t start = text.rfind('\n', end) + 1; // 0 where there is no line before
+      return text.substr(start, end + 1 - start);
+    }
+
+    /** The script, installed beside this program or in the sources; empty if it is nowhere. */
+    std::string find_script()
+    {
+      std::error_code error;
+      const fs::path  program = fs::read_symlink("/proc/self/exe", error);
+      for (const fs::path &folder :
+           {program.parent_path().parent_path() / VFIFE_REPORT_BESIDE_PROGRAM,
+            fs::path(VFIFE_REPORT_SOURCE),
+            fs::path(VFIFE_REPORT_INSTALLED)})
+        if (fs::is_regular_file(folder / "plot_run.py", error))
+          return (folder / "plot_run.py").string();
+      return "";
+    }
+
+    /** Exit codes that ask for another Python: plot_run.py's for a missing module, the shell's for
+     * a missing program. */
+    bool lacks_something(const Outcome &outcome)
+    {
+      return outcome.exit_code == 77 || outcome.exit_code == 127;
+    }
+  } // namespace
+
+  void draw_pictures(const OutputFolder &folder, Log &log)
+  {
+    if (!folder.is_writer())
+      return;
+    const std::string script = find_script();
+    if (script.empty())
+      {
+        log.line("no pictures: the scripts of share/vfife/report are not installed");
+        return;
+      }
+    // -B: nothing is written beside the scripts.
+    const std::string arguments = " -B " + quote(script) + " " + quote(folder.path());
+    Outcome           outcome   = run_command("python3" + arguments);
+    if (lacks_something(outcome))
+      outcome = run_command("/usr/bin/python3" + arguments);
+
+    if (outcome.exit_code == 0)
+      log.line(last_line(outcome.text));
+    else if (lacks_something(outcome))
+      log.line("no pictures: they need python3 with numpy and matplotlib (",
+               last_line(outcome.text),
+               ")");
+    else
+      log.line("not all pictures could be drawn: ", last_line(outcome.text));
+  }
+} // namespace vfife

@@ -1,0 +1,49 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Spectra of the histories in orders of the tooth mesh."""
+import numpy as np
+
+from style import COLOURS, GREY, plt
+
+LARGEST_ORDER = 12
+
+
+def compute_spectrum(values, samples_per_mesh):
+    """Orders of the mesh frequency and amplitudes of as many whole meshes as there are at the end.
+
+    No window and no trend taken out: whole meshes make harmonics of the mesh exact lines, and what
+    is no harmonic spreads to its neighbours. Empty for less than two meshes.
+    """
+    meshes = int((len(values) + 1e-6) // samples_per_mesh)
+    n = int(round(meshes * samples_per_mesh))
+    if meshes < 2:
+        return np.empty(0), np.empty(0)
+    part = values[-n:]
+    amplitudes = 2 * np.abs(np.fft.rfft(part - part.mean())) / n
+    return np.arange(len(amplitudes)) / meshes, amplitudes
+
+
+def draw_spectra(run):
+    history, samples = run.history, run.samples_per_mesh()
+    start, end, found = run.steady_part() or (history["time"][0], history["time"][-1], False)
+    slack = 1e-9 * history["time"][-1]
+    rows = (history["time"] >= start - slack) & (history["time"] <= end + slack)
+    shown = (("dte", "arcsec"), ("rim dte", "arcsec"), ("contact force total", "N"))
+    figure, panels = plt.subplots(len(shown), 1, sharex=True, figsize=(8, 7))
+    for axes, colour, (name, unit) in zip(panels, COLOURS[1:], shown):
+        orders, amplitudes = compute_spectrum(history[name][rows], samples)
+        if len(orders) == 0:
+            plt.close(figure)
+            return None
+        visible = (orders > 0) & (orders <= LARGEST_ORDER)
+        axes.vlines(orders[visible], 0, amplitudes[visible], color=colour, linewidth=2)
+        axes.set_ylim(bottom=0)
+        axes.set_ylabel(f"amplitude [{unit}]")
+        axes.set_title(name)
+    panels[-1].set_xlabel("order of the mesh frequency")
+    panels[-1].set_xlim(0, LARGEST_ORDER + 0.2)
+    panels[-1].set_xticks(range(LARGEST_ORDER + 1))
+    spacing = run.figure("mesh frequency") * orders[1]
+    part = "steady part" if found else "last third, not steady"
+    figure.suptitle(f"Amplitudes over whole meshes ({part}), lines {spacing:.0f} Hz apart",
+                    x=0.01, ha="left", fontsize=9, color=GREY)
+    return figure
