@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace vfife
@@ -158,16 +159,51 @@ namespace vfife
     return ellipse;
   }
 
+  std::string UnloadedContact::nearest_border(const UnloadedContactPoint &point) const
+  {
+    double      least = std::numeric_limits<double>::infinity();
+    std::string nearest;
+    const auto  offer = [&](const std::string &name, const double distance) {
+      if (distance < least)
+        {
+          least   = distance;
+          nearest = name;
+        }
+    };
+    const auto offer_flank = [&](const std::string  &member,
+                                 const Blank        &blank,
+                                 const Flank        &flank,
+                                 const SurfacePoint &surface,
+                                 const Vector2      &L_h) {
+      offer(member + " toe", L_h[0] - blank.inner_cone_distance());
+      offer(member + " heel", blank.outer_cone_distance - L_h[0]);
+      offer(member + " tip", blank.addendum(L_h[0]) - L_h[1]);
+      offer(member + " fillet", surface.s - flank.straight_start());
+    };
+    offer_flank("pinion", pinion_blank_, contact_.pinion(), point.pinion, point.pinion_L_h);
+    offer_flank("gear", gear_blank_, contact_.gear(), point.gear, point.gear_L_h);
+    return nearest;
+  }
+
   std::pair<double, double> UnloadedContact::path_range() const
   {
+    constexpr double     walk = 0.05; // pitches
+    UnloadedContactPoint point;
+    const auto           inside = [&](const double pitches) {
+      return find(reference() + pitches * pitch(), 0, point) && point.inside;
+    };
+    // with mounting errors the path need not hold the rotation of the mean contact
+    double start = 0.;
+    for (unsigned int i = 0; !inside(start); ++i)
+      {
+        start = (i % 2 == 0 ? 1. : -1.) * (i / 2 + 1) * walk;
+        if (std::abs(start) > 2.)
+          throw NumericalError("unloaded tooth contact analysis: tooth pair 0 touches nowhere "
+                               "inside its flanks (edge contact only)");
+      }
     const auto border = [&](const double direction) {
       // walk outwards to the first point outside, then bisect
-      UnloadedContactPoint point;
-      const auto           inside = [&](const double pitches) {
-        return find(reference() + pitches * pitch(), 0, point) && point.inside;
-      };
-      constexpr double walk = 0.05;
-      double           in = 0., out = walk * direction;
+      double in = start, out = start + walk * direction;
       while (inside(out) && std::abs(out) < farthest)
         {
           in = out;

@@ -11,19 +11,6 @@ namespace vfife
 {
   namespace
   {
-    Json figure(const double value, const std::string &unit)
-    {
-      return Json{{"value", value}, {"unit", unit}};
-    }
-
-    Json figures(const NamedFigures &named)
-    {
-      Json json = Json::object();
-      for (const auto &entry : named)
-        json[entry.first] = figure(entry.second.value, entry.second.unit);
-      return json;
-    }
-
     Json mesh(const RunSummary &summary)
     {
       std::uint64_t cells = 0, nodes = 0;
@@ -36,9 +23,9 @@ namespace vfife
           json["name"]               = body.name;
           json["cells"]              = body.cells;
           json["nodes"]              = body.nodes;
-          json["mass"]               = figure(1e3 * body.mass, "kg");
-          json["axial inertia"]      = figure(1e-3 * body.inertia, "kg m^2");
-          json["speed at the start"] = figure(body.rate * 30 / pi, "rpm");
+          json["mass"]               = figure_json(1e3 * body.mass, "kg");
+          json["axial inertia"]      = figure_json(1e-3 * body.inertia, "kg m^2");
+          json["speed at the start"] = figure_json(body.rate * 30 / pi, "rpm");
           bodies.push_back(json);
         }
       Json json;
@@ -51,16 +38,16 @@ namespace vfife
     Json run(const RunSummary &summary)
     {
       Json json;
-      json["time"]                     = figure(summary.time, "s");
-      json["step"]                     = figure(summary.dt, "s");
+      json["time"]                     = figure_json(summary.time, "s");
+      json["step"]                     = figure_json(summary.dt, "s");
       json["steps"]                    = summary.steps;
-      json["run time"]                 = figure(summary.run_time, "s");
-      json["element-steps per second"] = figure(summary.element_steps_per_second(), "1/s");
+      json["run time"]                 = figure_json(summary.run_time, "s");
+      json["element-steps per second"] = figure_json(summary.element_steps_per_second(), "1/s");
       json["ranks"]                    = summary.ranks;
       if (!summary.instruction_set.empty())
         json["instruction set"] = summary.instruction_set;
       if (!summary.timers.empty())
-        json["timers"] = figures(summary.timers);
+        json["timers"] = figures_json(summary.timers);
       return json;
     }
 
@@ -70,11 +57,11 @@ namespace vfife
       json["compared"]                    = part.by_cycles ? "single mesh cycles" : "swing periods";
       json["found"]                       = part.found;
       json["explanation"]                 = part.explain();
-      json["start"]                       = figure(part.start_time, "s");
-      json["end"]                         = figure(part.end_time, "s");
+      json["start"]                       = figure_json(part.start_time, "s");
+      json["end"]                         = figure_json(part.end_time, "s");
       json["mesh cycles"]                 = part.cycles;
-      json["swing period"]                = figure(part.period, "mesh cycles");
-      json["largest change of the means"] = figure(part.largest_change, "-");
+      json["swing period"]                = figure_json(part.period, "mesh cycles");
+      json["largest change of the means"] = figure_json(part.largest_change, "-");
       Json columns                        = Json::object();
       for (const ColumnStatistics &column : part.columns)
         columns[column.name] = {{"mean", column.mean},
@@ -88,18 +75,18 @@ namespace vfife
     Json energy(const EnergyLedger &ledger)
     {
       Json json;
-      json["kinetic"]                                 = figure(ledger.kinetic, "mJ");
-      json["kinetic, relative to the turning bodies"] = figure(ledger.kinetic_relative, "mJ");
-      json["strain"]                                  = figure(ledger.strain, "mJ");
-      json["contact"]                                 = figure(ledger.contact, "mJ");
-      json["start"]                                   = figure(ledger.start, "mJ");
-      json["work of the drive"]                       = figure(ledger.drive_work, "mJ");
-      json["work of the torques"]                     = figure(ledger.torque_work, "mJ");
-      json["damping loss"]                            = figure(ledger.damping_loss, "mJ");
-      json["mesh damping loss"]                       = figure(ledger.mesh_damping_loss, "mJ");
-      json["contact loss"]                            = figure(ledger.contact_loss, "mJ");
-      json["residual"]                                = figure(ledger.residual(), "mJ");
-      json["error"]                                   = figure(ledger.error(), "-");
+      json["kinetic"]                                 = figure_json(ledger.kinetic, "mJ");
+      json["kinetic, relative to the turning bodies"] = figure_json(ledger.kinetic_relative, "mJ");
+      json["strain"]                                  = figure_json(ledger.strain, "mJ");
+      json["contact"]                                 = figure_json(ledger.contact, "mJ");
+      json["start"]                                   = figure_json(ledger.start, "mJ");
+      json["work of the drive"]                       = figure_json(ledger.drive_work, "mJ");
+      json["work of the torques"]                     = figure_json(ledger.torque_work, "mJ");
+      json["damping loss"]                            = figure_json(ledger.damping_loss, "mJ");
+      json["mesh damping loss"]                       = figure_json(ledger.mesh_damping_loss, "mJ");
+      json["contact loss"]                            = figure_json(ledger.contact_loss, "mJ");
+      json["residual"]                                = figure_json(ledger.residual(), "mJ");
+      json["error"]                                   = figure_json(ledger.error(), "-");
       return json;
     }
 
@@ -108,11 +95,11 @@ namespace vfife
       Json json = Json::array();
       for (const DampingAudit &audit : audits)
         json.push_back({{"body", audit.body},
-                        {"net torque", figure(1e-3 * audit.net_torque, "N m")},
-                        {"power", figure(1e-3 * audit.power, "W")},
-                        {"spin drift", figure(audit.spin_drift * 30 / pi, "rpm")},
+                        {"net torque", figure_json(1e-3 * audit.net_torque, "N m")},
+                        {"power", figure_json(1e-3 * audit.power, "W")},
+                        {"spin drift", figure_json(audit.spin_drift * 30 / pi, "rpm")},
                         {"mean speed rate minus momentum rate",
-                         figure(audit.rate_difference * 30 / pi, "rpm")}});
+                         figure_json(audit.rate_difference * 30 / pi, "rpm")}});
       return json;
     }
   } // namespace
@@ -138,11 +125,11 @@ namespace vfife
     json["mesh"]           = mesh(summary);
     json["run"]            = run(summary);
     if (!summary.figures.empty())
-      json["figures"] = figures(summary.figures);
+      json["figures"] = figures_json(summary.figures);
     if (summary.steady)
       json["steady part"] = steady_part(*summary.steady);
     if (!summary.transmission_error.empty())
-      json["transmission error"] = figures(summary.transmission_error);
+      json["transmission error"] = figures_json(summary.transmission_error);
     if (summary.energy)
       json["energy"] = energy(*summary.energy);
     if (!summary.damping.empty())
@@ -150,13 +137,11 @@ namespace vfife
     json["contact losses"] = {
       {"count", summary.contact_losses.count},
       {"first",
-       summary.contact_losses.count > 0 ? figure(summary.contact_losses.first, "s") : Json()},
-      {"time without contact", figure(summary.contact_losses.duration, "s")}};
+       summary.contact_losses.count > 0 ? figure_json(summary.contact_losses.first, "s") : Json()},
+      {"time without contact", figure_json(summary.contact_losses.duration, "s")}};
     json["contradictions"] = summary.contradictions;
     json["warnings"]       = summary.warnings;
-    // Names of files may hold bytes that are no UTF-8: replaced rather than failing at the end of a
-    // run.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(json);
   }
 
   void write_summary(const OutputFolder &folder, const RunSummary &summary)

@@ -8,6 +8,7 @@
 #include <vfife/output/output_folder.h>
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/study.h>
+#include <vfife/study/tooth_contact_study.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -27,7 +28,8 @@ namespace vfife
     }
 
     /** All kinds of studies. */
-    const Choices<MakeStudy> study_kinds = {{"run", &make<DynamicRun>}};
+    const Choices<MakeStudy> study_kinds = {{"run", &make<DynamicRun>},
+                                            {"tooth contact analysis", &make<ToothContactStudy>}};
 
     struct StudyOptions
     {

@@ -4,6 +4,7 @@
 
 #include <vfife/gear/gear_pair.h>
 
+#include <string>
 #include <utility>
 
 namespace vfife
@@ -62,9 +63,15 @@ namespace vfife
     /** Ellipse on which the flanks of @p point are @p separation [mm] apart. */
     ContactEllipse ellipse(const UnloadedContactPoint &point, double separation) const;
 
-    /** Pinion rotations, relative to reference(), between which pair 0 is inside both flanks [rad].
+    /**
+     * Pinion rotations, relative to reference(), between which pair 0 is inside both flanks [rad].
+     * NumericalError when it is so nowhere within two pitches.
      */
     std::pair<double, double> path_range() const;
+
+    /** The border of a flank beyond or nearest to which a contact lies: "gear tip", "pinion toe"...
+     */
+    std::string nearest_border(const UnloadedContactPoint &point) const;
 
     /** Length of path_range() in pitches. */
     double contact_ratio() const;

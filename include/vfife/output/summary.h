@@ -3,27 +3,17 @@
 #define vfife_output_summary_h
 
 #include <vfife/model/state.h>
+#include <vfife/output/figures.h>
 #include <vfife/output/steady_part.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vfife
 {
   class OutputFolder;
-
-  /** A number with its unit, as written. */
-  struct Figure
-  {
-    double      value = 0;
-    std::string unit;
-  };
-
-  /** Figures in the order in which they are written. */
-  using NamedFigures = std::vector<std::pair<std::string, Figure>>;
 
   /** One body, internal units. */
   struct BodySummary

@@ -1,0 +1,200 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/log.h>
+#include <vfife/base/parameter_file.h>
+#include <vfife/base/parameters.h>
+#include <vfife/output/figures.h>
+#include <vfife/output/output_folder.h>
+#include <vfife/study/tooth_contact_study.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <ostream>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double degree = pi / 180.;
+
+    /** A number with a fixed number of decimals, for the log. */
+    std::string fixed(const double value, const int decimals)
+    {
+      char text[64];
+      std::snprintf(text, sizeof text, "%.*f", decimals, value);
+      return text;
+    }
+
+    Json point_json(const SurfacePoint &point, const Vector2 &L_h, const Vector2 &curvatures)
+    {
+      NamedFigures figures = {{"L", {L_h[0], "mm"}}, {"h", {L_h[1], "mm"}}};
+      const char  *names[] = {"x", "y", "z"};
+      for (unsigned int i = 0; i < 3; ++i)
+        figures.push_back({names[i], {point.position[i], "mm"}});
+      for (unsigned int i = 0; i < 3; ++i)
+        figures.push_back({std::string("normal ") + names[i], {point.normal[i], "-"}});
+      figures.push_back({"smaller principal curvature", {curvatures[0], "1/mm"}});
+      figures.push_back({"larger principal curvature", {curvatures[1], "1/mm"}});
+      return figures_json(figures);
+    }
+
+    Json side_json(const ContactAnalysis &a, const double gear_pitch)
+    {
+      const ContactEllipse &ellipse = a.mean.ellipse;
+      Json                  json;
+      json["mean contact on the generated pinion flank"] =
+        point_json(a.mean.contact.pinion, a.mean.contact.pinion_L_h, a.pinion_curvatures);
+      json["mean contact on the generated gear flank"] =
+        point_json(a.mean.contact.gear, a.mean.contact.gear_L_h, a.gear_curvatures);
+      json["ellipse at the mean contact"] = figures_json(
+        {{"smaller relative curvature", {ellipse.relative_curvatures[0], "1/mm"}},
+         {"larger relative curvature", {ellipse.relative_curvatures[1], "1/mm"}},
+         {"semi-axis a", {ellipse.semi_axes[0], "mm"}},
+         {"semi-axis b", {ellipse.semi_axes[1], "mm"}},
+         {"major axis to the lengthwise direction", {a.mean.major_angle / degree, "deg"}}});
+      json["path"] =
+        figures_json({{"start", {a.ends[0], "pitches"}},
+                      {"end", {a.ends[1], "pitches"}},
+                      {"contact ratio", {a.contact_ratio, "-"}},
+                      {"gear L at the start", {a.path.front().contact.gear_L_h[0], "mm"}},
+                      {"gear L at the end", {a.path.back().contact.gear_L_h[0], "mm"}},
+                      {"angle to the lengthwise direction", {a.path_angle / degree, "deg"}}});
+      json["path"]["ended by"] = {a.borders[0], a.borders[1]};
+
+      NamedFigures lag;
+      for (unsigned int i = 0; i < 2; ++i)
+        lag.push_back({"power " + std::to_string(i), {a.lag_offset[i] / arcsecond, "arcsec"}});
+      for (unsigned int i = 0; i < 3; ++i)
+        lag.push_back(
+          {"power " + std::to_string(i + 2), {a.lag_polynomial[i] / arcsecond, "arcsec"}});
+      lag.push_back({"largest deviation of the polynomial", {a.fit_error / arcsecond, "arcsec"}});
+      json["lag over pitches"]             = figures_json(lag);
+      json["hands over inside the flanks"] = a.hands_over;
+      if (a.hands_over)
+        json["hand-over"] =
+          figures_json({{"place", {a.hand_over, "pitches"}},
+                        {"lag", {a.hand_over_lag / arcsecond, "arcsec"}},
+                        {"peak to peak", {a.peak_to_peak / arcsecond, "arcsec"}},
+                        {"share of the gear's pitch", {a.peak_to_peak / gear_pitch, "-"}}});
+      return json;
+    }
+
+    void log_side(const ContactAnalysis &a, Log &log)
+    {
+      const UnloadedContactPoint &p = a.mean.contact;
+      log.line(side_name(a.side), " side");
+      log.line("  mean contact        pinion L ",
+               fixed(p.pinion_L_h[0], 3),
+               ", h ",
+               fixed(p.pinion_L_h[1], 3),
+               " mm; gear L ",
+               fixed(p.gear_L_h[0], 3),
+               ", h ",
+               fixed(p.gear_L_h[1], 3),
+               " mm");
+      log.line("  path                ",
+               fixed(a.ends[0], 3),
+               " (",
+               a.borders[0],
+               ") to ",
+               fixed(a.ends[1], 3),
+               " (",
+               a.borders[1],
+               ") pitches, contact ratio ",
+               fixed(a.contact_ratio, 2),
+               ", ",
+               fixed(a.path_angle / degree, 1),
+               " deg to the lengthwise direction");
+      log.line("  ellipse             ",
+               fixed(a.mean.ellipse.semi_axes[0], 3),
+               " x ",
+               fixed(a.mean.ellipse.semi_axes[1], 3),
+               " mm semi-axes, major axis at ",
+               fixed(a.mean.major_angle / degree, 1),
+               " deg");
+      std::string polynomial;
+      for (unsigned int i = 0; i < 2; ++i)
+        if (a.lag_offset[i] != 0.)
+          polynomial += fixed(a.lag_offset[i] / arcsecond, 3) + (i == 0 ? " " : " p ");
+      for (unsigned int i = 0; i < 3; ++i)
+        polynomial +=
+          fixed(a.lag_polynomial[i] / arcsecond, 3) + " p^" + std::to_string(i + 2) + " ";
+      log.line("  lag of the gear     ",
+               polynomial,
+               "arcsec (p pitches; within ",
+               fixed(a.fit_error / arcsecond, 4),
+               ")");
+      if (a.hands_over)
+        log.line("  hand-over           at p = ",
+                 fixed(a.hand_over, 3),
+                 " with ",
+                 fixed(a.hand_over_lag / arcsecond, 3),
+                 " arcsec, ",
+                 fixed(a.peak_to_peak / arcsecond, 3),
+                 " arcsec peak to peak");
+      else
+        log.warning(side_name(a.side),
+                    " side: the path of contact ends before the next tooth pair takes over; "
+                    "edges touch there, which this analysis leaves out");
+    }
+
+    void log_derived(const GearPair &pair, Log &log)
+    {
+      const GearPairOptions &o = pair.options();
+      log.line("pair ",
+               o.pinion.blank.teeth,
+               "/",
+               o.gear.blank.teeth,
+               ": ratio of roll gear ",
+               o.gear.concave.ratio_of_roll,
+               " (concave), ",
+               o.gear.convex.ratio_of_roll,
+               " (convex), pinion ",
+               fixed(o.pinion.concave.ratio_of_roll, 9),
+               " (concave), ",
+               fixed(o.pinion.convex.ratio_of_roll, 9),
+               " (convex)");
+    }
+  } // namespace
+
+  void ToothContactStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &)
+  {
+    {
+      Subsection section(prm, "Gear pair");
+      pair_.declare(prm);
+    }
+    options_.declare(prm);
+  }
+
+  void ToothContactStudy::check() const
+  {
+    pair_.check("Gear pair");
+  }
+
+  void ToothContactStudy::inspect(Communicator &, Log &log)
+  {
+    log_derived(GearPair(pair_), log);
+  }
+
+  void ToothContactStudy::run(OutputFolder &folder, Log &log)
+  {
+    const GearPair pair(pair_);
+    log_derived(pair, log);
+    Json                         json;
+    std::vector<ContactAnalysis> sides;
+    json["working side"]               = side_name(options_.working_side());
+    json["marking compound thickness"] = figure_json(1e3 * options_.marking_thickness, "um");
+    for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
+      {
+        sides.push_back(analyse_contact(pair, side, options_));
+        log_side(sides.back(), log);
+        json[side_name(side)] = side_json(sides.back(), pair.gear().pitch());
+      }
+    if (!folder.is_writer())
+      return;
+    const Table lag = lag_table(pair, sides, options_), path = path_table(pair, sides);
+    folder.write_file("tca.csv", [&](std::ostream &out) { lag.write_csv(out); });
+    folder.write_file("path.csv", [&](std::ostream &out) { path.write_csv(out); });
+    write_json(folder, "tca.json", json);
+  }
+} // namespace vfife
