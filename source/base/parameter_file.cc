@@ -169,6 +169,14 @@ namespace vfife
 
   std::string ParameterFile::explain(const InputError &error) const
   {
+    if (const auto *const several = dynamic_cast<const InputErrors *>(&error))
+      {
+        std::string text = std::to_string(several->errors().size()) +
+                           " contradictions in the input; the program stops";
+        for (const InputError &one : several->errors())
+          text += "\n  " + explain(one);
+        return text;
+      }
     if (error.entry().empty())
       return error.what();
 

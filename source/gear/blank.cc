@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/base/parameters.h>
 #include <vfife/gear/blank.h>
+#include <vfife/gear/findings.h>
 
 #include <cmath>
 #include <sstream>
@@ -60,19 +60,19 @@ namespace vfife
     declare_length("mean dedendum",
                    mean_dedendum,
                    "Root under the pitch cone at the mean cone distance; 0: not given");
+    declare_angle("mean spiral angle",
+                  spiral_angle,
+                  "Spiral angle at the mean cone distance; compared with what the machine settings "
+                  "cut; 0: not given");
   }
 
-  void Blank::check(const std::string &section) const
+  void Blank::examine(const std::string &section, Findings &findings) const
   {
     const auto require = [&](const std::string &name, const double value) {
-      if (value == 0.)
-        throw InputError(section + "/" + name,
-                         name + " is missing in section \"" + section + "\": it has no default");
       if (!(value > 0.))
-        throw InputError(section + "/" + name, name + " must be positive");
+        findings.add_missing(section, name);
     };
     require("number of teeth", teeth);
-    require("pitch angle", pitch_angle);
     require("face angle", face_angle);
     require("root angle", root_angle);
     require("mean cone distance", mean_cone_distance);
@@ -81,41 +81,61 @@ namespace vfife
     require("mean addendum", mean_addendum);
     require("mean dedendum", mean_dedendum);
 
-    const auto refuse = [&](const std::string &name, const std::string &message) {
-      throw InputError(section + "/" + name, message);
+    const auto refuse_if = [&](const bool                      wrong,
+                               const std::string              &name,
+                               const std::vector<std::string> &others,
+                               const std::string              &message) {
+      std::vector<std::string> involved;
+      for (const std::string &other : others)
+        involved.push_back(section + "/" + other);
+      if (wrong)
+        findings.add(Findings::Action::stop, section + "/" + name, involved, message);
     };
-    if (teeth < 5)
-      refuse("number of teeth", "Number of teeth " + std::to_string(teeth) + " is below 5");
-    if (pitch_angle >= pi / 2)
-      refuse("pitch angle", "Pitch angle " + degrees(pitch_angle) + " is not below 90 deg");
-    if (root_angle >= pitch_angle)
-      refuse("root angle",
-             "Root angle " + degrees(root_angle) + " is not below the pitch angle " +
-               degrees(pitch_angle) + (root_angle > pitch_angle ? "; is it the face angle?" : ""));
-    if (face_angle <= pitch_angle)
-      refuse("face angle",
-             "Face angle " + degrees(face_angle) + " is not above the pitch angle " +
-               degrees(pitch_angle) + (face_angle < pitch_angle ? "; is it the root angle?" : ""));
-    if (face_angle > pi / 2)
-      refuse("face angle", "Face angle " + degrees(face_angle) + " exceeds 90 deg");
-    if (face_width >= outer_cone_distance)
-      refuse("face width",
-             "Face width " + millimetres(face_width) + " is not below the outer cone distance " +
-               millimetres(outer_cone_distance));
+    refuse_if(teeth < 5,
+              "number of teeth",
+              {},
+              "Number of teeth " + std::to_string(teeth) + " is below 5");
+    refuse_if(pitch_angle >= pi / 2,
+              "pitch angle",
+              {},
+              "Pitch angle " + degrees(pitch_angle) + " is not below 90 deg");
+    refuse_if(pitch_angle > 0. && root_angle >= pitch_angle,
+              "root angle",
+              {"pitch angle", "number of teeth"},
+              "Root angle " + degrees(root_angle) + " is not below the pitch angle " +
+                degrees(pitch_angle) + (root_angle > pitch_angle ? "; is it the face angle?" : ""));
+    refuse_if(pitch_angle > 0. && face_angle <= pitch_angle,
+              "face angle",
+              {"pitch angle", "number of teeth"},
+              "Face angle " + degrees(face_angle) + " is not above the pitch angle " +
+                degrees(pitch_angle) + (face_angle < pitch_angle ? "; is it the root angle?" : ""));
+    refuse_if(face_angle > pi / 2,
+              "face angle",
+              {},
+              "Face angle " + degrees(face_angle) + " exceeds 90 deg");
+    refuse_if(face_width >= outer_cone_distance,
+              "face width",
+              {"outer cone distance"},
+              "Face width " + millimetres(face_width) + " is not below the outer cone distance " +
+                millimetres(outer_cone_distance));
     const double middle = outer_cone_distance - face_width / 2;
-    if (std::abs(mean_cone_distance - middle) > cone_distance_tolerance * face_width)
-      refuse("mean cone distance",
-             "Mean cone distance " + millimetres(mean_cone_distance) +
-               " contradicts outer cone distance less half the face width, " + millimetres(middle));
+    refuse_if(std::abs(mean_cone_distance - middle) > cone_distance_tolerance * face_width,
+              "mean cone distance",
+              {"outer cone distance", "face width"},
+              "Mean cone distance " + millimetres(mean_cone_distance) +
+                " contradicts outer cone distance less half the face width, " +
+                millimetres(middle));
     const double inner = inner_cone_distance();
-    if (addendum(inner) <= 0.)
-      refuse("mean addendum",
-             "Mean addendum " + millimetres(mean_addendum) + " with the face angle " +
-               degrees(face_angle) + " leaves no addendum at the toe");
-    if (dedendum(inner) <= 0.)
-      refuse("mean dedendum",
-             "Mean dedendum " + millimetres(mean_dedendum) + " with the root angle " +
-               degrees(root_angle) + " leaves no dedendum at the toe");
+    refuse_if(addendum(inner) <= 0.,
+              "mean addendum",
+              {"face angle", "pitch angle", "number of teeth", "face width"},
+              "Mean addendum " + millimetres(mean_addendum) + " with the face angle " +
+                degrees(face_angle) + " leaves no addendum at the toe");
+    refuse_if(dedendum(inner) <= 0.,
+              "mean dedendum",
+              {"root angle", "pitch angle", "number of teeth", "face width"},
+              "Mean dedendum " + millimetres(mean_dedendum) + " with the root angle " +
+                degrees(root_angle) + " leaves no dedendum at the toe");
   }
 
   double Blank::addendum(const double cone_distance) const

@@ -6,12 +6,13 @@
 
 namespace vfife
 {
-  RigidMotion pinion_frame()
+  RigidMotion pinion_frame(const double shaft_angle)
   {
-    RigidMotion frame;
-    frame.rotation << 0., 0., 1., //
-      0., -1., 0.,                //
-      1., 0., 0.;
+    const double c = std::cos(shaft_angle), s = std::sin(shaft_angle);
+    RigidMotion  frame;
+    frame.rotation << -c, 0., s, //
+      0., -1., 0.,               //
+      s, 0., c;
     return frame;
   }
 

@@ -40,13 +40,13 @@ namespace vfife
     {
     public:
       RatioOfRollEquations(const MachineSettings &settings,
-                           const Blank           &pinion,
-                           const Blank           &gear,
+                           const GearPairOptions &options,
                            const Flank           &gear_flank,
                            const Closing          closing)
         : settings_(settings)
-        , pinion_(pinion)
-        , gear_(gear)
+        , pinion_(options.pinion.blank)
+        , gear_(options.gear.blank)
+        , shaft_angle_(options.shaft_angle)
         , gear_flank_(gear_flank)
         , closing_(closing)
       {
@@ -58,7 +58,7 @@ namespace vfife
         settings.ratio_of_roll   = ratio_of_roll;
         return FlankContact(Flank(settings, pinion_.pitch_angle),
                             gear_flank_,
-                            pinion_frame(),
+                            pinion_frame(shaft_angle_),
                             gear_frame(),
                             static_cast<double>(pinion_.teeth) / gear_.teeth,
                             gear_.mean_cone_distance);
@@ -101,18 +101,20 @@ namespace vfife
     private:
       const MachineSettings &settings_;
       const Blank           &pinion_, &gear_;
+      double                 shaft_angle_;
       const Flank           &gear_flank_;
       Closing                closing_;
     };
 
     /** Turns the gear until the normal at @p point passes the equation of meshing at @p ratio, near
      * the pitch plane. */
-    double meshing_rotation(const SurfacePoint &point, const double ratio)
+    double
+    meshing_rotation(const SurfacePoint &point, const Vector3 &pinion_axis, const double ratio)
     {
       const auto f = [&](const double rotation) {
         const Matrix3 R = turned_frame(gear_frame(), rotation).rotation;
         const Vector3 P = R * point.position, n = R * point.normal;
-        return n.dot(pinion_frame().rotation.col(2).cross(P) + ratio * Vector3::UnitZ().cross(P));
+        return n.dot(pinion_axis.cross(P) + ratio * Vector3::UnitZ().cross(P));
       };
       // a start for Newton only: a few secant steps
       double x0 = -polar_angle(point.position), x1 = x0 + 1e-3, f0 = f(x0), f1 = f(x1);
@@ -133,15 +135,17 @@ namespace vfife
      * equation of meshing, linear in it, the ratio of roll unless that is given.
      */
     Seven start_of_mean_contact(const MachineSettings &settings,
-                                const Blank           &pinion,
-                                const Blank           &gear,
+                                const GearPairOptions &options,
                                 const Flank           &gear_flank)
     {
+      const Blank       &pinion = options.pinion.blank, &gear = options.gear.blank;
       const double       height = (pinion.mean_addendum - gear.mean_addendum) / 2;
       const SurfacePoint point2 = gear_flank.point_at(gear.mean_cone_distance, -height);
-      const double  rot2 = meshing_rotation(point2, static_cast<double>(pinion.teeth) / gear.teeth);
-      const Vector3 normal = -(pinion_frame().rotation.transpose() *
-                               turned_frame(gear_frame(), rot2).rotation * point2.normal);
+      const Matrix3      R1     = pinion_frame(options.shaft_angle).rotation;
+      const double       rot2 =
+        meshing_rotation(point2, R1.col(2), static_cast<double>(pinion.teeth) / gear.teeth);
+      const Vector3 normal =
+        -(R1.transpose() * turned_frame(gear_frame(), rot2).rotation * point2.normal);
 
       MachineSettings trial = settings;
       if (!(trial.ratio_of_roll > 0.))
@@ -167,7 +171,7 @@ namespace vfife
      */
     RigidMotion mounted_pinion_frame(const GearPairOptions &options)
     {
-      RigidMotion   frame = pinion_frame();
+      RigidMotion   frame = pinion_frame(options.shaft_angle);
       const Matrix3 tilt  = rotation_about(Vector3::UnitY(), options.shaft_angle_error);
       frame.rotation      = tilt * frame.rotation;
       frame.translation =
@@ -214,10 +218,10 @@ namespace vfife
     const Flank      gear_flank  = design.gear_flank(gear_side);
     const bool       given       = settings.ratio_of_roll > 0.;
 
-    Seven y = start_of_mean_contact(settings, blank1, blank2, gear_flank);
+    Seven y = start_of_mean_contact(settings, design.options, gear_flank);
 
     const auto equations = [&](const Closing closing) {
-      return RatioOfRollEquations(settings, blank1, blank2, gear_flank, closing);
+      return RatioOfRollEquations(settings, design.options, gear_flank, closing);
     };
     bool converged = false;
     if (given)
@@ -274,8 +278,20 @@ namespace vfife
         ? FlankSide::convex
         : FlankSide::concave;
     design.pinion_upper = other(design.gear_upper);
+    std::vector<InputError> errors;
     for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
-      design.mean_contact[static_cast<unsigned int>(side)] = find_mean_contact(design, side);
+      try
+        {
+          design.mean_contact[static_cast<unsigned int>(side)] = find_mean_contact(design, side);
+        }
+      catch (const InputError &error)
+        {
+          errors.push_back(error);
+        }
+    if (errors.size() == 1)
+      throw errors.front();
+    if (!errors.empty())
+      throw InputErrors(errors);
 
     const MeanContact &drive = design.mean_contact[0], &coast = design.mean_contact[1];
     const double       ratio = static_cast<double>(blank1.teeth) / blank2.teeth;

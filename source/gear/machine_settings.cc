@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/base/parameters.h>
+#include <vfife/gear/findings.h>
 #include <vfife/gear/machine_settings.h>
 
 #include <cmath>
@@ -77,12 +77,11 @@ namespace vfife
                    Range::not_negative());
   }
 
-  void MachineSettings::check(const std::string &section) const
+  void MachineSettings::examine(const std::string &section, Findings &findings) const
   {
     const auto require = [&](const std::string &name, const double value) {
       if (value == 0.)
-        throw InputError(section + "/" + name,
-                         name + " is missing in section \"" + section + "\": it has no default");
+        findings.add_missing(section, name);
     };
     require("point radius", point_radius);
     require("blade angle", blade_angle);
@@ -90,14 +89,15 @@ namespace vfife
     require("cradle angle", cradle_angle);
     require("machine root angle", machine_root_angle);
 
-    if (edge_radius <= 0.)
-      throw InputError(section + "/blade edge radius", "blade edge radius must be positive");
     if (edge_width() >= point_radius)
       {
         std::ostringstream message;
         message << "Blade edge radius " << edge_radius << " mm does not fit a point radius of "
                 << point_radius << " mm";
-        throw InputError(section + "/blade edge radius", message.str());
+        findings.add(Findings::Action::stop,
+                     section + "/blade edge radius",
+                     {section + "/point radius"},
+                     message.str());
       }
   }
 } // namespace vfife

@@ -180,6 +180,8 @@ namespace vfife
 
   Model GearCase::make_model(const bool torque_is_ramped, Log &log) const
   {
+    for (const std::string &message : pair_.examine().warnings())
+      log.warning(message);
     const GearPair pair(pair_);
     Model          model;
 

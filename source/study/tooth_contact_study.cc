@@ -138,6 +138,12 @@ namespace vfife
                     "edges touch there, which this analysis leaves out");
     }
 
+    void warn(const GearPairOptions &options, Log &log)
+    {
+      for (const std::string &message : options.examine().warnings())
+        log.warning(message);
+    }
+
     void log_derived(const GearPair &pair, Log &log)
     {
       const GearPairOptions &o = pair.options();
@@ -173,11 +179,13 @@ namespace vfife
 
   void ToothContactStudy::inspect(Communicator &, Log &log)
   {
+    warn(pair_, log);
     log_derived(GearPair(pair_), log);
   }
 
   void ToothContactStudy::run(OutputFolder &folder, Log &log)
   {
+    warn(pair_, log);
     const GearPair pair(pair_);
     log_derived(pair, log);
     Json                         json;

@@ -130,6 +130,69 @@ void check_other_contradictions()
   expect("backlash", [](Options &o) { o.backlash = -0.1; }, "Mounting/backlash", {"negative"});
 }
 
+/** The entries that are named as causes, in their order. */
+std::string causes(const GearPairOptions &options, const Findings::Action action)
+{
+  std::string list;
+  for (const Findings::Cause &cause : options.examine("").causes())
+    if (cause.action == action)
+      list += (list.empty() ? "" : ", ") + cause.entry;
+  return list;
+}
+
+/** Several contradictions come together; what follows from one is no cause of its own. */
+void check_causes()
+{
+  const double    degree         = paper::degree;
+  GearPairOptions printed        = paper::options();
+  printed.gear.blank.root_angle  = 72.1 * degree;
+  printed.pinion.cutter_diameter = 152.4;
+  std::cout << "printed tables: " << causes(printed, Findings::Action::stop) << std::endl;
+  std::string message;
+  try
+    {
+      printed.check();
+    }
+  catch (const InputErrors &errors)
+    {
+      message = errors.errors().size() == 2 ? errors.what() : "";
+    }
+  check("both in one message, consequences below",
+        message.find("152.4") < message.find("72.1 deg is not below") &&
+          message.find("72.1 deg is not below") < message.find("hence: Root angle 72.1 deg"));
+
+  GearPairOptions several          = paper::options();
+  several.pinion.blank.face_angle  = 0.;
+  several.gear.convex.point_radius = 120.;
+  several.pinion.convex.cradle_angle *= -1.;
+  several.gear.blank.outer_cone_distance = 140.;
+  several.backlash                       = -0.1;
+  std::cout << "several: " << causes(several, Findings::Action::stop) << std::endl;
+
+  GearPairOptions hand   = paper::options();
+  hand.pinion.blank.hand = Hand::left;
+  std::cout << "wrong hand: " << causes(hand, Findings::Action::stop) << std::endl;
+
+  GearPairOptions cutter                = paper::options();
+  cutter.pinion.concave.radial_distance = 120.;
+  std::cout << "cutter position: " << causes(cutter, Findings::Action::stop) << std::endl;
+  GearPairOptions spiral         = paper::options();
+  spiral.gear.blank.spiral_angle = 35. * degree;
+  std::cout << "spiral angle: " << causes(spiral, Findings::Action::stop) << std::endl;
+
+  GearPairOptions taper         = paper::options();
+  taper.pinion.blank.face_angle = 21. * degree;
+  std::cout << "taper of the clearance, warning: " << causes(taper, Findings::Action::warn)
+            << causes(taper, Findings::Action::stop) << std::endl;
+  GearPairOptions duplex = paper::options();
+  for (MachineSettings *settings : {&duplex.pinion.concave, &duplex.pinion.convex})
+    settings->machine_root_angle = 17. * degree;
+  duplex.pinion.blank.root_angle = 17. * degree;
+  duplex.gear.blank.face_angle   = 73. * degree;
+  std::cout << "duplex taper, warning: " << causes(duplex, Findings::Action::warn)
+            << causes(duplex, Findings::Action::stop) << std::endl;
+}
+
 void check_reading()
 {
   const double degree = paper::degree;
@@ -177,5 +240,6 @@ int main()
   check_missing_entries();
   check_printed_contradictions();
   check_other_contradictions();
+  check_causes();
   check_reading();
 }

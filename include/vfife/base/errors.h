@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vfife
 {
@@ -32,6 +34,34 @@ namespace vfife
 
   private:
     std::string entry_;
+  };
+
+  /** Several things are wrong with the input at once; entry() is that of the first. */
+  class InputErrors : public InputError
+  {
+  public:
+    /** @p errors must not be empty. */
+    explicit InputErrors(std::vector<InputError> errors)
+      : InputError(errors.front().entry(), joined(errors))
+      , errors_(std::move(errors))
+    {
+    }
+
+    const std::vector<InputError> &errors() const
+    {
+      return errors_;
+    }
+
+  private:
+    static std::string joined(const std::vector<InputError> &errors)
+    {
+      std::string text;
+      for (const InputError &error : errors)
+        text += (text.empty() ? "" : "\n") + std::string(error.what());
+      return text;
+    }
+
+    std::vector<InputError> errors_;
   };
 
   /**

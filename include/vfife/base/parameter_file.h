@@ -50,6 +50,7 @@ namespace vfife
      * The message with its place: "file.prm:31 (Gear pair/Gear/Blank/Face angle): ..." if
      * error.entry() is known; the message alone if it is empty. An entry may be given by the end of
      * its path if that is unambiguous.
+     * InputErrors: one line for each.
      */
     std::string explain(const InputError &error) const;
 

@@ -13,6 +13,8 @@ namespace dealii
 
 namespace vfife
 {
+  class Findings;
+
   enum class Hand
   {
     right,
@@ -37,11 +39,12 @@ namespace vfife
     double       face_width          = 0; ///< [mm]
     double       mean_addendum       = 0; ///< at the mean cone distance [mm]
     double       mean_dedendum       = 0; ///< at the mean cone distance [mm]
+    double       spiral_angle        = 0; ///< mean; 0: not given, the machine settings decide [rad]
 
     void declare(dealii::ParameterHandler &prm);
-    /** Throws InputError when the blank contradicts itself (entries named relative to @p section).
-     */
-    void check(const std::string &section) const;
+    /** Adds what is missing in the blank and where it contradicts itself (@p section: path of its
+     * entries). */
+    void examine(const std::string &section, Findings &findings) const;
 
     double inner_cone_distance() const
     {

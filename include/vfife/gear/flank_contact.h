@@ -7,9 +7,11 @@
 
 namespace vfife
 {
-  /** Fixed frame of a pair (pinion axis x, gear axis z, common apex): the pinion's body frame at
-   * rotation 0. */
-  RigidMotion pinion_frame();
+  /**
+   * Fixed frame of a pair: common apex, gear axis z, pinion axis in the plane y = 0 at the shaft
+   * angle, so x for 90 deg. The pinion's body frame at rotation 0.
+   */
+  RigidMotion pinion_frame(double shaft_angle);
   /** The same for the gear. */
   RigidMotion gear_frame();
 

@@ -2,6 +2,7 @@
 #ifndef vfife_gear_gear_pair_h
 #define vfife_gear_gear_pair_h
 
+#include <vfife/gear/findings.h>
 #include <vfife/gear/flank_contact.h>
 #include <vfife/gear/gear_member.h>
 
@@ -19,14 +20,18 @@ namespace vfife
     MachineSettings convex{Blade::inside};
 
     void declare(dealii::ParameterHandler &prm);
-    void check(const std::string &section) const;
+    /** Whether one cutter in one position cuts both flanks of a slot at once. */
+    bool is_spread_blade() const;
+    /** Adds what is wrong with the member alone (@p section: path of its entries). */
+    void examine(const std::string &section, Findings &findings) const;
   };
 
   /** What the user gives of a pair: content of "Gear pair" without the bodies and meshes. */
   struct GearPairOptions
   {
     GearMemberOptions pinion, gear;
-    double            backlash = 0.12; ///< normal to the flanks at the mean point [mm]
+    double            shaft_angle = pi / 2; ///< [rad]
+    double            backlash    = 0.12;   ///< normal to the flanks at the mean point [mm]
 
     /** Mounting errors: they move the members after the pair has been designed without them. */
     double pinion_axial_shift = 0; ///< > 0 away from the apex [mm]
@@ -42,9 +47,16 @@ namespace vfife
      * ratio of roll. */
     GearPairOptions completed() const;
 
-    /** Throws InputError for missing, impossible or contradictory entries, after completing. */
+    /** What is missing, impossible or contradictory, after completing; all of it, causes first. */
+    Findings examine(const std::string &section = "Gear pair") const;
+
+    /** Throws InputError for all findings that stop the program. */
     void check(const std::string &section = "Gear pair") const;
   };
+
+  /** Pitch angle by the numbers of teeth: tan d = sin(shaft angle) / (other/own + cos(shaft angle))
+   * [rad]. */
+  double pitch_angle_of(double own_teeth, double other_teeth, double shaft_angle);
 
   /** Drive: the pinion turns about + its axis (apex to back) and pushes the gear. */
   enum class MeshSide
@@ -69,9 +81,10 @@ namespace vfife
   };
 
   /**
-   * A mounted spiral bevel pair with shaft angle 90 deg. Fixed frame: common apex at the origin,
-   * pinion axis (apex to back) +x, gear axis +z; positive rotations of the placements turn about +
-   * the own axis, so the pair runs with rot2' = -rot1' z1/z2. Derivations in doc/gear.md.
+   * A mounted spiral bevel pair. Fixed frame: common apex at the origin, gear axis (apex to back)
+   * +z, pinion axis in the plane y = 0 at the shaft angle, +x for 90 deg; positive rotations of the
+   * placements turn about + the own axis, so the pair runs with rot2' = -rot1' z1/z2. Derivations
+   * in doc/gear.md.
    */
   class GearPair
   {

@@ -13,6 +13,8 @@ namespace dealii
 
 namespace vfife
 {
+  class Findings;
+
   /** Which side of the cutter cuts: the outside blades cut concave flanks, the inside blades convex
    * ones. */
   enum class Blade
@@ -56,10 +58,10 @@ namespace vfife
 
     void declare(dealii::ParameterHandler &prm);
     /**
-     * Throws InputError when an entry is missing or impossible (entries named relative to @p
-     * section). The ratio of roll may be 0: the pair derives it.
+     * Adds what is missing or impossible (@p section: path of the entries). The ratio of roll may
+     * be 0: the pair derives it.
      */
-    void check(const std::string &section) const;
+    void examine(const std::string &section, Findings &findings) const;
   };
 } // namespace vfife
 
