@@ -26,6 +26,36 @@ namespace vfife
     return {frame.rotation * rotation_about(Vector3::UnitZ(), rotation), frame.translation};
   }
 
+  bool find_meshing_rotation(const SurfacePoint &gear_point,
+                             const RigidMotion  &pinion_frame,
+                             const RigidMotion  &gear_frame,
+                             const double        speed_ratio,
+                             double             &rotation)
+  {
+    const Vector3 pinion_axis = pinion_frame.rotation.col(2),
+                  gear_axis   = gear_frame.rotation.col(2);
+    const auto f              = [&](const double angle) {
+      const RigidMotion placement = turned_frame(gear_frame, angle);
+      const Vector3     P         = placement(gear_point.position);
+      return (placement.rotation * gear_point.normal)
+        .dot(pinion_axis.cross(P - pinion_frame.translation) +
+             speed_ratio * gear_axis.cross(P - gear_frame.translation));
+    };
+    // P and n are linear in cosine and sine of the rotation, and the product of both enters with
+    // the turning of the arm about the pinion's axis only: n . (a x P) = a . (P x n). Hence
+    // f = c + a cos + b sin exactly.
+    const double f0 = f(0.), f_half = f(pi), f_quarter = f(pi / 2);
+    const double c = (f0 + f_half) / 2, a = (f0 - f_half) / 2, b = f_quarter - c;
+    const double amplitude = std::hypot(a, b);
+    if (!(std::abs(c) < amplitude))
+      return false;
+    const double crest = std::atan2(b, a), width = std::acos(-c / amplitude);
+    const double one = std::remainder(crest + width - rotation, 2. * pi);
+    const double two = std::remainder(crest - width - rotation, 2. * pi);
+    rotation += std::abs(one) < std::abs(two) ? one : two;
+    return true;
+  }
+
   FlankContact::FlankContact(const Flank       &pinion,
                              const Flank       &gear,
                              const RigidMotion &pinion_frame,

@@ -106,29 +106,6 @@ namespace vfife
       Closing                closing_;
     };
 
-    /** Turns the gear until the normal at @p point passes the equation of meshing at @p ratio, near
-     * the pitch plane. */
-    double
-    meshing_rotation(const SurfacePoint &point, const Vector3 &pinion_axis, const double ratio)
-    {
-      const auto f = [&](const double rotation) {
-        const Matrix3 R = turned_frame(gear_frame(), rotation).rotation;
-        const Vector3 P = R * point.position, n = R * point.normal;
-        return n.dot(pinion_axis.cross(P) + ratio * Vector3::UnitZ().cross(P));
-      };
-      // a start for Newton only: a few secant steps
-      double x0 = -polar_angle(point.position), x1 = x0 + 1e-3, f0 = f(x0), f1 = f(x1);
-      for (unsigned int i = 0; i < 4 && f1 != f0; ++i)
-        {
-          const double x2 = x1 - f1 * (x1 - x0) / (f1 - f0);
-          x0              = x1;
-          f0              = f1;
-          x1              = x2;
-          f1              = f(x1);
-        }
-      return x1;
-    }
-
     /**
      * Start of Newton's iteration: contact in the middle of the working depth at the gear's mean
      * cone distance, the cradle at rest. There the axial component of the normal fixes t1, and the
@@ -141,11 +118,12 @@ namespace vfife
       const Blank       &pinion = options.pinion.blank, &gear = options.gear.blank;
       const double       height = (pinion.mean_addendum - gear.mean_addendum) / 2;
       const SurfacePoint point2 = gear_flank.point_at(gear.mean_cone_distance, -height);
-      const Matrix3      R1     = pinion_frame(options.shaft_angle).rotation;
-      const double       rot2 =
-        meshing_rotation(point2, R1.col(2), static_cast<double>(pinion.teeth) / gear.teeth);
+      const RigidMotion  one    = pinion_frame(options.shaft_angle);
+      double             rot2   = -polar_angle(point2.position);
+      find_meshing_rotation(
+        point2, one, gear_frame(), static_cast<double>(pinion.teeth) / gear.teeth, rot2);
       const Vector3 normal =
-        -(R1.transpose() * turned_frame(gear_frame(), rot2).rotation * point2.normal);
+        -(one.rotation.transpose() * turned_frame(gear_frame(), rot2).rotation * point2.normal);
 
       MachineSettings trial = settings;
       if (!(trial.ratio_of_roll > 0.))

@@ -2,6 +2,7 @@
 #include <vfife/base/log.h>
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
+#include <vfife/gear/tooth_form.h>
 #include <vfife/output/figures.h>
 #include <vfife/output/output_folder.h>
 #include <vfife/study/tooth_contact_study.h>
@@ -138,6 +139,51 @@ namespace vfife
                     "edges touch there, which this analysis leaves out");
     }
 
+    Json form_json(const ToothForms &forms)
+    {
+      Json json = figures_json({{"play of the gear", {forms.play / arcsecond, "arcsec"}},
+                                {"normal backlash", {forms.backlash, "mm"}}});
+      for (const auto *member : {&forms.pinion, &forms.gear})
+        for (const ToothSection &section : *member)
+          json[member == &forms.pinion ? "pinion" : "gear"][section.place] =
+            figures_json({{"cone distance", {section.cone_distance, "mm"}},
+                          {"transverse thickness", {section.thickness, "mm"}},
+                          {"tip land", {section.tip_land, "mm"}},
+                          {"root clearance", {section.root_clearance, "mm"}},
+                          {"mating tip over the fillet", {section.fillet_distance, "mm"}},
+                          {"regularity at the fillet", {section.regularity, "-"}}});
+      return json;
+    }
+
+    void log_forms(const ToothForms &forms, Log &log)
+    {
+      log.line(
+        "teeth (mm)            thickness  tip land  root clearance  tip over fillet  regularity");
+      for (const auto *member : {&forms.pinion, &forms.gear})
+        for (const ToothSection &section : *member)
+          {
+            char row[128];
+            std::snprintf(row,
+                          sizeof row,
+                          "  %-7s %-7s %14.3f %9.3f %15.3f %16.3f %11.2f",
+                          member == &forms.pinion ? "pinion" : "gear",
+                          section.place.c_str(),
+                          section.thickness,
+                          section.tip_land,
+                          section.root_clearance,
+                          section.fillet_distance,
+                          section.regularity);
+            log.line(row);
+          }
+      log.line("backlash              ",
+               fixed(forms.backlash, 4),
+               " mm normal at the mean point, ",
+               fixed(forms.play / arcsecond, 1),
+               " arcsec at the gear");
+      for (const std::string &message : forms.findings.warnings())
+        log.warning(message);
+    }
+
     void warn(const GearPairOptions &options, Log &log)
     {
       for (const std::string &message : options.examine().warnings())
@@ -198,8 +244,14 @@ namespace vfife
         log_side(sides.back(), log);
         json[side_name(side)] = side_json(sides.back(), pair.gear().pitch());
       }
+    const ToothForms forms = measure_tooth_forms(pair);
+    log_forms(forms, log);
+    forms.findings.raise();
+    json["teeth"] = form_json(forms);
     if (!folder.is_writer())
       return;
+    const Table ease_off = ease_off_table(pair);
+    folder.write_file("ease_off.csv", [&](std::ostream &out) { ease_off.write_csv(out); });
     const Table lag = lag_table(pair, sides, options_), path = path_table(pair, sides);
     folder.write_file("tca.csv", [&](std::ostream &out) { lag.write_csv(out); });
     folder.write_file("path.csv", [&](std::ostream &out) { path.write_csv(out); });

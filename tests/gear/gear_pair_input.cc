@@ -133,8 +133,9 @@ void check_other_contradictions()
 /** The entries that are named as causes, in their order. */
 std::string causes(const GearPairOptions &options, const Findings::Action action)
 {
-  std::string list;
-  for (const Findings::Cause &cause : options.examine("").causes())
+  std::string    list;
+  const Findings findings = options.examine("");
+  for (const Findings::Cause &cause : findings.causes())
     if (cause.action == action)
       list += (list.empty() ? "" : ", ") + cause.entry;
   return list;

@@ -19,6 +19,17 @@ namespace vfife
   RigidMotion turned_frame(const RigidMotion &frame, double rotation);
 
   /**
+   * Finds the rotation of the gear, next to the one in @p rotation, at which a point of its flank
+   * satisfies the equation of meshing with the pinion at the exact speed ratio. Returns false where
+   * none does.
+   */
+  bool find_meshing_rotation(const SurfacePoint &gear_point,
+                             const RigidMotion  &pinion_frame,
+                             const RigidMotion  &gear_frame,
+                             double              speed_ratio,
+                             double             &rotation);
+
+  /**
    * The equations that two mounted flanks satisfy where they touch (doc/gear.md, local conditions).
    */
   class FlankContact
