@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters.h>
 #include <vfife/gear/contact_analysis.h>
+#include <vfife/gear/local_contact.h>
 
 #include <Eigen/QR>
 
@@ -39,22 +40,6 @@ namespace vfife
       }
     };
 
-    /** Angle of a tangent direction to the gear's lengthwise one, > 0 when it rises to the tip at
-     * the heel [rad]. */
-    double angle_to_length(const Flank   &gear,
-                           const Vector2 &L_h,
-                           const Matrix3 &rotation,
-                           const Vector3 &normal,
-                           const Vector3 &direction)
-    {
-      constexpr double step       = 1e-3; // mm
-      const Vector3    lengthwise = (rotation * (gear.point_at(L_h[0] + step, L_h[1]).position -
-                                              gear.point_at(L_h[0] - step, L_h[1]).position))
-                                   .normalized();
-      const Vector3 across = normal.cross(lengthwise);
-      return std::atan(direction.dot(across) / direction.dot(lengthwise));
-    }
-
     PathPoint make_path_point(const GearPair        &pair,
                               const UnloadedContact &contact,
                               const MeshSide         side,
@@ -85,11 +70,9 @@ namespace vfife
       result.gear_minor   = on_gear(minor);
       result.pinion_major = on_pinion(major);
       result.pinion_minor = on_pinion(minor);
-      result.major_angle  = angle_to_length(pair.gear().generated_flank(pair.gear_side(side)),
-                                           point.gear_L_h,
-                                           placements.gear,
-                                           point.normal,
-                                           result.ellipse.major_direction);
+      result.major_angle =
+        LengthAndHeight(pair.gear().blank(), point.gear.position, point.gear.normal)
+          .angle(placements.gear.transpose() * result.ellipse.major_direction);
       return result;
     }
 
@@ -164,19 +147,15 @@ namespace vfife
     }
 
     /** Direction of the path on the gear flank at the mean contact. */
-    double path_angle(const GearPair &pair, const UnloadedContact &contact, const MeshSide side)
+    double path_angle(const GearPair &pair, const UnloadedContact &contact)
     {
       constexpr double           step  = 0.01; // pitches
       const double               rot1  = contact.reference();
       const UnloadedContactPoint point = contact.contact(rot1, 0);
-      const Matrix3              R     = Placements(pair, side, point).gear;
       const Vector3 along = contact.contact(rot1 + step * contact.pitch(), 0).gear.position -
                             contact.contact(rot1 - step * contact.pitch(), 0).gear.position;
-      return angle_to_length(pair.gear().generated_flank(pair.gear_side(side)),
-                             point.gear_L_h,
-                             R,
-                             point.normal,
-                             R * along);
+      return LengthAndHeight(pair.gear().blank(), point.gear.position, point.gear.normal)
+        .angle(along);
     }
   } // namespace
 
@@ -218,7 +197,7 @@ namespace vfife
     analysis.side = side;
     find_path(pair, contact, options, analysis);
     analysis.mean       = make_path_point(pair, contact, side, 0., options.marking_thickness);
-    analysis.path_angle = path_angle(pair, contact, side);
+    analysis.path_angle = path_angle(pair, contact);
     fit_lag(analysis);
     find_hand_over(contact, analysis);
     analysis.pinion_curvatures = pair.pinion()

@@ -67,6 +67,7 @@ namespace vfife
                        Findings                &findings)
         : blank_(member.blank)
         , settings_(settings)
+        , is_spread_blade_(member.is_spread_blade())
         , blank_section_(member_section + "/Blank/")
         , section_(member_section + "/" + flank + "/")
         , findings_(findings)
@@ -103,17 +104,24 @@ namespace vfife
                              " deg"));
       }
 
-      /** Radius of the cutter where it cuts the pitch cone. */
-      double cutting_radius() const
+      /** Radius of the cutter where it cuts the pitch cone; of a spread-blade cutter, which stands
+       * in the middle of the slot, less half a slot. */
+      double cutting_radius(const CutterPosition &position) const
       {
+        const double half_slot = is_spread_blade_ && blank_.teeth > 0
+                                   ? pi * blank_.mean_cone_distance * std::sin(blank_.pitch_angle) /
+                                       (2. * blank_.teeth) * std::cos(position.spiral_angle)
+                                   : 0.;
         return settings_.point_radius +
-               settings_.sigma() * blank_.mean_dedendum * std::tan(settings_.blade_angle);
+               settings_.sigma() *
+                 (blank_.mean_dedendum * std::tan(settings_.blade_angle) - half_slot);
       }
 
       void examine_cutter_position() const
       {
         const CutterPosition position(blank_, settings_);
-        if (std::abs(position.radius - cutting_radius()) > cutter_tolerance * position.radius)
+        if (std::abs(position.radius - cutting_radius(position)) >
+            cutter_tolerance * position.radius)
           findings_.add(Findings::Action::stop,
                         section_ + "point radius",
                         {section_ + "radial distance",
@@ -122,7 +130,7 @@ namespace vfife
                         text("Point radius ",
                              settings_.point_radius,
                              " mm cuts the pitch cone with a radius of ",
-                             cutting_radius(),
+                             cutting_radius(position),
                              " mm, but radial distance ",
                              settings_.radial_distance,
                              " mm and cradle angle ",
@@ -151,6 +159,7 @@ namespace vfife
     private:
       const Blank           &blank_;
       const MachineSettings &settings_;
+      bool                   is_spread_blade_;
       std::string            blank_section_, section_;
       Findings              &findings_;
     };
@@ -345,10 +354,17 @@ namespace vfife
 
   Findings GearPairOptions::examine(const std::string &section) const
   {
-    Findings              findings;
+    Findings findings;
+    if (proposal.is_given() && (pinion.blank.teeth > 0 || gear.blank.teeth > 0))
+      findings.add(Findings::Action::stop,
+                   section + "/Proposal/pinion teeth",
+                   {},
+                   "a pair is proposed, but blanks are given as well; only one of them can be");
     const GearPairOptions options = completed();
-    const Blank          &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
-    const std::string     pinion_section = section + "/Pinion", gear_section = section + "/Gear";
+    if (proposal.is_given())
+      return findings; // blanks and settings that are proposed fit each other
+    const Blank      &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
+    const std::string pinion_section = section + "/Pinion", gear_section = section + "/Gear";
     examine_pitch_angle(blank1, blank2, shaft_angle, "pinion", pinion_section, findings);
     examine_pitch_angle(blank2, blank1, shaft_angle, "gear", gear_section, findings);
     examine_hands(options, section, findings);

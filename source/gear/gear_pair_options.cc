@@ -42,6 +42,10 @@ namespace vfife
   void GearPairOptions::declare(dealii::ParameterHandler &prm)
   {
     {
+      Subsection subsection(prm, "Proposal");
+      proposal.declare(prm);
+    }
+    {
       Subsection subsection(prm, "Pinion");
       pinion.declare(prm);
     }
@@ -94,10 +98,28 @@ namespace vfife
     return std::atan2(std::sin(shaft_angle), other_teeth / own_teeth + std::cos(shaft_angle));
   }
 
+  double duplex_dedendum_angles(const Blank &gear,
+                                const double cutter_radius,
+                                const double spiral_angle,
+                                const double blade_angle)
+  {
+    const double A      = gear.mean_cone_distance;
+    const double module = 2. * A * std::sin(gear.pitch_angle) / gear.teeth;
+    return pi * module / (2. * A) * (1. - A * std::sin(spiral_angle) / cutter_radius) /
+           (std::tan(blade_angle) * std::cos(spiral_angle));
+  }
+
+  double conjugate_ratio_of_roll(const Blank &blank, const MachineSettings &settings)
+  {
+    return std::cos(blank.pitch_angle - settings.machine_root_angle) / std::sin(blank.pitch_angle);
+  }
+
   GearPairOptions GearPairOptions::completed() const
   {
     GearPairOptions options = *this;
-    Blank          &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
+    if (proposal.is_given())
+      propose(proposal, options);
+    Blank &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
     if (blank1.teeth > 0 && blank2.teeth > 0)
       {
         if (blank1.pitch_angle == 0.)
@@ -114,12 +136,9 @@ namespace vfife
         else if (convex.point_radius == 0. && concave.point_radius > 0.)
           convex.point_radius = diameter - concave.point_radius;
       }
-    // Cradle and blank share the velocity along the pitch generatrix: the cradle's axis is normal
-    // to the root cone.
     for (MachineSettings *settings : {&concave, &convex})
       if (settings->ratio_of_roll == 0. && blank2.pitch_angle > 0.)
-        settings->ratio_of_roll = std::cos(blank2.pitch_angle - settings->machine_root_angle) /
-                                  std::sin(blank2.pitch_angle);
+        settings->ratio_of_roll = conjugate_ratio_of_roll(blank2, *settings);
     return options;
   }
 

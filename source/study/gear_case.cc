@@ -151,7 +151,7 @@ namespace vfife
 
   double GearCase::mesh_frequency() const
   {
-    return operation_.mesh_frequency(pair_.pinion.blank.teeth);
+    return operation_.mesh_frequency(pair_.completed().pinion.blank.teeth);
   }
 
   double GearCase::choose_step(const double stable_step, const unsigned int samples) const
@@ -175,7 +175,7 @@ namespace vfife
   unsigned int GearCase::gear_tooth_in_mesh(const unsigned int meshes) const
   {
     // Drive direction of the gear is - about its axis: the next tooth in the + sense comes.
-    return meshes % pair_.gear.blank.teeth;
+    return meshes % pair_.completed().gear.blank.teeth;
   }
 
   Model GearCase::make_model(const bool torque_is_ramped, Log &log) const

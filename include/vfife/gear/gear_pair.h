@@ -5,6 +5,7 @@
 #include <vfife/gear/findings.h>
 #include <vfife/gear/flank_contact.h>
 #include <vfife/gear/gear_member.h>
+#include <vfife/gear/pair_proposal.h>
 
 #include <array>
 #include <string>
@@ -29,6 +30,7 @@ namespace vfife
   /** What the user gives of a pair: content of "Gear pair" without the bodies and meshes. */
   struct GearPairOptions
   {
+    PairProposal      proposal; ///< where given, blanks and settings follow from it
     GearMemberOptions pinion, gear;
     double            shaft_angle = pi / 2; ///< [rad]
     double            backlash    = 0.12;   ///< normal to the flanks at the mean point [mm]
@@ -57,6 +59,20 @@ namespace vfife
   /** Pitch angle by the numbers of teeth: tan d = sin(shaft angle) / (other/own + cos(shaft angle))
    * [rad]. */
   double pitch_angle_of(double own_teeth, double other_teeth, double shaft_angle);
+
+  /**
+   * Sum of the dedendum angles with which slots cut by spread blades taper as the teeth do (duplex
+   * taper) [rad]:
+   *   (pi m / (2 A_m)) (1 - A_m sin b / r) / (tan al cos b),   m the transverse module at A_m
+   */
+  double duplex_dedendum_angles(const Blank &gear,
+                                double       cutter_radius,
+                                double       spiral_angle,
+                                double       blade_angle);
+
+  /** Ratio of roll with which cradle and blank share the velocity along the pitch generatrix: the
+   * cradle's axis is normal to the root cone. */
+  double conjugate_ratio_of_roll(const Blank &blank, const MachineSettings &settings);
 
   /** Drive: the pinion turns about + its axis (apex to back) and pushes the gear. */
   enum class MeshSide
