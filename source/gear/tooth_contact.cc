@@ -12,8 +12,9 @@ namespace vfife
 {
   namespace
   {
-    /** Newton follows the path of contact in steps of this part of a pitch. */
-    constexpr double continuation_step = 0.25;
+    /** Newton follows the path of contact in steps of this rotation of the pinion [rad]; with few
+     * teeth longer ones jump to another solution of the equations. */
+    constexpr double continuation_step = 0.05;
 
     /** Farthest a tooth pair is followed from the mean contact [pitches]; no spiral bevel pair has
      * more overlap. */
@@ -59,8 +60,8 @@ namespace vfife
 
     FlankContact::Unknowns x, previous;
     x << mean_.pinion.t, mean_.pinion.phi, mean_.rot1, mean_.gear.t, mean_.gear.phi, mean_.rot2;
-    const unsigned int n_steps =
-      std::max(1u, static_cast<unsigned int>(std::ceil(std::abs(pitches) / continuation_step)));
+    const unsigned int n_steps = std::max(
+      1u, static_cast<unsigned int>(std::ceil(std::abs(target - mean_.rot1) / continuation_step)));
     const double step = (target - mean_.rot1) / n_steps;
     previous          = x;
     previous[FlankContact::rot2] += speed_ratio_ * step;

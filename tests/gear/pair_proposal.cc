@@ -1,0 +1,70 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Pairs proposed from basic data have the contact that was asked for.
+#include "../tests.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/gear/contact_analysis.h>
+#include <vfife/gear/tooth_form.h>
+
+using namespace vfife;
+
+void check_pair(const std::string &name, const GearPairOptions &options)
+{
+  const GearPair      pair(options);
+  const PairProposal &asked = options.proposal;
+  for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
+    {
+      const std::string     what = name + " " + side_name(side) + ": ";
+      const ContactAnalysis a    = analyse_contact(pair, side, ContactAnalysisOptions());
+      // the fit over the path mixes higher powers into the second one: 0.5 %
+      check_close(what + "lag [arcsec]",
+                  a.lag_polynomial[0] / 4. / arcsecond,
+                  asked.lag / arcsecond,
+                  0.005 * asked.lag / arcsecond);
+      // a difference over 0.02 pitches on a curved path
+      check_close(what + "path [deg]",
+                  std::abs(a.path_angle) * 180. / pi,
+                  asked.path_angle * 180. / pi,
+                  0.05);
+      check_close(what + "ellipse [mm]",
+                  a.mean.ellipse.semi_axes[0],
+                  asked.ellipse_length * pair.gear().blank().face_width / 2,
+                  1e-6);
+      check(what + "the next pair takes over inside the flanks",
+            a.hands_over && a.contact_ratio > 1.2);
+    }
+  const ToothForms forms = measure_tooth_forms(pair);
+  check(name + ": teeth can be cut and run", forms.findings.causes().empty());
+}
+
+GearPairOptions basic(const unsigned int pinion, const unsigned int gear, const double module)
+{
+  GearPairOptions options;
+  options.proposal.pinion_teeth = pinion;
+  options.proposal.gear_teeth   = gear;
+  options.proposal.module       = module;
+  return options;
+}
+
+int main()
+{
+  check_pair("25/25", basic(25, 25, 4.));
+  check_pair("9/33", basic(9, 33, 5.5));
+  check_pair("17/43", basic(17, 43, 4.));
+  GearPairOptions right      = basic(17, 43, 4.);
+  right.proposal.pinion_hand = Hand::right;
+  check_pair("17/43 right hand", right);
+  GearPairOptions skew = basic(17, 43, 4.);
+  skew.shaft_angle     = 75. * pi / 180.;
+  check_pair("17/43 at 75 deg", skew);
+  GearPairOptions nothing = basic(17, 43, 0.);
+  try
+    {
+      nothing.check();
+      check("missing module", false);
+    }
+  catch (const InputError &error)
+    {
+      std::cout << error.entry() << ": " << error.what() << std::endl;
+    }
+}
