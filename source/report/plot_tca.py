@@ -79,7 +79,13 @@ def main():
         sys.exit(__doc__)
     folder = Path(sys.argv[1])
     tables = {name: read(folder / f"{name}.csv") for name in ("tca", "path", "ease_off")}
-    figure, grid = plt.subplots(3, 2, figsize=(13, 12), constrained_layout=True)
+    figure, grid = plt.subplots(
+        3,
+        2,
+        figsize=(13, 9),
+        constrained_layout=True,
+        gridspec_kw={"height_ratios": [3, 1.2, 1.7]},
+    )
     for column, side in enumerate(("drive", "coast")):
         lag, path, ease_off = (
             [row for row in tables[name] if row["side"] == side]
