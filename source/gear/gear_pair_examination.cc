@@ -18,11 +18,15 @@ namespace vfife
     constexpr double root_angle_tolerance = 0.25 * degree;
 
     /** Point radii differ from the nominal cutter radius by the point width and by corrections of a
-     * few per cent; so does the radius that follows from the position of the cutter. */
+     * few per cent. */
     constexpr double cutter_tolerance = 0.05;
 
+    /** The contact lies beside the pitch generatrix, for which the position of the cutter is
+     * compared: up to 6 % in proposed pairs. */
+    constexpr double position_tolerance = 0.08;
+
     /** Corrections of the machine settings change the spiral angle by less. */
-    constexpr double spiral_tolerance = 2.5 * degree;
+    constexpr double spiral_tolerance = 4. * degree;
 
     /** Part of the sum of dedendum angles by which it may miss the duplex formula. */
     constexpr double duplex_tolerance = 0.15;
@@ -48,9 +52,11 @@ namespace vfife
 
       CutterPosition(const Blank &blank, const MachineSettings &settings)
       {
-        const double S = settings.radial_distance, q = std::abs(settings.cradle_angle);
-        const double along  = blank.mean_cone_distance - S * std::cos(q);
-        const double across = S * std::sin(q);
+        const double S = settings.radial_distance, q = settings.cradle_angle;
+        const double along =
+          blank.mean_cone_distance +
+          settings.machine_center_to_back * std::cos(settings.machine_root_angle) - S * std::cos(q);
+        const double across = std::abs(S * std::sin(q) - settings.blank_offset);
         radius              = std::hypot(along, across);
         spiral_angle        = std::atan2(along, across);
       }
@@ -121,7 +127,7 @@ namespace vfife
       {
         const CutterPosition position(blank_, settings_);
         if (std::abs(position.radius - cutting_radius(position)) >
-            cutter_tolerance * position.radius)
+            position_tolerance * position.radius)
           findings_.add(Findings::Action::stop,
                         section_ + "point radius",
                         {section_ + "radial distance",

@@ -7,6 +7,8 @@
 #include <vfife/output/output_folder.h>
 #include <vfife/study/tooth_contact_study.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -190,6 +192,19 @@ namespace vfife
         log.warning(message);
     }
 
+    /** pair.prm: blanks and settings with everything derived or proposed, as a parameter file. */
+    void write_pair(const GearPair &pair, const OutputFolder &folder)
+    {
+      GearPairOptions options = pair.options();
+      options.proposal        = PairProposal();
+      dealii::ParameterHandler prm;
+      {
+        Subsection section(prm, "Gear pair");
+        options.declare(prm);
+      }
+      folder.write_file("pair.prm", [&](std::ostream &out) { print_parameters(out, prm); });
+    }
+
     void log_derived(const GearPair &pair, Log &log)
     {
       const GearPairOptions &o = pair.options();
@@ -250,6 +265,7 @@ namespace vfife
     json["teeth"] = form_json(forms);
     if (!folder.is_writer())
       return;
+    write_pair(pair, folder);
     const Table ease_off = ease_off_table(pair);
     folder.write_file("ease_off.csv", [&](std::ostream &out) { ease_off.write_csv(out); });
     const Table lag = lag_table(pair, sides, options_), path = path_table(pair, sides);

@@ -175,7 +175,7 @@ void check_causes()
   std::cout << "wrong hand: " << causes(hand, Findings::Action::stop) << std::endl;
 
   GearPairOptions cutter                = paper::options();
-  cutter.pinion.concave.radial_distance = 120.;
+  cutter.pinion.concave.radial_distance = 130.;
   std::cout << "cutter position: " << causes(cutter, Findings::Action::stop) << std::endl;
   GearPairOptions spiral         = paper::options();
   spiral.gear.blank.spiral_angle = 35. * degree;
