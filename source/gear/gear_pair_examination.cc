@@ -22,8 +22,8 @@ namespace vfife
     constexpr double cutter_tolerance = 0.05;
 
     /** The contact lies beside the pitch generatrix, for which the position of the cutter is
-     * compared: up to 6 % in proposed pairs. */
-    constexpr double position_tolerance = 0.08;
+     * compared: 8 % in a proposed pair 9/33. */
+    constexpr double position_tolerance = 0.1;
 
     /** Corrections of the machine settings change the spiral angle by less. */
     constexpr double spiral_tolerance = 4. * degree;
