@@ -3,6 +3,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/dynamics/relaxation.h>
+#include <vfife/dynamics/standing_pattern.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,8 @@ namespace vfife
   void Relaxation::add_applied(const State &state, const Loads &loads, std::vector<double> &forces)
   {
     torques_.add_part(loads.torque, state.position.data(), forces.data());
+    if (loads.pattern != nullptr)
+      loads.pattern->add_forces(operator_.masses(), forces);
     if (!loads.centrifugal)
       return;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)

@@ -5,6 +5,7 @@
 #include <vfife/base/revision.h>
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/dynamics/relaxation.h>
+#include <vfife/dynamics/standing_pattern.h>
 #include <vfife/output/checkpoint.h>
 #include <vfife/output/field_writer.h>
 #include <vfife/output/history_writer.h>
@@ -137,6 +138,13 @@ namespace vfife
     report_contradictions(model, solver, dt, run_time, found, log);
   }
 
+  namespace
+  {
+    /** The pattern changes its own forces of inertia by (n Omega/omega_n)^2, n waves around a body
+     * of frequency omega_n: a few per cent. */
+    constexpr unsigned int pattern_rounds = 2;
+  } // namespace
+
   DynamicRun::Preload DynamicRun::preload(const Model        &model,
                                           ExplicitSolver     &solver,
                                           State              &state,
@@ -171,6 +179,7 @@ namespace vfife
     Preload result;
     result.parts = probe.take_loaded(state);
     result.swing = probe.compute_swing(state, result.parts, torque);
+    StandingPattern pattern(model, communicator);
     if (dynamics_.start == Start::ramp)
       {
         // The flanks of the spun shapes just touch: under a thousandth of the torque.
@@ -178,8 +187,17 @@ namespace vfife
         loads.torque = 1e-3;
         relax("touching", loads);
       }
+    else
+      for (unsigned int round = 0; round < pattern_rounds; ++round)
+        {
+          pattern.update(state);
+          loads         = Relaxation::Loads();
+          loads.pattern = &pattern;
+          relax("standing in space", loads);
+        }
     log.line("  took ", duration_text(seconds_since(start)));
     solver.set_rigid_velocities(state);
+    pattern.add_velocities(state.velocity);
 
     const DeflectionParts &parts = result.parts;
     log.line("transmission error under load ",

@@ -11,6 +11,7 @@
 namespace vfife
 {
   class Log;
+  class StandingPattern;
 
   /** How a relaxation went. */
   struct RelaxationReport
@@ -40,11 +41,12 @@ namespace vfife
     /** What acts beside internal forces. */
     struct Loads
     {
-      bool   centrifugal   = true;
-      double torque        = 1; ///< part of the full torque
-      bool   contact       = true;
-      bool   hold_rotation = false; ///< free rotations are held
-      double looseness     = 1;     ///< factor of the tolerance, for states that are passed through
+      bool                   centrifugal   = true;
+      double                 torque        = 1; ///< part of the full torque
+      bool                   contact       = true;
+      bool                   hold_rotation = false;   ///< free rotations are held
+      const StandingPattern *pattern       = nullptr; ///< forces of inertia to add
+      double looseness = 1; ///< factor of the tolerance, for states that are passed through
     };
 
     /**
