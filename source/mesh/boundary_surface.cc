@@ -95,4 +95,15 @@ namespace vfife
         });
       });
   }
+
+  void add_named_side(BodyMesh                                &mesh,
+                      const std::string                       &name,
+                      const std::function<bool(unsigned int)> &selected)
+  {
+    auto &set = mesh.node_sets[name];
+    for (unsigned int i = 0; i < mesh.triangulation.n_vertices(); ++i)
+      if (selected(i))
+        set.push_back(i);
+    mesh.surfaces[name] = surface_of_boundary(mesh.triangulation, name, set);
+  }
 } // namespace vfife
