@@ -1,10 +1,23 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/mesh/flank_surface.h>
 #include <vfife/mesh/gear_body.h>
+#include <vfife/mesh/gear_manifolds.h>
 #include <vfife/mesh/gear_sector.h>
+#include <vfife/mesh/node_set_names.h>
 
 namespace vfife
 {
+  namespace
+  {
+    std::map<unsigned int, std::string> gear_region_names()
+    {
+      return {{static_cast<unsigned int>(GearRegion::tooth), "teeth"},
+              {static_cast<unsigned int>(GearRegion::rim), "rim"},
+              {static_cast<unsigned int>(GearRegion::web), "web"},
+              {static_cast<unsigned int>(GearRegion::hub), "hub"}};
+    }
+  } // namespace
+
   std::unique_ptr<BodyMesh> make_gear_body(const GearMember &member, const GearBodyOptions &options)
   {
     options.check(member.name(), member.blank());
@@ -33,7 +46,11 @@ namespace vfife
           }
         mesh->sector.insert(mesh->sector.end(), sector.hexahedra.size(), k);
       }
-    create_triangulation(*mesh, nodes, hexahedra);
+    std::vector<unsigned int> regions;
+    for (unsigned int k = 0; k < n_sectors; ++k)
+      regions.insert(regions.end(), sector.regions.begin(), sector.regions.end());
+    create_triangulation(*mesh, nodes, hexahedra, regions);
+    mesh->regions = gear_region_names();
 
     for (const auto &set : sector.node_sets)
       for (unsigned int k = 0; k < n_sectors; ++k)
@@ -44,6 +61,8 @@ namespace vfife
         FacetSurface surface         = make_flank_surface(member, grid, n_nodes);
         mesh->surfaces[surface.name] = std::move(surface);
       }
+    name_boundaries(*mesh, gear_boundaries());
+    attach_gear_manifolds(*mesh, member);
     return mesh;
   }
 } // namespace vfife

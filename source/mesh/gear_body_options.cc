@@ -185,6 +185,12 @@ namespace vfife
                     hub_side_cells,
                     "Cells of the hub along the axis on either side of the web",
                     1);
+    declare_integer(prm,
+                    "refinements",
+                    refinements,
+                    "Times that every cell is divided into eight, new nodes on the true surfaces",
+                    0,
+                    3);
   }
 
   void GearBodyOptions::check(const std::string &section, const Blank &blank) const

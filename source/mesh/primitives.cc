@@ -66,6 +66,7 @@ namespace vfife
           return along(i, d) == counts[d];
         });
       }
+    name_boundaries(*mesh, {"x-", "x+", "y-", "y+", "z-", "z+"});
     return mesh;
   }
 

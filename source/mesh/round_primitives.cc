@@ -3,6 +3,8 @@
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/primitives.h>
 
+#include <deal.II/grid/manifold_lib.h>
+
 #include <cmath>
 
 namespace vfife
@@ -15,6 +17,19 @@ namespace vfife
     {
       if (!condition)
         throw InputError(message);
+    }
+
+    /** Manifold id of curved faces, or of all that is curved. */
+    constexpr dealii::types::manifold_id curved = 1;
+
+    /** Refinement puts new nodes of the outer surface, the first boundary, on the manifold. */
+    void curve_outer(BodyMesh &mesh, const dealii::Manifold<3> &manifold)
+    {
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && face->boundary_id() == 1)
+            face->set_all_manifold_ids(curved);
+      mesh.triangulation.set_manifold(curved, manifold);
     }
   } // namespace
 
@@ -62,6 +77,9 @@ namespace vfife
     add_named_side(*mesh, "outer", [&](const unsigned int i) { return radial(i) == counts[0]; });
     add_named_side(*mesh, "bottom", [&](const unsigned int i) { return axial(i) == 0; });
     add_named_side(*mesh, "top", [&](const unsigned int i) { return axial(i) == counts[2]; });
+    name_boundaries(*mesh, {"inner", "outer", "bottom", "top"});
+    mesh->triangulation.set_all_manifold_ids(curved);
+    mesh->triangulation.set_manifold(curved, dealii::CylindricalManifold<3>(2));
     return mesh;
   }
 
@@ -188,6 +206,8 @@ namespace vfife
     });
     add_named_side(*mesh, "bottom", [&](const unsigned int i) { return i / per_layer == 0; });
     add_named_side(*mesh, "top", [&](const unsigned int i) { return i / per_layer == counts[2]; });
+    name_boundaries(*mesh, {"outer", "bottom", "top"});
+    curve_outer(*mesh, dealii::CylindricalManifold<3>(2));
     return mesh;
   }
 
@@ -312,6 +332,8 @@ namespace vfife
     add_named_side(*mesh, "outer", [&](const unsigned int i) {
       return i >= ball.nodes.size() - ball.border;
     });
+    name_boundaries(*mesh, {"outer"});
+    curve_outer(*mesh, dealii::SphericalManifold<3>());
     return mesh;
   }
 } // namespace vfife

@@ -29,6 +29,11 @@ namespace vfife
                                    const std::string               &name,
                                    const std::vector<unsigned int> &nodes);
 
+  /** The same for the active boundary faces of a boundary id. */
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
+                                   const std::string              &name,
+                                   dealii::types::boundary_id      boundary);
+
   /** The nodes in @p selected become the node set @p name, the boundary faces between them the
    * surface of that name. */
   void add_named_side(BodyMesh                                &mesh,

@@ -61,6 +61,7 @@ namespace vfife
     unsigned int web_rows       = 11; ///< along the web, the coarsening row included
     unsigned int hub_rows       = 3;  ///< from hub radius to bore
     unsigned int hub_side_cells = 4;  ///< along the axis on either side of the web
+    unsigned int refinements    = 0;  ///< times that every cell is divided into eight
 
     /** Declares the subsections Body and Mesh in the current section. */
     void declare(dealii::ParameterHandler &prm);
@@ -91,7 +92,9 @@ namespace vfife
   /**
    * The mesh of a gear: one sector is built (doc/mesh.md) and turned z times about the axis; node
    * and cell numbers run sector by sector, node i of sector k is node i of sector 0 turned by 2 pi
-   * k / z. Node sets and surfaces as in node_set_names.h. Throws InputError as check() does, and
+   * k / z. Node sets, surfaces and boundary ids as in node_set_names.h, material ids as in
+   * GearRegion, manifolds as in gear_manifolds.h: further refinement keeps to the true surfaces
+   * (sets and surfaces describe the mesh as it is returned). Throws InputError as check() does, and
    * NumericalError for an inverted cell.
    */
   std::unique_ptr<BodyMesh> make_gear_body(const GearMember      &member,
