@@ -43,7 +43,7 @@ namespace vfife
   void name_boundaries(BodyMesh &mesh, const std::vector<std::string> &names)
   {
     std::vector<std::uint32_t> sets_of_node(mesh.triangulation.n_vertices(), 0);
-    Assert(names.size() <= 32, dealii::ExcInternalError());
+    Assert(names.size() <= most_boundaries, dealii::ExcInternalError());
     for (unsigned int i = 0; i < names.size(); ++i)
       {
         const auto set = mesh.node_sets.find(names[i]);

@@ -7,6 +7,7 @@
 #include <vfife/base/parameters.h>
 #include <vfife/output/output_folder.h>
 #include <vfife/study/dynamic_run.h>
+#include <vfife/study/mesh_study.h>
 #include <vfife/study/study.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -27,7 +28,7 @@ namespace vfife
     }
 
     /** All kinds of studies. */
-    const Choices<MakeStudy> study_kinds = {{"run", &make<DynamicRun>}};
+    const Choices<MakeStudy> study_kinds = {{"run", &make<DynamicRun>}, {"mesh", &make<MeshStudy>}};
 
     struct StudyOptions
     {

@@ -50,11 +50,13 @@ namespace vfife
                             const std::vector<CellNodes>    &hexahedra,
                             const std::vector<unsigned int> &regions = {});
 
+  constexpr unsigned int most_boundaries = 32;
+
   /**
    * Gives boundary faces the boundary ids 1, 2, ... in the order of @p names: a face belongs to the
    * first of these node sets that contains its four nodes, and has id 0 where there is none. Names
    * without a node set take a number all the same, so that an id means the same in all bodies of a
-   * kind.
+   * kind. At most most_boundaries names.
    */
   void name_boundaries(BodyMesh &mesh, const std::vector<std::string> &names);
 } // namespace vfife
