@@ -127,9 +127,11 @@ namespace
                          end == "vtk" ? dealii::GridOut::vtk : dealii::GridOut::ucd);
         }
         const auto again = read_body("ring." + end);
-        check(end + ": volume and outer surface",
-              std::abs(volume(*again) - volume(*ring)) < 1e-5 &&
-                again->surfaces.at("boundary 2").facets.size() == 8);
+        // deal.II writes six digits
+        check_close(end + ": volume", volume(*again), volume(*ring), 1e-4);
+        const auto outer = again->surfaces.find("boundary 2");
+        check(end + ": outer surface",
+              outer != again->surfaces.end() && outer->second.facets.size() == 8);
       }
   }
 
