@@ -18,11 +18,12 @@ namespace vfife
     }
   } // namespace
 
-  std::unique_ptr<BodyMesh> make_gear_body(const GearMember &member, const GearBodyOptions &options)
+  std::unique_ptr<BodyMesh> make_gear_body(const GearMember &member, const GearBodyOptions &asked)
   {
-    options.check(member.name(), member.blank());
-    const GearSector   sector    = make_gear_sector(member, options);
-    const unsigned int n_sectors = member.blank().teeth, n_nodes = sector.nodes.size();
+    asked.check(member.name(), member.blank());
+    const GearBodyOptions options   = asked.with_counts_of_size(member);
+    const GearSector      sector    = make_gear_sector(member, options);
+    const unsigned int    n_sectors = member.blank().teeth, n_nodes = sector.nodes.size();
 
     auto mesh       = std::make_unique<BodyMesh>();
     mesh->name      = member.name();

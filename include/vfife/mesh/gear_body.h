@@ -52,6 +52,8 @@ namespace vfife
     double        hub_length =
       36.; ///< along the axis, centred where the mid-surface of the web meets the hub [mm]
 
+    double element_size = 0.; ///< target edge length [mm]; 0: the counts below, as they stand
+
     unsigned int cells_lengthwise = 12; ///< along the face width
     unsigned int cells_across     = 5;  ///< across a tooth
     unsigned int flank_rows       = 8;  ///< from flank start to tip
@@ -69,6 +71,10 @@ namespace vfife
     /** Throws InputError (entries under @p section, e.g. "Gear pair/Gear") when sizes contradict
      * each other or @p blank. */
     void check(const std::string &section, const Blank &blank) const;
+
+    /** The same with the counts that the element size asks for, each at least as small as check()
+     * allows; unchanged where no size is given. */
+    GearBodyOptions with_counts_of_size(const GearMember &member) const;
 
     /** Columns of cells of a sector's rim: across the tooth, and two on either side for fillet and
      * root land. */
