@@ -2,11 +2,14 @@
 #include <vfife/base/errors.h>
 #include <vfife/mesh/body_mesh.h>
 
+#include <cstdint>
+
 namespace vfife
 {
-  void create_triangulation(BodyMesh                     &mesh,
-                            const std::vector<Vector3>   &nodes,
-                            const std::vector<CellNodes> &hexahedra)
+  void create_triangulation(BodyMesh                        &mesh,
+                            const std::vector<Vector3>      &nodes,
+                            const std::vector<CellNodes>    &hexahedra,
+                            const std::vector<unsigned int> &regions)
   {
     std::vector<dealii::Point<3>> points;
     points.reserve(nodes.size());
@@ -15,6 +18,8 @@ namespace vfife
 
     std::vector<bool>                used(nodes.size(), false);
     std::vector<dealii::CellData<3>> cells(hexahedra.size());
+    for (std::size_t e = 0; e < regions.size(); ++e)
+      cells[e].material_id = regions[e];
     for (std::size_t e = 0; e < hexahedra.size(); ++e)
       for (unsigned int v = 0; v < 8; ++v)
         {
@@ -33,5 +38,34 @@ namespace vfife
         if (cell->vertex_index(v) != hexahedra[cell->active_cell_index()][v])
           throw NumericalError("mesh " + mesh.name + ": deal.II renumbered element " +
                                std::to_string(cell->active_cell_index()));
+  }
+
+  void name_boundaries(BodyMesh &mesh, const std::vector<std::string> &names)
+  {
+    std::vector<std::uint32_t> sets_of_node(mesh.triangulation.n_vertices(), 0);
+    Assert(names.size() <= most_boundaries, dealii::ExcInternalError());
+    for (unsigned int i = 0; i < names.size(); ++i)
+      {
+        const auto set = mesh.node_sets.find(names[i]);
+        if (set == mesh.node_sets.end())
+          continue;
+        mesh.boundaries[i + 1] = names[i];
+        for (const unsigned int node : set->second)
+          sets_of_node[node] |= std::uint32_t(1) << i;
+      }
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        {
+          if (!face->at_boundary())
+            continue;
+          std::uint32_t common = ~std::uint32_t(0);
+          for (unsigned int v = 0; v < 4; ++v)
+            common &= sets_of_node[face->vertex_index(v)];
+          unsigned int id = 0;
+          for (unsigned int i = names.size(); i > 0; --i)
+            if ((common >> (i - 1) & 1u) != 0)
+              id = i;
+          face->set_boundary_id(id);
+        }
   }
 } // namespace vfife

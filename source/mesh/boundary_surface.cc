@@ -10,7 +10,8 @@ namespace vfife
   namespace
   {
     using FaceNodes = std::array<unsigned int, 4>;
-    using FaceTest  = std::function<bool(const FaceNodes &, const std::array<Vector3, 4> &)>;
+    using FaceTest  = std::function<
+      bool(dealii::types::boundary_id, const FaceNodes &, const std::array<Vector3, 4> &)>;
 
     /** Corners of the faces of a right-handed hexahedron, counter-clockwise seen from outside. */
     constexpr unsigned int outward_faces[6][4] = {
@@ -43,7 +44,7 @@ namespace vfife
                 nodes[v]           = cell->vertex_index(outward_faces[f][v]);
                 x[v]               = Vector3(corner[0], corner[1], corner[2]);
               }
-            if (!takes(nodes, x))
+            if (!takes(cell->face(f)->boundary_id(), nodes, x))
               continue;
 
             FaceNodes facet;
@@ -78,7 +79,9 @@ namespace vfife
   {
     return collect_facets(triangulation,
                           name,
-                          [&select](const FaceNodes &, const std::array<Vector3, 4> &x) {
+                          [&select](dealii::types::boundary_id,
+                                    const FaceNodes &,
+                                    const std::array<Vector3, 4> &x) {
                             const Vector3 centre = (x[0] + x[1] + x[2] + x[3]) / 4.;
                             return select(centre, area_vector(x).normalized());
                           });
@@ -89,10 +92,34 @@ namespace vfife
                                    const std::vector<unsigned int> &nodes)
   {
     return collect_facets(
-      triangulation, name, [&nodes](const FaceNodes &face, const std::array<Vector3, 4> &) {
+      triangulation,
+      name,
+      [&nodes](dealii::types::boundary_id, const FaceNodes &face, const std::array<Vector3, 4> &) {
         return std::all_of(face.begin(), face.end(), [&nodes](const unsigned int i) {
           return std::binary_search(nodes.begin(), nodes.end(), i);
         });
       });
+  }
+
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3>  &triangulation,
+                                   const std::string               &name,
+                                   const dealii::types::boundary_id boundary)
+  {
+    return collect_facets(triangulation,
+                          name,
+                          [boundary](const dealii::types::boundary_id id,
+                                     const FaceNodes &,
+                                     const std::array<Vector3, 4> &) { return id == boundary; });
+  }
+
+  void add_named_side(BodyMesh                                &mesh,
+                      const std::string                       &name,
+                      const std::function<bool(unsigned int)> &selected)
+  {
+    auto &set = mesh.node_sets[name];
+    for (unsigned int i = 0; i < mesh.triangulation.n_vertices(); ++i)
+      if (selected(i))
+        set.push_back(i);
+    mesh.surfaces[name] = surface_of_boundary(mesh.triangulation, name, set);
   }
 } // namespace vfife

@@ -54,20 +54,7 @@ namespace vfife
           tooth.positions.push_back(point.position);
           tooth.normals.push_back(-point.normal); // out of the metal
         }
-      const unsigned int per_section = grid.rows + 1;
-      const unsigned int sections    = grid.nodes.size() / per_section;
-      // (L, h, polar angle) is right-handed: seen from outside, xi runs along L on the upper flank,
-      // against it on the lower.
-      const bool upper = grid.side == member.upper_side();
-      for (unsigned int i = 0; i + 1 < sections; ++i)
-        for (unsigned int row = 0; row < grid.rows; ++row)
-          {
-            const unsigned int here = i * per_section + row, there = here + per_section;
-            if (upper)
-              tooth.facets.push_back({{here, there, there + 1, here + 1}});
-            else
-              tooth.facets.push_back({{there, here, here + 1, there + 1}});
-          }
+      tooth.facets = grid.facets;
       return tooth;
     }
 

@@ -1,15 +1,29 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/mesh/flank_surface.h>
 #include <vfife/mesh/gear_body.h>
+#include <vfife/mesh/gear_manifolds.h>
 #include <vfife/mesh/gear_sector.h>
+#include <vfife/mesh/node_set_names.h>
 
 namespace vfife
 {
-  std::unique_ptr<BodyMesh> make_gear_body(const GearMember &member, const GearBodyOptions &options)
+  namespace
   {
-    options.check(member.name(), member.blank());
-    const GearSector   sector    = make_gear_sector(member, options);
-    const unsigned int n_sectors = member.blank().teeth, n_nodes = sector.nodes.size();
+    std::map<unsigned int, std::string> gear_region_names()
+    {
+      return {{static_cast<unsigned int>(GearRegion::tooth), "teeth"},
+              {static_cast<unsigned int>(GearRegion::rim), "rim"},
+              {static_cast<unsigned int>(GearRegion::web), "web"},
+              {static_cast<unsigned int>(GearRegion::hub), "hub"}};
+    }
+  } // namespace
+
+  std::unique_ptr<BodyMesh> make_gear_body(const GearMember &member, const GearBodyOptions &asked)
+  {
+    asked.check(member.name(), member.blank());
+    const GearBodyOptions options   = asked.with_counts_of_size(member);
+    const GearSector      sector    = make_gear_sector(member, options);
+    const unsigned int    n_sectors = member.blank().teeth, n_nodes = sector.nodes.size();
 
     auto mesh       = std::make_unique<BodyMesh>();
     mesh->name      = member.name();
@@ -33,7 +47,11 @@ namespace vfife
           }
         mesh->sector.insert(mesh->sector.end(), sector.hexahedra.size(), k);
       }
-    create_triangulation(*mesh, nodes, hexahedra);
+    std::vector<unsigned int> regions;
+    for (unsigned int k = 0; k < n_sectors; ++k)
+      regions.insert(regions.end(), sector.regions.begin(), sector.regions.end());
+    create_triangulation(*mesh, nodes, hexahedra, regions);
+    mesh->regions = gear_region_names();
 
     for (const auto &set : sector.node_sets)
       for (unsigned int k = 0; k < n_sectors; ++k)
@@ -44,6 +62,8 @@ namespace vfife
         FacetSurface surface         = make_flank_surface(member, grid, n_nodes);
         mesh->surfaces[surface.name] = std::move(surface);
       }
+    name_boundaries(*mesh, gear_boundaries());
+    attach_gear_manifolds(*mesh, member);
     return mesh;
   }
 } // namespace vfife

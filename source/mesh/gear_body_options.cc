@@ -22,6 +22,8 @@ namespace vfife
 
     /** A web steeper to the rim than this would leave no room for cells between it and the rim. */
     constexpr double largest_turn = 75. * degree;
+    /** Least element size over the face width: some ten million elements in a pair. */
+    constexpr double least_size_part = 1. / 150.;
     /** Least part of the rim's thickness that stays free on either side of the web. */
     constexpr double least_free_part = .08;
 
@@ -167,6 +169,13 @@ namespace vfife
                        Range::positive());
     }
     const Subsection section(prm, "Mesh");
+    declare_quantity(prm,
+                     "element size",
+                     element_size,
+                     "mm",
+                     "Target length of edges; 0: as the numbers of cells below say, else these "
+                     "follow from the size",
+                     Range::not_negative());
     declare_integer(prm, "cells lengthwise", cells_lengthwise, "Cells along the face width", 1);
     declare_integer(prm,
                     "cells across tooth",
@@ -185,12 +194,23 @@ namespace vfife
                     hub_side_cells,
                     "Cells of the hub along the axis on either side of the web",
                     1);
+    declare_integer(prm,
+                    "refinements",
+                    refinements,
+                    "Times that every cell is divided into eight, new nodes on the true surfaces",
+                    0,
+                    3);
   }
 
   void GearBodyOptions::check(const std::string &section, const Blank &blank) const
   {
     const Refusal refuse(section);
-    check_counts(*this, refuse);
+    refuse.unless(element_size == 0. || element_size >= least_size_part * blank.face_width,
+                  "Mesh/element size",
+                  millimetres(element_size) + " is too small, at least " +
+                    millimetres(least_size_part * blank.face_width));
+    if (element_size == 0.)
+      check_counts(*this, refuse);
 
     const double  L     = blank.inner_cone_distance();
     const Vector2 inner = root_point(blank, L);

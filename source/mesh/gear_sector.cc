@@ -51,7 +51,9 @@ namespace vfife
   GearSector GearSectorBuilder::build()
   {
     add_tooth();
+    region_ = GearRegion::rim;
     add_rim();
+    region_ = GearRegion::web;
     if (conical_)
       add_web();
     add_named_ends();
@@ -101,6 +103,7 @@ namespace vfife
           throw NumericalError(message.str());
         }
     sector_.hexahedra.push_back(nodes);
+    sector_.regions.push_back(static_cast<unsigned int>(region_));
   }
 
   void GearSectorBuilder::add_to_set(const char *name, const unsigned int node)
@@ -248,7 +251,12 @@ namespace vfife
           add_to_set(name, node);
     };
     add_layer(node_set::toe, tooth_.front());
-    add_layer(node_set::toe, rim_.front());
+    // The web covers the rows between its faces.
+    const unsigned int above = conical_ ? rows_above_web() : options_.rim_rows,
+                       below = conical_ ? above + options_.web_layers : above;
+    for (unsigned int row = 0; row <= options_.rim_rows; ++row)
+      if (row <= above || row >= below)
+        add_layer(node_set::toe, {rim_.front()[row]});
     add_layer(node_set::heel, tooth_.back());
     add_layer(node_set::heel, rim_.back());
     for (const NodeLayer &layer : tooth_)
@@ -258,6 +266,8 @@ namespace vfife
         add_layer(options_.web == WebKind::solid ? node_set::bore : node_set::rim_underside,
                   {layer.back()});
         add_layer(node_set::rim, layer);
+        for (const unsigned int column : {0u, 1u, options_.columns() - 1})
+          add_to_set(node_set::root_land, layer[0][column]);
       }
   }
 
@@ -265,21 +275,43 @@ namespace vfife
   {
     const bool upper = side == member_.upper_side();
     FlankGrid  grid;
-    grid.side = side;
-    grid.rows = options_.flank_rows;
+    grid.side               = side;
+    const unsigned int rows = options_.flank_rows;
     for (unsigned int i = 0; i < sections_.size(); ++i)
-      for (unsigned int row = 0; row <= grid.rows; ++row)
+      for (unsigned int row = 0; row <= rows; ++row)
         {
           const auto &profile = upper ? sections_[i].upper : sections_[i].lower;
           const auto &nodes   = tooth_[i][row + 1];
           grid.nodes.push_back(upper ? nodes.back() : nodes.front());
           grid.L_h.emplace_back(sections_[i].cone_distance, profile[row + 2][0]);
+          add_to_set(side == FlankSide::concave ? surface_name::concave : surface_name::convex,
+                     grid.nodes.back());
+          if (i + 1 == sections_.size() || row == rows)
+            continue;
+          // (L, h, polar angle) is right-handed: seen from outside, xi runs along L on the upper
+          // flank, against it on the lower.
+          const unsigned int here = grid.nodes.size() - 1, there = here + rows + 1;
+          if (upper)
+            grid.facets.push_back({{here, there, there + 1, here + 1}});
+          else
+            grid.facets.push_back({{there, here, here + 1, there + 1}});
         }
+    const char *fillet =
+      side == FlankSide::concave ? node_set::concave_fillet : node_set::convex_fillet;
+    for (unsigned int i = 0; i < sections_.size(); ++i)
+      {
+        const unsigned int bottom = upper ? options_.columns() - 1 : 1;
+        add_to_set(fillet, rim_[i][0][bottom]);
+        for (const unsigned int row : {0u, 1u})
+          add_to_set(fillet, upper ? tooth_[i][row].back() : tooth_[i][row].front());
+      }
     sector_.flanks.push_back(grid);
   }
 
   GearSector make_gear_sector(const GearMember &member, const GearBodyOptions &options)
   {
-    return GearSectorBuilder(member, options).build();
+    const GearSector sector = GearSectorBuilder(member, options).build();
+    return options.refinements == 0 ? sector
+                                    : refine_gear_sector(member, sector, options.refinements);
   }
 } // namespace vfife

@@ -121,6 +121,7 @@ namespace vfife
 
   void GearSectorBuilder::add_hub(const NodeLayer &web_end)
   {
+    region_                   = GearRegion::hub;
     const unsigned int layers = options_.web_layers, side = options_.hub_side_cells;
     const unsigned int columns = web_end.front().size() - 1, lines = 2 * side + layers;
     const double       middle = web_.point(1., 0.)[1];

@@ -46,7 +46,8 @@ namespace vfife
     /** Corners' share: edges, determinants, scaled Jacobian (returned). */
     double measure_corners(const Corners &x, MeshQuality &quality)
     {
-      double least = std::numeric_limits<double>::max();
+      double least    = std::numeric_limits<double>::max();
+      double shortest = std::numeric_limits<double>::max(), longest = 0.;
       for (unsigned int v = 0; v < 8; ++v)
         {
           Matrix3 edges;
@@ -56,14 +57,17 @@ namespace vfife
               const unsigned int bit = 1u << d;
               edges.col(d)           = x[v | bit] - x[v & ~bit];
               const double length    = edges.col(d).norm();
-              quality.least_edge     = std::min(quality.least_edge, length);
-              quality.largest_edge   = std::max(quality.largest_edge, length);
+              shortest               = std::min(shortest, length);
+              longest                = std::max(longest, length);
               lengths *= length;
             }
           const double determinant  = edges.determinant();
           quality.least_determinant = std::min(quality.least_determinant, determinant);
           least                     = std::min(least, determinant / lengths);
         }
+      quality.least_edge           = std::min(quality.least_edge, shortest);
+      quality.largest_edge         = std::max(quality.largest_edge, longest);
+      quality.largest_aspect_ratio = std::max(quality.largest_aspect_ratio, longest / shortest);
       return least;
     }
   } // namespace

@@ -129,14 +129,24 @@ namespace vfife
 
   void GearCase::check() const
   {
+    check_bodies();
+    operation_.check("Operation");
+    contact_.check("Contact");
+  }
+
+  GearPair GearCase::make_pair() const
+  {
+    return GearPair(pair_);
+  }
+
+  void GearCase::check_bodies() const
+  {
     pair_.check("Gear pair");
     const GearPairOptions completed = pair_.completed();
     pinion_body_.check("Gear pair/Pinion", completed.pinion.blank);
     gear_body_.check("Gear pair/Gear", completed.gear.blank);
     for (const Material &m : materials_)
       m.check("Material " + m.name);
-    operation_.check("Operation");
-    contact_.check("Contact");
   }
 
   const Material &GearCase::material(const std::string &name) const
@@ -280,7 +290,8 @@ namespace vfife
                  quality.least_scaled_jacobian,
                  ", least edge ",
                  quality.least_edge,
-                 " mm");
+                 " mm, largest aspect ratio ",
+                 quality.largest_aspect_ratio);
       }
   }
 } // namespace vfife

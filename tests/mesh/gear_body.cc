@@ -257,11 +257,27 @@ namespace
     check("refuses a short hub", refuses(gear, [](Options &o) { o.hub_length = 4.; }));
     check("refuses a rim without thickness",
           refuses(gear, [](Options &o) { o.rim_thickness = 0.; }));
+    check("refuses a tiny element size", refuses(gear, [](Options &o) { o.element_size = .01; }));
     check("refuses too few rim rows", refuses(gear, [](Options &o) { o.rim_rows = 3; }));
     check("refuses a solid body without metal", refuses(gear, [](Options &o) {
             o.web         = WebKind::solid;
             o.bore_radius = 95.;
           }));
+  }
+
+  /** Half the element size makes many more cells of a body of the same volume. */
+  void check_element_size(const GearMember &member, GearBodyOptions options)
+  {
+    const std::string name = member.name() + ": element size";
+    options.element_size   = 3.;
+    const auto first       = compute_mesh_quality(make_gear_body(member, options)->triangulation);
+    options.element_size   = 1.5;
+    const auto second      = compute_mesh_quality(make_gear_body(member, options)->triangulation);
+    // across tooth and web, counts are at their least values already: not eight times
+    check(name + ", cells", second.cells > 3 * first.cells);
+    check(name + ", cells not inverted",
+          first.least_scaled_jacobian > .3 && second.least_scaled_jacobian > .3);
+    check(name + ", volume", std::abs(second.volume / first.volume - 1.) < 5e-3);
   }
 
   void check_declaration(const GearMember &gear)
@@ -310,6 +326,8 @@ int main()
   check_volume(pinion, solid);
   check_volume(gear, without_web);
   check_web(*gear_mesh, gear, with_web);
+  check_element_size(gear, GearBodyOptions());
+  check_element_size(pinion, pinion_body_defaults());
   check_refusals(gear);
   check_declaration(gear);
 }

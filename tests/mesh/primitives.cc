@@ -6,7 +6,10 @@
 #include <vfife/base/errors.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/mesh_quality.h>
+#include <vfife/mesh/primitive_options.h>
 #include <vfife/mesh/primitives.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 using namespace vfife;
 
@@ -135,6 +138,86 @@ namespace
       }
     check("cylinder axis nodes", on_axis);
   }
+
+  void check_beam_and_disc()
+  {
+    const auto beam     = make_beam({10., 2., 1.}, {{5, 2, 2}});
+    const auto disc     = make_disc(3., .5, {{4, 3, 1}});
+    Vector3    beam_sum = Vector3::Zero(), disc_sum = Vector3::Zero();
+    for (const auto &x : beam->triangulation.get_vertices())
+      beam_sum += Vector3(x[0], x[1], x[2]);
+    for (const auto &x : disc->triangulation.get_vertices())
+      disc_sum += Vector3(x[0], x[1], x[2]);
+    check_below("beam centred on its axis", std::hypot(beam_sum[1], beam_sum[2]), round_off);
+    check_below("disc centred on the origin", disc_sum.norm(), round_off);
+    check("beam and disc sides",
+          beam->surfaces.at("x+").facets.size() == 4 &&
+            disc->surfaces.at("outer").facets.size() == 16);
+  }
+
+  double sphere_volume_error(const unsigned int n)
+  {
+    const auto sphere = make_sphere(10., {{n, n}});
+    return compute_mesh_quality(sphere->triangulation).volume / (4. / 3. * pi * 1000.) - 1.;
+  }
+
+  void check_sphere()
+  {
+    const auto sphere  = make_sphere(10., {{4, 3}});
+    const auto quality = compute_mesh_quality(sphere->triangulation);
+    check("sphere cells", quality.cells == 64 + 6 * 16 * 3 && quality.nodes == 125 + 3 * 98);
+    check("sphere scaled Jacobian above 0.7", quality.least_scaled_jacobian > .7);
+    // Every edge is a chord: the volume is too small by a term of second order.
+    check_close("sphere volume: order",
+                std::log2(sphere_volume_error(4) / sphere_volume_error(8)),
+                2.,
+                .05);
+    const FacetSurface &outer = sphere->surfaces.at("outer");
+    double              off   = 0.;
+    for (const Vector3 &x : outer.positions)
+      off = std::max(off, std::abs(x.norm() - 10.));
+    check_below("sphere outer nodes on the sphere", off, round_off);
+    check("sphere surface closes", outer.facets.size() == 96 && open_sides(outer) == 0);
+    const auto &centre = sphere->triangulation.get_vertices()[sphere->node_sets.at("centre")[0]];
+    check_below("sphere centre node", centre.norm(), round_off);
+    sphere->triangulation.refine_global(1);
+    double off_refined = 0.;
+    for (const Vector3 &x : surface_of_boundary(sphere->triangulation, "refined", 1).positions)
+      off_refined = std::max(off_refined, std::abs(x.norm() - 10.));
+    check_below("sphere refined: outer nodes on the sphere", off_refined, round_off);
+  }
+
+  /** Every shape of the table: declared, read, made. */
+  void check_table()
+  {
+    for (const std::string &shape : PrimitiveOptions::shapes())
+      {
+        PrimitiveOptions         options(shape);
+        dealii::ParameterHandler prm;
+        options.declare(prm);
+        options.check("Body");
+        const auto mesh = make_primitive(options);
+        check(shape + " by name",
+              mesh->name == shape &&
+                compute_mesh_quality(mesh->triangulation).least_scaled_jacobian > .5);
+      }
+    PrimitiveOptions         ring("ring");
+    dealii::ParameterHandler prm;
+    ring.declare(prm);
+    prm.parse_input_from_string("set inner radius = 0.021 m\nset cells around = 12");
+    check("entries are read", std::abs(ring.sizes[0] - 21.) < round_off && ring.counts[1] == 12);
+    check("refuses an unknown shape", refuses([] { PrimitiveOptions("spher"); }));
+    check("refuses an odd core by entry", refuses([] {
+            PrimitiveOptions disc("disc");
+            disc.counts[0] = 3;
+            disc.check("Body");
+          }));
+    check("refuses radii out of order", refuses([] {
+            PrimitiveOptions inside_out("ring");
+            inside_out.sizes[0] = 31.;
+            inside_out.check("Body");
+          }));
+  }
 } // namespace
 
 int main()
@@ -142,6 +225,9 @@ int main()
   check_block();
   check_ring();
   check_cylinder();
+  check_beam_and_disc();
+  check_sphere();
+  check_table();
   check("refuses a flat block", refuses([] { make_block({1., 0., 1.}, {{1, 1, 1}}); }));
   check("refuses no cells", refuses([] { make_block({1., 1., 1.}, {{1, 0, 1}}); }));
   check("refuses a ring inside out", refuses([] { make_ring(2., 1., 1., {{1, 8, 1}}); }));

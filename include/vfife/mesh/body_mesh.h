@@ -26,6 +26,9 @@ namespace vfife
     unsigned int              n_sectors = 1; ///< rotated copies about z that the body consists of
     std::vector<unsigned int> sector;        ///< tooth number of each cell (0 where n_sectors is 1)
 
+    std::map<unsigned int, std::string> regions;    ///< names of the cells' material ids
+    std::map<unsigned int, std::string> boundaries; ///< names of the faces' boundary ids
+
     /** Sorted node lists, e.g. "bore", "web front" (towards the apex), "web back", "node A front".
      */
     std::map<std::string, std::vector<unsigned int>> node_sets;
@@ -38,12 +41,24 @@ namespace vfife
 
   /**
    * Creates the triangulation of @p mesh from nodes [mm] and right-handed hexahedra, keeping the
-   * numbers of both: node i is vertex i, hexahedron e the active cell e. Throws NumericalError
-   * where deal.II had to renumber, InputError for a node that no hexahedron uses.
+   * numbers of both: node i is vertex i, hexahedron e the active cell e; @p regions are the cells'
+   * material ids, all 0 where empty. Throws NumericalError where deal.II had to renumber,
+   * InputError for a node that no hexahedron uses.
    */
-  void create_triangulation(BodyMesh                     &mesh,
-                            const std::vector<Vector3>   &nodes,
-                            const std::vector<CellNodes> &hexahedra);
+  void create_triangulation(BodyMesh                        &mesh,
+                            const std::vector<Vector3>      &nodes,
+                            const std::vector<CellNodes>    &hexahedra,
+                            const std::vector<unsigned int> &regions = {});
+
+  constexpr unsigned int most_boundaries = 32;
+
+  /**
+   * Gives boundary faces the boundary ids 1, 2, ... in the order of @p names: a face belongs to the
+   * first of these node sets that contains its four nodes, and has id 0 where there is none. Names
+   * without a node set take a number all the same, so that an id means the same in all bodies of a
+   * kind. At most most_boundaries names.
+   */
+  void name_boundaries(BodyMesh &mesh, const std::vector<std::string> &names);
 } // namespace vfife
 
 #endif

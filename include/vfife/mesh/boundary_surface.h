@@ -2,7 +2,7 @@
 #ifndef vfife_mesh_boundary_surface_h
 #define vfife_mesh_boundary_surface_h
 
-#include <vfife/base/facet_surface.h>
+#include <vfife/mesh/body_mesh.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -28,6 +28,17 @@ namespace vfife
   FacetSurface surface_of_boundary(const dealii::Triangulation<3>  &triangulation,
                                    const std::string               &name,
                                    const std::vector<unsigned int> &nodes);
+
+  /** The same for the active boundary faces of a boundary id. */
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
+                                   const std::string              &name,
+                                   dealii::types::boundary_id      boundary);
+
+  /** The nodes in @p selected become the node set @p name, the boundary faces between them the
+   * surface of that name. */
+  void add_named_side(BodyMesh                                &mesh,
+                      const std::string                       &name,
+                      const std::function<bool(unsigned int)> &selected);
 } // namespace vfife
 
 #endif

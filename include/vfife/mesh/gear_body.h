@@ -52,6 +52,8 @@ namespace vfife
     double        hub_length =
       36.; ///< along the axis, centred where the mid-surface of the web meets the hub [mm]
 
+    double element_size = 0.; ///< target edge length [mm]; 0: the counts below, as they stand
+
     unsigned int cells_lengthwise = 12; ///< along the face width
     unsigned int cells_across     = 5;  ///< across a tooth
     unsigned int flank_rows       = 8;  ///< from flank start to tip
@@ -61,6 +63,7 @@ namespace vfife
     unsigned int web_rows       = 11; ///< along the web, the coarsening row included
     unsigned int hub_rows       = 3;  ///< from hub radius to bore
     unsigned int hub_side_cells = 4;  ///< along the axis on either side of the web
+    unsigned int refinements    = 0;  ///< times that every cell is divided into eight
 
     /** Declares the subsections Body and Mesh in the current section. */
     void declare(dealii::ParameterHandler &prm);
@@ -68,6 +71,10 @@ namespace vfife
     /** Throws InputError (entries under @p section, e.g. "Gear pair/Gear") when sizes contradict
      * each other or @p blank. */
     void check(const std::string &section, const Blank &blank) const;
+
+    /** The same with the counts that the element size asks for, each at least as small as check()
+     * allows; unchanged where no size is given. */
+    GearBodyOptions with_counts_of_size(const GearMember &member) const;
 
     /** Columns of cells of a sector's rim: across the tooth, and two on either side for fillet and
      * root land. */
@@ -91,7 +98,9 @@ namespace vfife
   /**
    * The mesh of a gear: one sector is built (doc/mesh.md) and turned z times about the axis; node
    * and cell numbers run sector by sector, node i of sector k is node i of sector 0 turned by 2 pi
-   * k / z. Node sets and surfaces as in node_set_names.h. Throws InputError as check() does, and
+   * k / z. Node sets, surfaces and boundary ids as in node_set_names.h, material ids as in
+   * GearRegion, manifolds as in gear_manifolds.h: further refinement keeps to the true surfaces
+   * (sets and surfaces describe the mesh as it is returned). Throws InputError as check() does, and
    * NumericalError for an inverted cell.
    */
   std::unique_ptr<BodyMesh> make_gear_body(const GearMember      &member,

@@ -10,13 +10,25 @@
 
 namespace vfife
 {
-  /** Grid of flank nodes of one tooth, lengthwise index slowest. */
+  /** Nodes and facets of one flank of a tooth. */
   struct FlankGrid
   {
     FlankSide                 side = FlankSide::concave;
-    unsigned int              rows = 0; ///< of facets, from flank start to tip
-    std::vector<unsigned int> nodes;    ///< of the sector
-    std::vector<Vector2>      L_h;      ///< cone coordinates of the nodes [mm]
+    std::vector<unsigned int> nodes; ///< of the sector
+    std::vector<Vector2>      L_h;   ///< cone coordinates of the nodes [mm]
+
+    /** Corners as places in the list of nodes, counter-clockwise seen from outside; the first side
+     * runs along the tooth. */
+    std::vector<std::array<unsigned int, 4>> facets;
+  };
+
+  /** Material ids of gear bodies. */
+  enum class GearRegion : unsigned int
+  {
+    tooth = 1,
+    rim   = 2,
+    web   = 3,
+    hub   = 4
   };
 
   /**
@@ -26,8 +38,9 @@ namespace vfife
    */
   struct GearSector
   {
-    std::vector<Vector3>   nodes; ///< [mm]
-    std::vector<CellNodes> hexahedra;
+    std::vector<Vector3>      nodes; ///< [mm]
+    std::vector<CellNodes>    hexahedra;
+    std::vector<unsigned int> regions; ///< GearRegion of each hexahedron
     std::map<std::string, std::vector<unsigned int>>
                            node_sets; ///< sorted, by names of node_set_names.h
     std::vector<FlankGrid> flanks;    ///< concave and convex
@@ -52,6 +65,11 @@ namespace vfife
   /** Builds the template; throws NumericalError for an inverted cell, InputError as
    * compute_gear_section(). */
   GearSector make_gear_sector(const GearMember &member, const GearBodyOptions &options);
+
+  /** The same sector with each cell divided into eight @p times times, all new nodes of the surface
+   * on the true surfaces (gear_manifolds.h). Throws NumericalError for an inverted cell. */
+  GearSector
+  refine_gear_sector(const GearMember &member, const GearSector &sector, unsigned int times);
 } // namespace vfife
 
 #endif

@@ -62,6 +62,7 @@ namespace vfife
     std::vector<GearSection> sections_;
     ConicalWeb               web_; ///< used where the body has one
     std::vector<NodeLayer>   tooth_, rim_;
+    GearRegion               region_ = GearRegion::tooth; ///< of the cells being added
     GearSector               sector_;
   };
 } // namespace vfife

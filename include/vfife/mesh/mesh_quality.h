@@ -28,7 +28,8 @@ namespace vfife
     double least_edge        = 0; ///< [mm]
     double largest_edge      = 0; ///< [mm]
     double least_height = 0; ///< volume over the largest face area: governs the stable step [mm]
-    double volume       = 0; ///< of the trilinear cells, exact [mm^3]
+    double largest_aspect_ratio = 0; ///< longest over shortest edge of a cell
+    double volume               = 0; ///< of the trilinear cells, exact [mm^3]
   };
 
   /** Measures all active cells. */

@@ -2,6 +2,9 @@
 #ifndef vfife_mesh_node_set_names_h
 #define vfife_mesh_node_set_names_h
 
+#include <string>
+#include <vector>
+
 /**
  * Names of the node sets and surfaces that the mesh makers fill: the one place where they are
  * spelt.
@@ -21,6 +24,10 @@ namespace vfife
     constexpr char tip[]           = "tip";
     constexpr char toe[]           = "toe";
     constexpr char heel[]          = "heel";
+    constexpr char root_land[]     = "root land"; ///< between the fillets of a slot
+
+    constexpr char concave_fillet[] = "concave fillet"; ///< from root land to start of the flank
+    constexpr char convex_fillet[]  = "convex fillet";
   } // namespace node_set
 
   namespace surface_name
@@ -28,6 +35,24 @@ namespace vfife
     constexpr char concave[] = "concave";
     constexpr char convex[]  = "convex";
   } // namespace surface_name
+
+  /** Sets whose faces have boundary ids in gear bodies: id = place in the list + 1 (0: others, the
+   * outside of the hub). The flanks' node sets have the names of their surfaces. */
+  inline std::vector<std::string> gear_boundaries()
+  {
+    return {surface_name::concave,
+            surface_name::convex,
+            node_set::concave_fillet,
+            node_set::convex_fillet,
+            node_set::tip,
+            node_set::root_land,
+            node_set::toe,
+            node_set::heel,
+            node_set::rim_underside,
+            node_set::web_front,
+            node_set::web_back,
+            node_set::bore};
+  }
 } // namespace vfife
 
 #endif

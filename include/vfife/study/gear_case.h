@@ -51,6 +51,11 @@ namespace vfife
     /** Declares all entries; the names of the materials are read from @p file first. */
     void declare(dealii::ParameterHandler &prm, const ParameterFile &file);
     void check() const;
+    /** The part of check() that concerns pair, bodies and materials: enough for make_model(). */
+    void check_bodies() const;
+
+    /** The pair with everything derived. */
+    GearPair make_pair() const;
 
     /** Derives the flanks, meshes both bodies and puts them together; logs what a user wants to
      * know about them. */

@@ -1,0 +1,225 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Export and import of meshes: what is written reads back with the same volume, sets and surfaces;
+// a mesh of another program; files that cannot be used.
+
+#include "../tests.h"
+
+#include "paper_members.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/gear/flank_points.h>
+#include <vfife/mesh/gear_body.h>
+#include <vfife/mesh/mesh_export.h>
+#include <vfife/mesh/mesh_import.h>
+#include <vfife/mesh/mesh_quality.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/mesh/primitives.h>
+
+#include <deal.II/grid/grid_out.h>
+
+#include <fstream>
+
+using namespace vfife;
+
+namespace
+{
+  // 15 digits are written
+  constexpr double round_off = 1e-12;
+
+  ExportedBody exported(const BodyMesh &mesh, const Vector3 &shift = Vector3::Zero())
+  {
+    ExportedBody body;
+    body.name                  = mesh.name;
+    body.mesh                  = &mesh;
+    body.placement.translation = shift;
+    body.material              = "steel";
+    body.density               = 7.85e-9;
+    body.youngs_modulus        = 206000.;
+    body.poissons_ratio        = .29;
+    return body;
+  }
+
+  void write(const std::string &path, const std::vector<ExportedBody> &bodies)
+  {
+    std::ofstream out(path);
+    write_meshes(out, path.substr(path.rfind('.') + 1), bodies);
+  }
+
+  double volume(const BodyMesh &mesh)
+  {
+    return compute_mesh_quality(mesh.triangulation).volume;
+  }
+
+  /** The message's last part names the file; nothing but InputError may come. */
+  std::string message_of(const std::string &path)
+  {
+    try
+      {
+        read_body(path);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  void check_pinion()
+  {
+    const auto pinion = make_gear_body(paper::pinion(), coarse(pinion_body_defaults()));
+    write("pinion.inp", {exported(*pinion)});
+    write("pinion.msh", {exported(*pinion)});
+
+    const auto inp = read_body("pinion.inp"), msh = read_body("pinion.msh");
+    check_close("inp: volume", volume(*inp) / volume(*pinion), 1., round_off);
+    check_close("msh: volume", volume(*msh) / volume(*pinion), 1., round_off);
+    bool sets = true;
+    for (const auto &set : pinion->node_sets)
+      sets =
+        sets && inp->node_sets.at(abaqus_name("pinion " + set.first)).size() == set.second.size();
+    check("inp: node sets", sets);
+    bool surfaces = true;
+    for (const char *side : {surface_name::concave, surface_name::convex})
+      surfaces =
+        surfaces &&
+        inp->surfaces.at(abaqus_name(std::string("pinion ") + side) + "_SURFACE").facets.size() ==
+          pinion->surfaces.at(side).facets.size() &&
+        msh->surfaces.at(std::string("pinion ") + side).facets.size() ==
+          pinion->surfaces.at(side).facets.size();
+    check("inp and msh: surfaces", surfaces);
+    check("inp and msh: regions",
+          inp->regions.size() >= 2 && inp->node_sets.count("PINION_TEETH") == 1 &&
+            msh->regions.size() == 2 && msh->node_sets.count("pinion rim") == 1);
+  }
+
+  void check_assembly()
+  {
+    const auto block = make_block({1., 2., 3.}, {{1, 2, 3}}),
+               ring  = make_ring(1., 2., 1., {{1, 8, 1}});
+    write("assembly.inp", {exported(*block), exported(*ring, {10., 0., 0.})});
+    const auto both = read_body("assembly.inp");
+    check_close("assembly: volume", volume(*both), volume(*block) + volume(*ring), 1e-11);
+    check("assembly: sets of both bodies",
+          both->node_sets.at("BLOCK_X_MINUS").size() == 12 &&
+            both->node_sets.at("RING_OUTER").size() == 16 &&
+            both->node_sets.at("RING").size() == 32);
+
+    write("assembly.vtu", {exported(*block), exported(*ring, {10., 0., 0.})});
+    std::ifstream     in("assembly.vtu");
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    check("vtu: counts",
+          text.find("NumberOfPoints=\"56\" NumberOfCells=\"68\"") != std::string::npos);
+    check("vtu: named arrays",
+          text.find("Name=\"surface ring inner\"") != std::string::npos &&
+            text.find("Name=\"set block y+\"") != std::string::npos);
+
+    for (const std::string end : {"vtk", "ucd"})
+      {
+        dealii::GridOut           grid_out;
+        dealii::GridOutFlags::Ucd ucd(true, true, true);
+        grid_out.set_flags(ucd);
+        dealii::GridOutFlags::Vtk vtk(true, true, true, true);
+        grid_out.set_flags(vtk);
+        {
+          std::ofstream out("ring." + end);
+          grid_out.write(ring->triangulation,
+                         out,
+                         end == "vtk" ? dealii::GridOut::vtk : dealii::GridOut::ucd);
+        }
+        const auto again = read_body("ring." + end);
+        // deal.II writes six digits
+        check_close(end + ": volume", volume(*again), volume(*ring), 1e-4);
+        const auto outer = again->surfaces.find("boundary 2");
+        check(end + ": outer surface",
+              outer != again->surfaces.end() && outer->second.facets.size() == 8);
+      }
+  }
+
+  /** Quarter plate with a hole, made by Gmsh: meshes/plate_with_hole.geo. */
+  void check_foreign()
+  {
+    const auto plate = read_body(SOURCE_DIR "/../../meshes/plate_with_hole.msh");
+    check("plate: elements", plate->triangulation.n_active_cells() == 480);
+    // 16 chords around the quarter hole: its area is too small by sin(a)/a
+    const double a = pi / 32.;
+    check_close("plate: volume",
+                volume(*plate),
+                4. * (1600. - 25. * pi * std::sin(a) / a),
+                1e-9 * 6000.);
+    check("plate: named surfaces",
+          plate->surfaces.at("hole").facets.size() == 48 &&
+            plate->surfaces.at("symmetry x").facets.size() == 30 &&
+            plate->surfaces.at("bottom").facets.size() == 160 &&
+            plate->node_sets.at("plate").size() == plate->triangulation.n_vertices());
+    bool on_hole = true;
+    for (const Vector3 &x : plate->surfaces.at("hole").positions)
+      on_hole = on_hole && std::abs(std::hypot(x[0], x[1]) - 10.) < 1e-6;
+    check("plate: hole", on_hole);
+  }
+
+  void check_refusals()
+  {
+    const auto says = [](const std::string &path, const std::string &words) {
+      const std::string message = message_of(path);
+      return message.find(path) != std::string::npos && message.find(words) != std::string::npos &&
+             message.find('\n') == std::string::npos;
+    };
+    const auto put = [](const std::string &path, const std::string &text) {
+      std::ofstream(path) << text;
+    };
+    const std::string corners = "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n"
+                                "5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n";
+    put("good.inp",
+        corners + "*ELEMENT, TYPE=C3D8, ELSET=EB1\n7, 1,2,3,4,\n5,6,7,8\n"
+                  "*SURFACE, NAME=SS1\n7, S1\n*NSET, NSET=few, GENERATE\n1,7,2\n");
+    const auto good = read_body("good.inp");
+    check("one element over two lines",
+          std::abs(volume(*good) - 1.) < round_off && good->node_sets.at("few").size() == 4 &&
+            good->node_sets.at("EB1").size() == 8 && good->surfaces.at("SS1").facets.size() == 1);
+    put("tetrahedra.inp", corners + "*ELEMENT, TYPE=C3D4\n1, 1,2,3,5\n");
+    put("inverted.inp", corners + "*ELEMENT, TYPE=C3D8\n1, 5,6,7,8,1,2,3,4\n");
+    put("no_node.inp", corners + "*ELEMENT, TYPE=C3D8\n1, 1,2,3,4,5,6,7,9\n");
+    put("letters.inp", "*NODE\n1, 0., zero, 0.\n");
+    put("empty.inp", "");
+    put("letters.msh", "no mesh at all\n");
+    put("tetrahedra.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
+        "$EndNodes\n$Elements\n1\n1 4 2 0 0 1 2 3 4\n$EndElements\n");
+    check("refuses a missing file", says("nowhere.msh", "cannot be opened"));
+    check("refuses another format", says("good.inp.step", "cannot be opened"));
+    put("mesh.step", "");
+    check("refuses an unknown format", says("mesh.step", ".msh, .inp"));
+    check("refuses tetrahedra (inp)", says("tetrahedra.inp", "C3D4"));
+    check("refuses an inverted element", says("inverted.inp", "inverted"));
+    check("refuses an unknown node", says("no_node.inp", ":11: there is no node 9"));
+    check("refuses letters (inp)", says("letters.inp", ":2: \"zero\" is no number"));
+    check("refuses an empty file", says("empty.inp", "no hexahedra"));
+    check("refuses letters (msh)", says("letters.msh", "cannot be read"));
+    check("refuses tetrahedra (msh)", says("tetrahedra.msh", "hexahedra"));
+  }
+
+  void check_flank_points()
+  {
+    const GearMember member = paper::gear();
+    const Table      table  = compute_flank_points(member, 3, 4);
+    // the pitch cone coordinates of a point say where it is
+    bool right = table.n_rows() == 24;
+    for (unsigned i = 0; i < table.n_rows(); ++i)
+      {
+        const auto    value = [&](const char *name) { return table.numbers(name)[i]; };
+        const Vector2 L_h =
+          member.blank().cone_coordinates({std::hypot(value("x"), value("y")), value("z")});
+        right = right && (L_h - Vector2(value("L"), value("h"))).norm() < 1e-9;
+      }
+    check("flank points", right);
+  }
+} // namespace
+
+int main()
+{
+  check_pinion();
+  check_assembly();
+  check_foreign();
+  check_refusals();
+  check_flank_points();
+}
