@@ -95,12 +95,11 @@ namespace vfife
   }
 
   void Assembly::add(const std::size_t      row_offset,
-                     const unsigned int     element,
+                     const unsigned int    *points,
                      const Eigen::MatrixXd &A,
                      SparseValues          &values) const
   {
-    const unsigned int *points = discretization_.element_points(element);
-    const auto          row_of = [&](const int i) {
+    const auto row_of = [&](const int i) {
       return row_offset + 3 * static_cast<std::size_t>(points[i / 3]) + i % 3;
     };
     for (int i = 0; i < A.rows(); ++i)
@@ -124,8 +123,22 @@ namespace vfife
       {
         const Eigen::MatrixXd A = element(e);
         for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
-          add(k * copy, e, A, values);
+          add(k * copy, discretization_.element_points(e), A, values);
       }
+    return values;
+  }
+
+  SparseValues
+  Assembly::point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const
+  {
+    SparseValues      values(pattern_.columns.size(), 0.);
+    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    for (const auto &point : points)
+      for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+        {
+          const unsigned int index = point.first;
+          add(k * copy, &index, point.second, values);
+        }
     return values;
   }
 

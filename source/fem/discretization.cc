@@ -175,6 +175,14 @@ namespace vfife
     return parts_[i];
   }
 
+  const Discretization::Part &Discretization::part_of_point(const unsigned int p) const
+  {
+    std::size_t i = 0;
+    while (p >= parts_[i].first_point + parts_[i].n_points)
+      ++i;
+    return parts_[i];
+  }
+
   const Discretization::Part *Discretization::find_part(const unsigned int body) const
   {
     for (const Part &part : parts_)

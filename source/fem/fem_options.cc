@@ -1,4 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/quantity.h>
 #include <vfife/fem/fem_options.h>
 
 namespace vfife
@@ -46,5 +48,57 @@ namespace vfife
                    count_modes,
                    "Whether a second factorization counts the modes below the highest one found "
                    "(shift-invert only)");
+    declare_names(prm, "bodies", bodies, "Bodies whose modes are wanted; none: all");
+    declare_names(prm,
+                  "speeds",
+                  speeds,
+                  "Speeds of the bodies about their own axes at which modes are wanted [rpm]");
+    declare_switch(
+      prm,
+      "coriolis",
+      coriolis,
+      "Whether Coriolis forces split modes into waves that travel with and against the "
+      "speed");
+    declare_switch(prm,
+                   "cyclic symmetry",
+                   cyclic_symmetry,
+                   "One sector of each body (tooth by tooth) instead of the whole: modes by nodal "
+                   "diameter");
+    declare_integer(prm,
+                    "largest nodal diameter",
+                    largest_diameter,
+                    "Up to which diameter, with cyclic symmetry; Fem/modes is then their number "
+                    "for each diameter");
+    declare_integer(prm,
+                    "mesh orders",
+                    mesh_orders,
+                    "Multiples of the mesh frequency whose resonances are looked for");
+  }
+
+  std::vector<double> FemOptions::rates() const
+  {
+    std::vector<double> values;
+    for (const std::string &speed : speeds)
+      values.push_back(parse_quantity(speed, "rpm"));
+    return values;
+  }
+
+  void FemOptions::check(const std::string &section) const
+  {
+    try
+      {
+        if (rates().empty())
+          throw InputError("at least one speed is needed (0 for bodies at rest)");
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/speeds", error.what());
+      }
+    if (cyclic_symmetry && element == FemElement::quadratic)
+      throw InputError(section + "/cyclic symmetry",
+                       "cyclic symmetry is there for elements with 8 nodes only");
+    if (coriolis && eigen_solver == EigenSolverKind::lobpcg)
+      throw InputError(section + "/coriolis",
+                       "Coriolis forces need the eigenvalue solver \"shift-invert\"");
   }
 } // namespace vfife

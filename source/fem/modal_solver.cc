@@ -13,10 +13,6 @@ namespace vfife
 {
   namespace
   {
-    /** Part of the largest K_ii/M_ii below zero at which the problem is shifted: far above its
-     * round-off, far below any mode that a mesh resolves. */
-    constexpr double shift_part = 1e-10;
-
     /** Modes beyond those asked for: among them the gap for counting is looked for, and a double
      * mode at the end is not cut in two. */
     constexpr unsigned int n_guards = 6;
@@ -58,21 +54,22 @@ namespace vfife
     return solve(matrices_.stiffness(), matrices_.mass(), 0.);
   }
 
-  double ModalSolver::choose_shift(const SparseValues &stiffness, const SparseValues &mass) const
+  double
+  choose_shift(const Assembly &assembly, const SparseValues &stiffness, const SparseValues &mass)
   {
-    const OwnedVector k = assembly_.diagonal(stiffness), m = assembly_.diagonal(mass);
+    const OwnedVector k = assembly.diagonal(stiffness), m = assembly.diagonal(mass);
     double            largest = 0;
     for (std::size_t i = 0; i < k.size(); ++i)
       if (m[i] > 0)
         largest = std::max(largest, k[i] / m[i]);
-    return -shift_part * assembly_.communicator().max(largest);
+    return -1e-10 * assembly.communicator().max(largest);
   }
 
   ModalResult ModalSolver::solve(const SparseValues &stiffness,
                                  const SparseValues &mass,
                                  const double        lowest) const
   {
-    const double base  = choose_shift(stiffness, mass);
+    const double base  = choose_shift(assembly_, stiffness, mass);
     const double shift = base + 1.2 * std::min(lowest, 0.);
     Found        found = options_.eigen_solver == EigenSolverKind::lobpcg
                            ? find_by_lobpcg(stiffness, mass, shift)
@@ -84,14 +81,15 @@ namespace vfife
     check_orthogonality(mass, found.pairs.vectors);
 
     ModalResult result;
+    // Round-off of factorization and quotient stays far below the shift.
+    result.rigid_rate = std::sqrt(.1 * std::abs(base) + 1.2 * std::abs(std::min(lowest, 0.)));
     for (unsigned int k = 0; k < options_.n_modes; ++k)
       {
         Mode mode;
         mode.eigenvalue = found.pairs.values[k];
         mode.residual   = residuals[k];
         mode.shape      = assembly_.expand(found.pairs.vectors[k]);
-        // Round-off of the factorization and of the Rayleigh quotient stay far below the shift.
-        if (std::abs(mode.eigenvalue) < .1 * std::abs(base))
+        if (std::abs(mode.eigenvalue) < result.rigid_rate * result.rigid_rate)
           ++result.n_rigid;
         // A mode is as exact as the square of its residual; beyond this one it may not be a mode.
         if (!(mode.residual < 1e-3))

@@ -1,6 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/system_matrices.h>
 
+#include <algorithm>
+#include <map>
+
 namespace vfife
 {
   namespace
@@ -93,6 +96,54 @@ namespace vfife
       const ElementNodes forces = omega * omega * arms * mass_coefficients(e);
       return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
     });
+  }
+
+  SparseValues SystemMatrices::hub_curvature(const std::vector<double> &u, const Rate &rate) const
+  {
+    const Discretization           &d = assembly_.discretization();
+    std::map<unsigned int, Vector3> reactions;
+    for (const Constraint &constraint : d.model().constraints)
+      if (const Discretization::Part *part = d.find_part(constraint.body))
+        if (constraint.kind == ConstraintKind::free_rotation ||
+            constraint.kind == ConstraintKind::rigid_hub)
+          for (const unsigned int p : d.points_of(*part, constraint.nodes))
+            reactions.emplace(p, Vector3::Zero());
+    for (const auto &image : d.images())
+      if (reactions.count(image.second) != 0)
+        reactions.emplace(image.first, Vector3::Zero());
+
+    // Force of the constraint on a point: internal forces minus centrifugal ones.
+    for (unsigned int e = 0; e < d.n_elements(); ++e)
+      {
+        const unsigned int *points = d.element_points(e);
+        const auto          is_hub = [&](const unsigned int p) { return reactions.count(p) != 0; };
+        if (std::none_of(points, points + d.points_per_element(), is_hub))
+          continue;
+        const ElementNodes    X        = d.element_nodes(e);
+        const Eigen::VectorXd v        = d.gather(e, u);
+        const Eigen::VectorXd internal = compute_fem_stiffness(X, d.material(e), d.element()) * v;
+        const Axis           &line     = axis(e);
+        const double          omega    = rate(body(e));
+        const ElementNodes    moved = X + Eigen::Map<const ElementNodes>(v.data(), 3, v.size() / 3);
+        const ElementNodes    spin  = omega * omega * across(line.direction) *
+                                  (moved.colwise() - line.point) * mass_coefficients(e);
+        for (unsigned int a = 0; a < d.points_per_element(); ++a)
+          if (is_hub(points[a]))
+            reactions[points[a]] += internal.segment<3>(3 * a) - spin.col(a);
+      }
+
+    std::vector<std::pair<unsigned int, Matrix3>> curvatures;
+    for (const auto &reaction : reactions)
+      {
+        const Axis   &line   = d.model().bodies[d.part_of_point(reaction.first).body].axis;
+        const Vector3 arm    = across(line.direction) * (d.points()[reaction.first] - line.point);
+        const Vector3 radial = arm.normalized(), tangent = line.direction.cross(radial);
+        if (arm.norm() > 0)
+          curvatures.emplace_back(reaction.first,
+                                  -reaction.second.dot(radial) / arm.norm() * tangent *
+                                    tangent.transpose());
+      }
+    return assembly_.point_matrix(curvatures);
   }
 
   OwnedVector SystemMatrices::apply_mass(const std::vector<double> &field) const

@@ -51,8 +51,9 @@ namespace vfife
         const Discretization::Part *part       = discretization.find_part(constraint.body);
         if (part == nullptr)
           continue;
-        const Axis &axis = model.bodies[constraint.body].axis;
-        for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
+        const Axis &axis   = model.bodies[constraint.body].axis;
+        const auto  points = discretization.points_of(*part, constraint.nodes);
+        for (const unsigned int p : points)
           {
             LocalAxes &local = axes[p];
             local.active     = {{false, false, false}};
@@ -67,7 +68,10 @@ namespace vfife
             local.columns.col(1) = tangent.normalized();
             local.columns.col(2) = axis.direction;
             const bool hub       = constraint.kind == ConstraintKind::rigid_hub;
-            local.active[1]      = !hub || options.harmonic == 0;
+            const bool turns =
+              options.rotation == HubRotation::free ||
+              (options.rotation == HubRotation::pinned && !hub && p != points.front());
+            local.active[1] = turns && !(hub && options.harmonic > 0);
             if (hub)
               {
                 local.hub = c;

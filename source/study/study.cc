@@ -7,6 +7,7 @@
 #include <vfife/base/parameters.h>
 #include <vfife/output/output_folder.h>
 #include <vfife/study/dynamic_run.h>
+#include <vfife/study/modal_study.h>
 #include <vfife/study/study.h>
 #include <vfife/study/tooth_contact_study.h>
 
@@ -29,7 +30,8 @@ namespace vfife
 
     /** All kinds of studies. */
     const Choices<MakeStudy> study_kinds = {{"run", &make<DynamicRun>},
-                                            {"tooth contact analysis", &make<ToothContactStudy>}};
+                                            {"tooth contact analysis", &make<ToothContactStudy>},
+                                            {"modal", &make<ModalStudy>}};
 
     struct StudyOptions
     {

@@ -62,6 +62,9 @@ namespace vfife
     /** 3n x 3n matrices of elements, for each copy of the points. Rows of padding stay zero. */
     SparseValues matrix(const ElementMatrix &element) const;
 
+    /** Sums 3 x 3 matrices of points (copies of images included), for each copy. */
+    SparseValues point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const;
+
     /** Displacement-like vectors (3n) of elements, the same on all copies of the points. */
     OwnedVector vector(const ElementVector &element) const;
 
@@ -93,7 +96,7 @@ namespace vfife
     void        find_elements();
     void        make_pattern();
     void        add(const std::size_t      row_offset,
-                    unsigned int           element,
+                    const unsigned int    *points,
                     const Eigen::MatrixXd &A,
                     SparseValues          &values) const;
     std::size_t find_entry(unsigned int row, unsigned int column) const;

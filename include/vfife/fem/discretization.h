@@ -72,6 +72,7 @@ namespace vfife
     ElementNodes element_nodes(unsigned int e) const;
 
     const Part     &part_of_element(unsigned int e) const;
+    const Part     &part_of_point(unsigned int p) const;
     const Material &material(const unsigned int e) const
     {
       return model_->bodies[part_of_element(e).body].material();

@@ -38,6 +38,20 @@ namespace vfife
     unsigned int     n_modes          = 20;
     bool             count_modes      = true; ///< a second factorization counts what lies below
 
+    std::vector<std::string> bodies;            ///< names; empty: all bodies of the model
+    std::vector<std::string> speeds    = {"0"}; ///< of the bodies about their axes, with units
+    bool                     hold_hubs = false; ///< hubs that turn freely are held instead
+    bool                     coriolis  = false;
+    bool                     cyclic_symmetry  = false; ///< one sector instead of the whole body
+    unsigned int             largest_diameter = 8;     ///< of nodal diameters, with one sector
+    unsigned int             mesh_orders      = 3; ///< multiples of the mesh frequency looked at
+
+    /** [rad/s]. */
+    std::vector<double> rates() const;
+
+    /** Throws InputError when entries contradict each other. */
+    void check(const std::string &section) const;
+
     /** Declares the entries in the section entered. */
     void declare(dealii::ParameterHandler &prm);
   };

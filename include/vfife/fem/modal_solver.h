@@ -34,19 +34,25 @@ namespace vfife
     std::vector<Mode>        modes;   ///< ascending
     std::vector<OwnedVector> vectors; ///< unknowns of each mode, owned part
     unsigned int             n_unknowns   = 0;
-    unsigned int             n_rigid      = 0;     ///< modes without strain energy
+    double                   rigid_rate   = 0;     ///< slower motions are taken as rigid [rad/s]
+    unsigned int             n_rigid      = 0;     ///< modes slower than that
     bool                     counted      = false; ///< completeness was checked by a factorization
     unsigned int             n_iterations = 0;
     double                   memory       = 0; ///< of the factors [MB]
     double                   shift        = 0; ///< [rad^2/s^2]
   };
 
+  /** -1e-10 of the largest K_ii/M_ii [rad^2/s^2]: far above the round-off of eigenvalues, far below
+   * the modes that a mesh resolves. Collective. */
+  double
+  choose_shift(const Assembly &assembly, const SparseValues &stiffness, const SparseValues &mass);
+
   /**
-   * The lowest modes of K x = omega^2 M x. The shift lies below zero by 1e-10 of the largest ratio
-   * K_ii/M_ii, so that free bodies need nothing else: rigid motions come out at zero. Always
-   * checked: number, residuals, M-orthogonality; and, with shift-invert, that a factorization of
-   * K - s M counts as many eigenvalues below s as were found, s between two modes (missed ones are
-   * searched for again). Throws NumericalError where a check fails in the end. Collective.
+   * The lowest modes of K x = omega^2 M x. The shift is that of choose_shift(), so that free bodies
+   * need nothing else: rigid motions come out at zero. Always checked: number, residuals,
+   * M-orthogonality; and, with shift-invert, that a factorization of K - s M counts as many
+   * eigenvalues below s as were found, s between two modes (missed ones are searched for again).
+   * Throws NumericalError where a check fails in the end. Collective.
    */
   class ModalSolver
   {
@@ -58,9 +64,8 @@ namespace vfife
     ModalResult solve() const;
 
     /**
-     * Modes of other matrices on the same pattern, e.g. at speed (@p stiffness symmetric, above
-     * minus infinity of @p lowest [rad^2/s^2], a guess of a lower bound of the eigenvalues, 0 or
-     * negative).
+     * Modes of other matrices on the same pattern, e.g. at speed; @p lowest is a guess of the
+     * lowest eigenvalue [rad^2/s^2], 0 or what rigid motions are softened to.
      */
     ModalResult solve(const SparseValues &stiffness, const SparseValues &mass, double lowest) const;
 
@@ -76,13 +81,12 @@ namespace vfife
 
   private:
     struct Found;
-    Found  find_by_factorization(const SparseValues &stiffness,
-                                 const SparseValues &mass,
-                                 double              shift) const;
-    Found  find_by_lobpcg(SparseValues stiffness, SparseValues mass, double shift) const;
-    void   add_effective_masses(ModalResult &result) const;
-    double choose_shift(const SparseValues &stiffness, const SparseValues &mass) const;
-    void   check_orthogonality(const SparseValues &mass, const std::vector<OwnedVector> &x) const;
+    Found find_by_factorization(const SparseValues &stiffness,
+                                const SparseValues &mass,
+                                double              shift) const;
+    Found find_by_lobpcg(SparseValues stiffness, SparseValues mass, double shift) const;
+    void  add_effective_masses(ModalResult &result) const;
+    void  check_orthogonality(const SparseValues &mass, const std::vector<OwnedVector> &x) const;
 
     const Assembly &assembly_;
     FemOptions      options_;

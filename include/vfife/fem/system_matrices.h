@@ -35,6 +35,13 @@ namespace vfife
     /** Omega^2 S X, X from the axis [N]. */
     OwnedVector centrifugal_load(const Rate &rate) const;
 
+    /**
+     * What keeping the radius adds at the points of hubs that turn freely: -F/r t t^T, F the radial
+     * force of the constraint in steady spin with the displacements @p u, r the radius, t the
+     * tangent. Without it a spun body on such a hub would not turn freely.
+     */
+    SparseValues hub_curvature(const std::vector<double> &u, const Rate &rate) const;
+
     /** M r for a field r of all points: what a base motion r puts on the unknowns. */
     OwnedVector apply_mass(const std::vector<double> &field) const;
 

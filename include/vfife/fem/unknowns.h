@@ -9,6 +9,14 @@
 
 namespace vfife
 {
+  /** What hubs that turn freely (free rotation, rigid hub) do about the axis. */
+  enum class HubRotation
+  {
+    free,
+    pinned, ///< held at one node, which carries nothing where loads have no moment about the axis
+    held    ///< as if the shaft were clamped
+  };
+
   /**
    * What remains of the displacements u (3 a point) under the constraints of the model: u = T q.
    * Held points and points of a prescribed rotation have none (the system turns with the body),
@@ -35,6 +43,7 @@ namespace vfife
        * Multigrid wants it. */
       bool         padded   = false;
       unsigned int harmonic = 0; ///< of a sector
+      HubRotation  rotation = HubRotation::free;
     };
 
     Unknowns(const Discretization &discretization, const Options &options, unsigned int n_ranks);
