@@ -62,11 +62,14 @@ namespace vfife
       }
     const std::vector<OwnedVector> basis = orthonormal_basis(M, vectors);
 
-    const int       size   = basis.size();
-    Eigen::MatrixXd linear = Eigen::MatrixXd::Zero(2 * size, 2 * size);
-    linear.topRightCorner(size, size).setIdentity();
-    linear.bottomLeftCorner(size, size)  = -K.project(basis, basis);
-    linear.bottomRightCorner(size, size) = -2. * C.project(basis, basis);
+    // States (q, q'/scale): all blocks are then of the size of the largest frequency.
+    const int             size = basis.size();
+    const Eigen::MatrixXd k = K.project(basis, basis), c = C.project(basis, basis);
+    const double          scale          = std::sqrt(k.diagonal().cwiseAbs().maxCoeff());
+    Eigen::MatrixXd       linear         = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+    linear.topRightCorner(size, size)    = scale * Eigen::MatrixXd::Identity(size, size);
+    linear.bottomLeftCorner(size, size)  = -.5 / scale * (k + k.transpose());
+    linear.bottomRightCorner(size, size) = c.transpose() - c;
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(linear);
 
     std::vector<std::pair<double, int>> order;

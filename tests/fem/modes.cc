@@ -53,14 +53,11 @@ namespace
         check("modes are counted", result.counted);
         const Discretization d(model, {0}, options.element);
         const ModeDescriber  describer(d, d.parts()[0]);
-        std::cerr << choice.first << ":";
         for (unsigned int k = 0; k < 9; ++k)
           {
             const ModeDescription description = describer.describe(result.modes[k].shape);
             const unsigned int    n           = (k + 1) / 2;
             const double          ratio       = result.modes[k].frequency() / scale / references[n];
-            std::cerr << " " << description.nodal_diameter << "," << description.nodal_circles
-                      << " " << ratio;
             if (choice.second == FemElement::full)
               // It locks: cells of 4 mm in a plate of 1 mm.
               check("full: too stiff", ratio > 1.3);
@@ -74,7 +71,6 @@ namespace
                 check_close(choice.first + ", frequency over reference", ratio, 1., 3e-2);
               }
           }
-        std::cerr << "\n";
       }
   }
 
@@ -101,8 +97,6 @@ namespace
           check_below("effective mass of the others", elastic, 1e-9);
           for (unsigned int k = 6; k < 10; ++k)
             {
-              std::cerr << " " << result.modes[k].frequency() << " (" << result.modes[k].residual
-                        << ")";
               if (kind == EigenSolverKind::shift_invert)
                 reference.push_back(result.modes[k].frequency());
               else
@@ -113,7 +107,6 @@ namespace
                             1.,
                             1e-7);
             }
-          std::cerr << "\n";
         }
     // First bending across the thin side of a free beam (Timoshenko's shear and inertia lower the
     // slender 4.7300^2 by some percent at 60:8).

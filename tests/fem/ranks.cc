@@ -19,7 +19,7 @@ int main(int argc, char **argv)
     std::cout.setstate(std::ios::failbit);
 
   Model model;
-  model.add_body(Body("wheel", make_ring(20., 40., 6., {{3, 16, 2}}), {}));
+  model.add_body(Body("wheel", make_ring(20., 40., 6., {{6, 16, 3}}), {}));
   Body &wheel = model.bodies[0];
   wheel.rate  = 3000.;
   model.constraints.push_back({"hub", ConstraintKind::rigid_hub, 0, wheel.node_set("inner")});

@@ -179,8 +179,6 @@ namespace
         const bool   quadratic = choice.second == FemElement::quadratic;
         const double coarse    = error_of(quadratic ? 3 : 4, choice.second, .15, communicator);
         const double fine      = error_of(quadratic ? 6 : 8, choice.second, .15, communicator);
-        std::cerr << choice.first << ": " << coarse << " " << fine << " order "
-                  << std::log2(coarse / fine) << "\n";
         // Order 2 for linear and 3 for quadratic displacements; 0.3 for the coarse meshes.
         check_close("order of convergence, " + choice.first,
                     std::log2(coarse / fine),
@@ -214,7 +212,6 @@ namespace
         const double       linear = solver.solve(loads).displacements[3 * tip];
         loads.spin_softening      = true;
         const double softened     = solver.solve(loads).displacements[3 * tip];
-        std::cerr << linear << " " << softened << "\n";
         // rho omega^2 L^3/(3 E) = 14.625 mm; with the load on the moved mass L (tan kL/kL - 1)
         // = 15.1572 mm (k = omega sqrt(rho/E)); 50 linear elements: (kL)^2/(12 50^2) = 4e-6 of it.
         check_close("spinning bar, linear [mm]", linear, 14.625, 2e-4);
@@ -255,8 +252,6 @@ namespace
             const double       angle =
               (x[0] * result.displacements[3 * node + 1] - x[1] * result.displacements[3 * node]) /
               x.head<2>().squaredNorm();
-            std::cerr << angle / exact << " energy " << result.strain_energy / (.5 * 1e5 * exact)
-                      << " iterations " << result.n_iterations << "\n";
             check_close("torsion, angle", angle / exact, 1., 1e-2);
           }
       }
