@@ -70,26 +70,41 @@ namespace vfife
 
   std::vector<CampbellBranch> make_branches(const std::vector<ModesAtSpeed> &speeds)
   {
+    bool travelling = false;
+    for (const ModesAtSpeed &at_speed : speeds)
+      for (const RotatingMode &mode : at_speed.modes)
+        travelling = travelling || (mode.description.nodal_diameter > 0 &&
+                                    direction_of(mode.description) != "standing");
+
     std::map<std::tuple<int, std::string, unsigned int>, CampbellBranch> branches;
     for (const ModesAtSpeed &at_speed : speeds)
       {
-        std::map<std::pair<int, std::string>, unsigned int> counts;
-        for (const RotatingMode &mode : at_speed.modes)
-          {
-            const int         n         = mode.description.nodal_diameter;
-            const std::string direction = direction_of(mode.description);
-            unsigned int     &count     = counts[{n, direction}];
-            // Standing modes with diameters come in pairs of one frequency: both are one branch.
-            const bool         pair  = n > 0 && direction == "standing";
-            const unsigned int order = pair ? count / 2 + 1 : count + 1;
-            if (++count % 2 == 0 && pair)
-              continue;
+        const auto add =
+          [&](const RotatingMode &mode, const std::string &direction, const unsigned int order) {
+            const int       n      = mode.description.nodal_diameter;
             CampbellBranch &branch = branches[std::make_tuple(n, direction, order)];
             branch.nodal_diameter  = n;
             branch.order           = order;
             branch.direction       = direction;
             branch.rates.push_back(at_speed.rate);
             branch.frequencies.push_back(mode.frequency);
+          };
+        std::map<std::pair<int, std::string>, unsigned int> counts;
+        for (const RotatingMode &mode : at_speed.modes)
+          {
+            if (mode.frequency == 0)
+              continue; // rigid
+            const int          n         = mode.description.nodal_diameter;
+            const std::string  direction = direction_of(mode.description);
+            const unsigned int count     = counts[{n, direction}]++;
+            // Standing modes with diameters come in pairs of one frequency: both are one branch,
+            // or the two waves of a body at rest whose waves differ at speed.
+            if (n <= 0 || direction != "standing")
+              add(mode, direction, count + 1);
+            else if (count % 2 == 0 && !travelling)
+              add(mode, direction, count / 2 + 1);
+            else if (travelling)
+              add(mode, count % 2 == 0 ? "backward" : "forward", count / 2 + 1);
           }
       }
     std::vector<CampbellBranch> list;

@@ -44,6 +44,10 @@ namespace vfife
                    Range::between(1e-13, 1e-3));
     declare_integer(prm, "modes", n_modes, "Number of modes of each body", 1, 10000);
     declare_switch(prm,
+                   "hold hubs",
+                   hold_hubs,
+                   "Whether hubs that turn freely are held about the axis, as by a stiff shaft");
+    declare_switch(prm,
                    "count modes",
                    count_modes,
                    "Whether a second factorization counts the modes below the highest one found "

@@ -89,7 +89,7 @@ namespace vfife
         mode.eigenvalue = found.pairs.values[k];
         mode.residual   = residuals[k];
         mode.shape      = assembly_.expand(found.pairs.vectors[k]);
-        if (std::abs(mode.eigenvalue) < result.rigid_rate * result.rigid_rate)
+        if (result.is_rigid(mode))
           ++result.n_rigid;
         // A mode is as exact as the square of its residual; beyond this one it may not be a mode.
         if (!(mode.residual < 1e-3))

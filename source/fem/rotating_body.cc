@@ -156,7 +156,7 @@ namespace vfife
     for (const Mode &mode : found.modes)
       {
         RotatingMode entry;
-        entry.frequency = mode.frequency();
+        entry.frequency = found.is_rigid(mode) ? 0. : mode.frequency();
         entry.residual  = mode.residual;
         if (!options_.cyclic_symmetry)
           entry.effective_mass = mode.effective_mass;

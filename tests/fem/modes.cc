@@ -9,6 +9,8 @@
 #include <vfife/fem/mode_description.h>
 #include <vfife/mesh/primitives.h>
 
+#include <algorithm>
+
 using namespace vfife;
 
 namespace
@@ -74,6 +76,50 @@ namespace
       }
   }
 
+  /**
+   * NAFEMS FV52, solid square plate 10 x 10 x 1 m whose four lower edges keep their height: here by
+   * springs of a thousand times the largest diagonal entry.
+   */
+  void nafems_plate(const FemElement                   element,
+                    const std::array<unsigned int, 3> &counts,
+                    const std::array<double, 7>       &tolerances,
+                    const Communicator                &communicator)
+  {
+    Material steel;
+    steel.youngs_modulus = 200000.;
+    steel.poissons_ratio = .3;
+    steel.density        = 8e-9;
+    Model model;
+    model.add_body(Body("plate", make_block(Vector3(1e4, 1e4, 1e3), counts), steel));
+    FemOptions options;
+    options.element = element;
+    options.n_modes = 10;
+    const Discretization d(model, {0}, element);
+    const Assembly       assembly(d, {}, communicator);
+    const ModalSolver    solver(assembly, options);
+    SparseValues         K        = solver.matrices().stiffness();
+    const OwnedVector    diagonal = assembly.diagonal(K);
+    const double         spring   = 1e3 * *std::max_element(diagonal.begin(), diagonal.end());
+    std::vector<std::pair<unsigned int, Matrix3>> springs;
+    for (unsigned int p = 0; p < d.n_points(); ++p)
+      {
+        const Vector3 x       = d.points()[p];
+        const bool    on_edge = std::min({x[0], x[1], 1e4 - x[0], 1e4 - x[1]}) < 1e-6;
+        if (x[2] < 1e-6 && on_edge)
+          springs.emplace_back(p, spring * Vector3::UnitZ() * Vector3::UnitZ().transpose());
+      }
+    K                        = add_scaled(std::move(K), 1., assembly.point_matrix(springs));
+    const ModalResult result = solver.solve(K, solver.matrices().mass(), 0.);
+    check("NAFEMS FV52: three rigid motions", result.n_rigid == 3);
+    const std::array<double, 7> references = {
+      {45.897, 109.44, 109.44, 167.89, 193.59, 206.19, 206.19}};
+    for (unsigned int k = 0; k < 7; ++k)
+      check_close("NAFEMS FV52, " + word_of(element, fem_element_choices()) + ", over reference",
+                  result.modes[k + 3].frequency() / references[k],
+                  1.,
+                  tolerances[k]);
+  }
+
   void free_block(const Communicator &communicator)
   {
     Model model;
@@ -137,6 +183,15 @@ int main(int argc, char **argv)
   MpiSession          session(argc, argv);
   const Communicator &communicator = session.world();
   annular_plate(communicator);
+  // What these meshes give; a line support has no limit under refinement (doc/verification.md).
+  nafems_plate(FemElement::incompatible_modes,
+               {{8, 8, 3}},
+               {{.02, .05, .05, .04, .02, .02, .02}},
+               communicator);
+  nafems_plate(FemElement::quadratic,
+               {{4, 4, 2}},
+               {{.04, .01, .01, .03, .002, .003, .003}},
+               communicator);
   free_block(communicator);
   messages(communicator);
 }

@@ -6,6 +6,7 @@
 #include <vfife/fem/system_matrices.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace vfife
@@ -25,7 +26,7 @@ namespace vfife
      */
     std::array<double, 6> effective_mass = {};
 
-    /** [Hz]; 0 for rigid motions, negative where the body is not stable. */
+    /** [Hz]; with the sign of the eigenvalue, which round-off gives to rigid motions. */
     double frequency() const;
   };
 
@@ -40,6 +41,11 @@ namespace vfife
     unsigned int             n_iterations = 0;
     double                   memory       = 0; ///< of the factors [MB]
     double                   shift        = 0; ///< [rad^2/s^2]
+
+    bool is_rigid(const Mode &mode) const
+    {
+      return std::abs(mode.eigenvalue) < rigid_rate * rigid_rate;
+    }
   };
 
   /** -1e-10 of the largest K_ii/M_ii [rad^2/s^2]: far above the round-off of eigenvalues, far below
