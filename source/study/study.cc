@@ -8,6 +8,7 @@
 #include <vfife/output/output_folder.h>
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/mesh_study.h>
+#include <vfife/study/modal_study.h>
 #include <vfife/study/study.h>
 #include <vfife/study/tooth_contact_study.h>
 
@@ -33,6 +34,7 @@ namespace vfife
       {"run", &make<DynamicRun>},
       {"tooth contact analysis", &make<ToothContactStudy>},
       {"mesh", &make<MeshStudy>},
+      {"modal", &make<ModalStudy>},
     };
 
     struct StudyOptions

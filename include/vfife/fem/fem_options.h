@@ -1,0 +1,60 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_fem_options_h
+#define vfife_fem_fem_options_h
+
+#include <vfife/fem/fem_element.h>
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  enum class LinearSolverKind
+  {
+    multigrid, ///< conjugate gradients with algebraic multigrid
+    direct     ///< MUMPS
+  };
+
+  enum class EigenSolverKind
+  {
+    shift_invert, ///< Krylov-Schur with a direct factorization
+    lobpcg        ///< with algebraic multigrid: less memory, for large meshes
+  };
+
+  /** Section Fem. */
+  struct FemOptions
+  {
+    FemElement       element          = FemElement::incompatible_modes;
+    MassKind         mass             = MassKind::consistent;
+    LinearSolverKind linear_solver    = LinearSolverKind::multigrid;
+    double           linear_tolerance = 1e-10; ///< residual over load
+    EigenSolverKind  eigen_solver     = EigenSolverKind::shift_invert;
+    double           eigen_tolerance  = 1e-9;
+    unsigned int     n_modes          = 20;
+    bool             count_modes      = true; ///< a second factorization counts what lies below
+
+    std::vector<std::string> bodies;            ///< names; empty: all bodies of the model
+    std::vector<std::string> speeds    = {"0"}; ///< of the bodies about their axes, with units
+    bool                     hold_hubs = false; ///< hubs that turn freely are held instead
+    bool                     coriolis  = false;
+    bool                     cyclic_symmetry  = false; ///< one sector instead of the whole body
+    unsigned int             largest_diameter = 8;     ///< of nodal diameters, with one sector
+    unsigned int             mesh_orders      = 3; ///< multiples of the mesh frequency looked at
+
+    /** [rad/s]. */
+    std::vector<double> rates() const;
+
+    /** Throws InputError when entries contradict each other. */
+    void check(const std::string &section) const;
+
+    /** Declares the entries in the section entered. */
+    void declare(dealii::ParameterHandler &prm);
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,30 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_mode_writer_h
+#define vfife_output_mode_writer_h
+
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  class Body;
+  class OutputFolder;
+
+  /** Displacements of the nodes of a body, 3 a node, under a name such as "mode 3". */
+  struct NamedShape
+  {
+    std::string         name;
+    std::vector<double> displacements;
+  };
+
+  /**
+   * Writes @p shapes as vectors on the undeformed mesh of @p body in its place at time zero [mm] to
+   * the .vtu file @p name; the writing rank only.
+   */
+  void write_shapes(const OutputFolder            &folder,
+                    const std::string             &name,
+                    const Body                    &body,
+                    const std::vector<NamedShape> &shapes);
+} // namespace vfife
+
+#endif

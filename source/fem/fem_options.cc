@@ -1,0 +1,108 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/quantity.h>
+#include <vfife/fem/fem_options.h>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<LinearSolverKind> linear_solvers = {{"multigrid", LinearSolverKind::multigrid},
+                                                      {"direct", LinearSolverKind::direct}};
+    const Choices<EigenSolverKind> eigen_solvers = {{"shift-invert", EigenSolverKind::shift_invert},
+                                                    {"lobpcg", EigenSolverKind::lobpcg}};
+  } // namespace
+
+  void FemOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm,
+                   "element",
+                   element,
+                   fem_element_choices(),
+                   "Eight nodes with incompatible modes or plain (locks in bending), or 27 nodes");
+    declare_choice(prm, "mass", mass, mass_choices(), "Mass matrix of vibrations and of spin");
+    declare_choice(prm,
+                   "linear solver",
+                   linear_solver,
+                   linear_solvers,
+                   "Conjugate gradients with algebraic multigrid, or factorization");
+    declare_number(prm,
+                   "linear tolerance",
+                   linear_tolerance,
+                   "Residual over load at which conjugate gradients stop",
+                   Range::between(1e-14, 1e-2));
+    declare_choice(
+      prm,
+      "eigenvalue solver",
+      eigen_solver,
+      eigen_solvers,
+      "Krylov-Schur with shift and factorization, or LOBPCG with multigrid (less memory)");
+    declare_number(prm,
+                   "eigenvalue tolerance",
+                   eigen_tolerance,
+                   "Residual at which a mode is taken",
+                   Range::between(1e-13, 1e-3));
+    declare_integer(prm, "modes", n_modes, "Number of modes of each body", 1, 10000);
+    declare_switch(prm,
+                   "hold hubs",
+                   hold_hubs,
+                   "Whether hubs that turn freely are held about the axis, as by a stiff shaft");
+    declare_switch(prm,
+                   "count modes",
+                   count_modes,
+                   "Whether a second factorization counts the modes below the highest one found "
+                   "(shift-invert only)");
+    declare_names(prm, "bodies", bodies, "Bodies whose modes are wanted; none: all");
+    declare_names(prm,
+                  "speeds",
+                  speeds,
+                  "Speeds of the bodies about their own axes at which modes are wanted [rpm]");
+    declare_switch(
+      prm,
+      "coriolis",
+      coriolis,
+      "Whether Coriolis forces split modes into waves that travel with and against the "
+      "speed");
+    declare_switch(prm,
+                   "cyclic symmetry",
+                   cyclic_symmetry,
+                   "One sector of each body (tooth by tooth) instead of the whole: modes by nodal "
+                   "diameter");
+    declare_integer(prm,
+                    "largest nodal diameter",
+                    largest_diameter,
+                    "Up to which diameter, with cyclic symmetry; Fem/modes is then their number "
+                    "for each diameter");
+    declare_integer(prm,
+                    "mesh orders",
+                    mesh_orders,
+                    "Multiples of the mesh frequency whose resonances are looked for");
+  }
+
+  std::vector<double> FemOptions::rates() const
+  {
+    std::vector<double> values;
+    for (const std::string &speed : speeds)
+      values.push_back(parse_quantity(speed, "rpm"));
+    return values;
+  }
+
+  void FemOptions::check(const std::string &section) const
+  {
+    try
+      {
+        if (rates().empty())
+          throw InputError("at least one speed is needed (0 for bodies at rest)");
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/speeds", error.what());
+      }
+    if (cyclic_symmetry && element == FemElement::quadratic)
+      throw InputError(section + "/cyclic symmetry",
+                       "cyclic symmetry is there for elements with 8 nodes only");
+    if (coriolis && eigen_solver == EigenSolverKind::lobpcg)
+      throw InputError(section + "/coriolis",
+                       "Coriolis forces need the eigenvalue solver \"shift-invert\"");
+  }
+} // namespace vfife

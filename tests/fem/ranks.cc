@@ -1,0 +1,63 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Several ranks give what one rank gives: statics, modes at speed, one sector.
+#include "../tests.h"
+
+#include <vfife/base/communicator.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/fem/rotating_body.h>
+#include <vfife/fem/static_solver.h>
+#include <vfife/mesh/primitives.h>
+
+using namespace vfife;
+
+int main(int argc, char **argv)
+{
+  MpiSession          session(argc, argv);
+  const Communicator &world = session.world();
+  const Communicator  alone(MPI_COMM_SELF);
+  if (!world.is_root())
+    std::cout.setstate(std::ios::failbit);
+
+  Model model;
+  model.add_body(Body("wheel", make_ring(20., 40., 6., {{6, 16, 3}}), {}));
+  Body &wheel = model.bodies[0];
+  wheel.rate  = 3000.;
+  model.constraints.push_back({"hub", ConstraintKind::rigid_hub, 0, wheel.node_set("inner")});
+
+  FemOptions options;
+  options.n_modes = 8;
+  for (const bool cyclic : {false, true})
+    {
+      options.cyclic_symmetry       = cyclic;
+      options.largest_diameter      = 3;
+      options.coriolis              = cyclic;
+      const ModesAtSpeed together   = RotatingBody(model, 0, options, world).find_modes(wheel.rate);
+      const ModesAtSpeed single     = RotatingBody(model, 0, options, alone).find_modes(wheel.rate);
+      double             difference = 0;
+      for (unsigned int k = 0; k < options.n_modes; ++k)
+        difference = std::max(difference,
+                              std::abs(together.modes[k].frequency - single.modes[k].frequency) /
+                                single.modes.back().frequency);
+      // The first one is the rotation, zero to the square root of round-off.
+      check_below(cyclic ? "frequencies, one sector" : "frequencies, body", difference, 1e-6);
+    }
+
+  model.constraints[0].kind = ConstraintKind::held;
+  StaticLoads loads;
+  loads.centrifugal = true;
+  for (const LinearSolverKind kind : {LinearSolverKind::multigrid, LinearSolverKind::direct})
+    {
+      options.linear_solver         = kind;
+      const StaticResult together   = StaticSolver(model, {0}, options, world).solve(loads);
+      const StaticResult single     = StaticSolver(model, {0}, options, alone).solve(loads);
+      double             difference = 0, largest = 0;
+      for (std::size_t i = 0; i < single.displacements.size(); ++i)
+        {
+          difference =
+            std::max(difference, std::abs(together.displacements[i] - single.displacements[i]));
+          largest = std::max(largest, std::abs(single.displacements[i]));
+        }
+      // Multigrid solves to 1e-10 of the load.
+      check_below("displacements", difference / largest, 1e-7);
+    }
+}

@@ -1,0 +1,149 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Vibrations at speed: membrane limit of a disc, Coriolis splitting of a ring, sector against body.
+#include "../tests.h"
+
+#include <vfife/base/communicator.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/fem/campbell.h>
+#include <vfife/fem/rotating_body.h>
+#include <vfife/mesh/primitives.h>
+
+using namespace vfife;
+
+namespace
+{
+  /**
+   * Lamb & Southwell 1921: omega^2 >= omega0^2 + lambda Omega^2, lambda of the membrane without
+   * bending stiffness; without nodal circle 8 lambda = n (n + 2) (3 + nu) - n^2 (1 + 3 nu).
+   */
+  void disc(const Communicator &communicator)
+  {
+    Material steel;
+    steel.poissons_ratio = .3;
+    Model model;
+    model.add_body(Body("disc", make_cylinder(100., 1., {{8, 8, 1}}), steel));
+    // The middle does not move in modes of two or more diameters.
+    model.constraints.push_back(
+      {"axis", ConstraintKind::held, 0, model.bodies[0].node_set("axis")});
+    FemOptions options;
+    options.n_modes = 14;
+    const RotatingBody rotating(model, 0, options, communicator);
+    const ModesAtSpeed at_rest = rotating.find_modes(0.);
+    // A mode is known by the sine and cosine of its angle along the border.
+    const auto frequency = [&](const ModesAtSpeed &modes, const unsigned int n) {
+      const Body &body = model.bodies[0];
+      for (const RotatingMode &mode : modes.modes)
+        {
+          double wave = 0, all = 0;
+          for (const unsigned int axis : {0, 1})
+            {
+              double sum = 0;
+              for (const unsigned int i : body.node_set("outer"))
+                {
+                  const double angle =
+                    n * std::atan2(body.node_positions()[i][1], body.node_positions()[i][0]);
+                  sum += mode.shape[3 * i + 2] * (axis == 0 ? std::cos(angle) : std::sin(angle));
+                }
+              wave += sum * sum;
+            }
+          for (const unsigned int i : body.node_set("outer"))
+            all += mode.shape[3 * i + 2] * mode.shape[3 * i + 2];
+          if (2. * wave / (all * body.node_set("outer").size()) > .9)
+            return mode.frequency * 2. * pi;
+        }
+      return 0.;
+    };
+    for (const double rate : {100., 2000.})
+      {
+        const ModesAtSpeed spun = rotating.find_modes(rate);
+        for (const unsigned int n : {2u, 4u})
+          {
+            const double lambda = n * (n + 2) * 3.3 / 8. - n * n * 1.9 / 8.;
+            const double slope =
+              (std::pow(frequency(spun, n), 2) - std::pow(frequency(at_rest, n), 2)) /
+              (rate * rate);
+            // At low speed the mode is that of bending, whose quotient lies above the membrane's.
+            check("disc: slope at least lambda", slope > .99 * lambda);
+            check_close("disc: slope over lambda", slope / lambda, 1., .1);
+          }
+      }
+  }
+
+  /**
+   * Bryan 1890: waves of n diameters in a thin ring that turns differ by 4 n/(n^2 + 1) Omega, the
+   * one against the spin being the faster.
+   */
+  void ring(const Communicator &communicator)
+  {
+    Model model;
+    model.add_body(Body("ring", make_ring(49.5, 50.5, 4., {{1, 72, 1}}), {}));
+    FemOptions options;
+    options.n_modes         = 14;
+    options.coriolis        = true;
+    const double       rate = -50.; // backward is against the spin, whatever its sense
+    const RotatingBody rotating(model, 0, options, communicator);
+    const ModesAtSpeed modes = rotating.find_modes(rate);
+    for (const int n : {2, 3})
+      {
+        double forward = 0, backward = 0;
+        for (const RotatingMode &mode : modes.modes)
+          if (mode.description.nodal_diameter == n && mode.description.axial < .1)
+            (mode.description.forward > .75 ? forward : backward) = mode.frequency;
+        const double split = (backward - forward) * 2. * pi / std::abs(rate);
+        // A thin ring without stretching; 72 linear elements around and chords.
+        check_close("ring: split of the waves", split, 4. * n / (n * n + 1.), 5e-3);
+      }
+  }
+
+  /** One sector gives the modes of the whole body, at rest, at speed, and with Coriolis forces. */
+  void sector(const Communicator &communicator)
+  {
+    Model model;
+    model.add_body(Body("wheel", make_ring(20., 40., 3., {{4, 12, 3}}), {}));
+    model.constraints.push_back(
+      {"hub", ConstraintKind::free_rotation, 0, model.bodies[0].node_set("inner")});
+    for (const bool coriolis : {false, true})
+      for (const double rate : {0., 3000.})
+        {
+          FemOptions options;
+          options.coriolis         = coriolis;
+          options.n_modes          = 16;
+          const ModesAtSpeed all   = RotatingBody(model, 0, options, communicator).find_modes(rate);
+          options.cyclic_symmetry  = true;
+          options.largest_diameter = 6;
+          options.n_modes          = 4;
+          const ModesAtSpeed parts = RotatingBody(model, 0, options, communicator).find_modes(rate);
+          double             difference = 0, residual = 0;
+          bool               same = true;
+          const unsigned int n    = 10; // the lowest ones, complete in both
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              const RotatingMode &a = all.modes[k], &b = parts.modes[k];
+              difference =
+                std::max(difference, std::abs(a.frequency - b.frequency) / all.modes[n].frequency);
+              residual = std::max({residual, a.residual, b.residual});
+              same     = same && a.description.nodal_diameter == b.description.nodal_diameter;
+            }
+          // The error is the square of the residual: round-off without Coriolis forces, 1e-6 with
+          // them.
+          check_below("sector: frequencies", difference, 1e-6);
+          check_below("sector: residuals", residual, 2e-3);
+          check("sector: nodal diameters", same);
+          // The hub's free rotation stays a rigid motion at speed, but for terms of the order of
+          // the strain under spin, 1e-4, times the speed squared.
+          if (!coriolis)
+            check_below("rotation about the axis",
+                        std::pow(2. * pi * all.modes[0].frequency, 2) / std::max(rate * rate, 1e6),
+                        1e-3);
+        }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession          session(argc, argv);
+  const Communicator &communicator = session.world();
+  disc(communicator);
+  ring(communicator);
+  sector(communicator);
+}

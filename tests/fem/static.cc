@@ -1,0 +1,287 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Linear statics: patch test, order of convergence, spin and torque against closed forms, messages.
+#include "../tests.h"
+
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/fem/static_solver.h>
+#include <vfife/fem/system_matrices.h>
+#include <vfife/mesh/primitives.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <set>
+
+using namespace vfife;
+
+namespace
+{
+  using Field = std::function<Vector3(const Vector3 &)>;
+
+  /** Moves inner vertices by @p part of the cell size, without pattern. */
+  void distort(BodyMesh &mesh, const double h, const double part)
+  {
+    std::set<unsigned int> kept;
+    for (const auto &vertex : dealii::GridTools::get_all_vertices_at_boundary(mesh.triangulation))
+      kept.insert(vertex.first);
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      for (unsigned int v = 0; v < 8; ++v)
+        if (kept.insert(cell->vertex_index(v)).second)
+          for (unsigned int c = 0; c < 3; ++c)
+            cell->vertex(v)[c] +=
+              part * h * std::sin(12.9898 * (cell->vertex_index(v) + 1) + 78.233 * c);
+  }
+
+  Model make_block_model(const unsigned int n, const double distortion, const Material &material)
+  {
+    Model model;
+    auto  mesh = make_block(Vector3(2., 1.5, 1.), {{n, n, n}});
+    distort(*mesh, 1. / n, distortion);
+    model.add_body(Body("block", std::move(mesh), material));
+    return model;
+  }
+
+  std::vector<unsigned int> boundary_nodes(const Body &body)
+  {
+    std::set<unsigned int> nodes;
+    for (const char *side : {"x-", "x+", "y-", "y+", "z-", "z+"})
+      nodes.insert(body.node_set(side).begin(), body.node_set(side).end());
+    return {nodes.begin(), nodes.end()};
+  }
+
+  FemOptions make_options(const FemElement element, const LinearSolverKind solver)
+  {
+    FemOptions options;
+    options.element          = element;
+    options.linear_solver    = solver;
+    options.linear_tolerance = 1e-12;
+    return options;
+  }
+
+  /**
+   * A linear field on a distorted mesh: forces at inner points vanish, stresses at all points are
+   * the constant ones.
+   */
+  void patch_test(const FemElement element, const Communicator &communicator)
+  {
+    const Model          model = make_block_model(3, .15, {});
+    const Discretization d(model, {0}, element);
+    const Assembly       assembly(d, {}, communicator);
+    Matrix3              gradient;
+    gradient << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 2e-4, 6e-4, 7e-4;
+    std::vector<double> u;
+    for (const Vector3 &x : d.points())
+      for (unsigned int c = 0; c < 3; ++c)
+        u.push_back(gradient.row(c).dot(x));
+
+    const OwnedVector         own = assembly.vector([&](const unsigned int e) -> Eigen::VectorXd {
+      return compute_fem_stiffness(d.element_nodes(e), d.material(e), element) * d.gather(e, u);
+    });
+    const std::vector<double> forces = assembly.expand(own);
+    double                    inner = 0, largest = 0;
+    for (unsigned int p = 0; p < d.n_points(); ++p)
+      {
+        const Vector3 x = d.points()[p];
+        const bool    on_border =
+          x.minCoeff() < 1e-9 || x[0] > 2. - 1e-9 || x[1] > 1.5 - 1e-9 || x[2] > 1. - 1e-9;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            largest = std::max(largest, std::abs(forces[3 * p + c]));
+            if (!on_border)
+              inner = std::max(inner, std::abs(forces[3 * p + c]));
+          }
+      }
+    const Matrix3 strain = .5 * (gradient + gradient.transpose());
+    Stress        exact;
+    exact << strain(0, 0), strain(1, 1), strain(2, 2), 2 * strain(0, 1), 2 * strain(1, 2),
+      2 * strain(2, 0);
+    exact            = compute_elasticity(d.material(0)) * exact;
+    double deviation = 0;
+    for (unsigned int e = 0; e < d.n_elements(); ++e)
+      deviation =
+        std::max(deviation,
+                 (compute_point_stresses(d.element_nodes(e), d.material(e), element, d.gather(e, u))
+                    .colwise() -
+                  exact)
+                   .cwiseAbs()
+                   .maxCoeff());
+    const std::string name = word_of(element, fem_element_choices());
+    // Round-off of sums of some hundred terms.
+    check_below("patch test, forces inside, " + name, inner / largest, 1e-12);
+    check_below("patch test, stresses, " + name, deviation / exact.norm(), 1e-12);
+  }
+
+  /** u = (1, 2, -1) s(x), s a product of sines that vanishes on the border. */
+  Vector3 manufactured(const Vector3 &x)
+  {
+    const double s = std::sin(pi * x[0] / 2.) * std::sin(pi * x[1] / 1.5) * std::sin(pi * x[2]);
+    return 1e-3 * s * Vector3(1., 2., -1.);
+  }
+
+  /** -div sigma of it, with a = 1e-3 (1, 2, -1): -(mu laplace(u) + (lambda + mu) grad div u). */
+  Vector3 manufactured_force(const Vector3 &x, const Material &material)
+  {
+    const Vector3 k(pi / 2., pi / 1.5, pi), a = 1e-3 * Vector3(1., 2., -1.);
+    Vector3       s, c;
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        s[d] = std::sin(k[d] * x[d]);
+        c[d] = std::cos(k[d] * x[d]);
+      }
+    const double value = s.prod();
+    Matrix3      second; // of s
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        second(i, j) = i == j ? -k[i] * k[i] * value : k[i] * k[j] * c[i] * c[j] * s[3 - i - j];
+    return material.mu() * k.squaredNorm() * value * a -
+           (material.lambda() + material.mu()) * (second * a);
+  }
+
+  double error_of(const unsigned int  n,
+                  const FemElement    element,
+                  const double        distortion,
+                  const Communicator &communicator)
+  {
+    Model model = make_block_model(n, distortion, {});
+    model.constraints.push_back(
+      {"border", ConstraintKind::held, 0, boundary_nodes(model.bodies[0])});
+    const StaticSolver solver(model,
+                              {0},
+                              make_options(element, LinearSolverKind::multigrid),
+                              communicator);
+    StaticLoads        loads;
+    loads.body_force = [&](const Vector3 &x) {
+      return manufactured_force(x, model.bodies[0].material());
+    };
+    const StaticResult    result = solver.solve(loads);
+    const Discretization &d      = solver.discretization();
+    double                square = 0, reference = 0;
+    for (unsigned int e = 0; e < d.n_elements(); ++e)
+      {
+        const Eigen::VectorXd                u = d.gather(e, result.displacements);
+        const ElementNodes                   X = d.element_nodes(e);
+        const Eigen::Map<const ElementNodes> columns(u.data(), 3, X.cols());
+        for (const ElementPoint &point : compute_element_points(X))
+          {
+            const Vector3 exact = manufactured(X * point.N);
+            square += point.weight * (columns * point.N - exact).squaredNorm();
+            reference += point.weight * exact.squaredNorm();
+          }
+      }
+    return std::sqrt(square / reference);
+  }
+
+  void convergence(const Communicator &communicator)
+  {
+    for (const auto &choice : fem_element_choices())
+      {
+        const bool   quadratic = choice.second == FemElement::quadratic;
+        const double coarse    = error_of(quadratic ? 3 : 4, choice.second, .15, communicator);
+        const double fine      = error_of(quadratic ? 6 : 8, choice.second, .15, communicator);
+        // Order 2 for linear and 3 for quadratic displacements; 0.3 for the coarse meshes.
+        check_close("order of convergence, " + choice.first,
+                    std::log2(coarse / fine),
+                    quadratic ? 3. : 2.,
+                    .3);
+      }
+  }
+
+  /** Code_Aster SSLV104: a bar that turns about one end. */
+  void spinning_bar(const Communicator &communicator)
+  {
+    Material steel;
+    steel.density        = 7.8e-9;
+    steel.youngs_modulus = 2e5;
+    steel.poissons_ratio = 0.;
+    Model model;
+    model.add_body(Body("bar", make_block(Vector3(500., 10., 10.), {{50, 1, 1}}), steel));
+    Body &bar = model.bodies[0];
+    bar.rate  = 3000.;
+    model.constraints.push_back({"end", ConstraintKind::held, 0, bar.node_set("x-")});
+    bar.axis.point = Vector3(0., 5., 5.);
+    for (const LinearSolverKind kind : {LinearSolverKind::multigrid, LinearSolverKind::direct})
+      {
+        const StaticSolver solver(model,
+                                  {0},
+                                  make_options(FemElement::incompatible_modes, kind),
+                                  communicator);
+        StaticLoads        loads;
+        loads.centrifugal         = true;
+        const unsigned int tip    = bar.node_set("x+").front();
+        const double       linear = solver.solve(loads).displacements[3 * tip];
+        loads.spin_softening      = true;
+        const double softened     = solver.solve(loads).displacements[3 * tip];
+        // rho omega^2 L^3/(3 E) = 14.625 mm; with the load on the moved mass L (tan kL/kL - 1)
+        // = 15.1572 mm (k = omega sqrt(rho/E)); 50 linear elements: (kL)^2/(12 50^2) = 4e-6 of it.
+        check_close("spinning bar, linear [mm]", linear, 14.625, 2e-4);
+        check_close("spinning bar, load on the moved mass [mm]", softened, 15.1572, 3e-4);
+      }
+  }
+
+  /** Torsion of a ring between a free rotation under torque and a held face. */
+  void torsion(const Communicator &communicator)
+  {
+    Model model;
+    model.add_body(Body("tube", make_ring(20., 22., 60., {{2, 48, 12}}), {}));
+    const Body &tube = model.bodies[0];
+    model.constraints.push_back({"bottom", ConstraintKind::held, 0, tube.node_set("bottom")});
+    Torque torque;
+    torque.nodes = tube.node_set("top");
+    torque.areas = compute_nodal_areas(tube, torque.nodes);
+    torque.value = 1e5;
+    model.torques.push_back(torque);
+    const unsigned int node  = torque.nodes.front();
+    const double       shear = tube.material().mu();
+    // Polar moment of the polygon that the mesh is: that of the ring times its area's ratio, within
+    // a few 1e-3 for 48 sides.
+    const double exact = 1e5 * 60. / (shear * pi / 2. * (std::pow(22., 4) - std::pow(20., 4)));
+    for (const ConstraintKind kind : {ConstraintKind::free_rotation, ConstraintKind::rigid_hub})
+      {
+        model.constraints.resize(1);
+        model.constraints.push_back({"top", kind, 0, torque.nodes});
+        for (const LinearSolverKind solver_kind :
+             {LinearSolverKind::multigrid, LinearSolverKind::direct})
+          {
+            const StaticSolver solver(model,
+                                      {0},
+                                      make_options(FemElement::incompatible_modes, solver_kind),
+                                      communicator);
+            const StaticResult result = solver.solve({});
+            const Vector3      x      = tube.node_positions()[node];
+            const double       angle =
+              (x[0] * result.displacements[3 * node + 1] - x[1] * result.displacements[3 * node]) /
+              x.head<2>().squaredNorm();
+            check_close("torsion, angle", angle / exact, 1., 1e-2);
+          }
+      }
+  }
+
+  void free_body(const Communicator &communicator)
+  {
+    Model model = make_block_model(2, 0., {});
+    model.constraints.push_back(
+      {"hub", ConstraintKind::free_rotation, 0, model.bodies[0].node_set("z-")});
+    try
+      {
+        const StaticSolver solver(model, {0}, {}, communicator);
+        check("a body that can turn is refused", false);
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession          session(argc, argv);
+  const Communicator &communicator = session.world();
+  for (const auto &choice : fem_element_choices())
+    patch_test(choice.second, communicator);
+  convergence(communicator);
+  spinning_bar(communicator);
+  torsion(communicator);
+  free_body(communicator);
+}
