@@ -1,0 +1,95 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// A turning pinion whose displacement stands still in space: velocities and forces of inertia
+// against the derivatives of the displacement that is put on.
+#include "../mesh/paper_members.h"
+#include "../tests.h"
+#include "one_solver.h"
+
+#include <vfife/dynamics/standing_pattern.h>
+#include <vfife/mesh/gear_body.h>
+#include <vfife/mesh/node_set_names.h>
+
+using namespace vfife;
+
+namespace
+{
+  constexpr double rate = -700., radial = 0.02, tangential = 0.01, axial = 0.03, waves = 2.;
+
+  struct Field
+  {
+    Vector3 value, slope, curvature; ///< components r, theta, z [mm], [mm/rad], [mm/rad^2]
+
+    explicit Field(const double phi)
+    {
+      const double c = std::cos(waves * phi), s = std::sin(waves * phi);
+      value     = Vector3(radial * c, tangential * s, axial * s);
+      slope     = waves * Vector3(-radial * s, tangential * c, axial * c);
+      curvature = -waves * waves * value;
+    }
+  };
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  // mounted with its axis along x, to see that the axis is used and not z
+  RigidMotion placement;
+  placement.rotation << 0., 0., 1., 1., 0., 0., 0., 1., 0.;
+  placement.translation = Vector3(3., -2., 5.);
+
+  Model model;
+  Body  pinion("pinion",
+              make_gear_body(paper::pinion(), coarse(pinion_body_defaults())),
+              Material());
+  pinion.placement      = placement;
+  pinion.axis.point     = placement.translation;
+  pinion.axis.direction = placement.rotation.col(2);
+  pinion.turns_on_axis  = true;
+  pinion.rate           = rate;
+  model.add_body(std::move(pinion));
+  const Body &body = model.bodies[0];
+  model.constraints.push_back(
+    {"bore", ConstraintKind::free_rotation, 0, body.node_set(node_set::bore)});
+  OneSolver run(model, undamped());
+
+  std::vector<Vector3> velocity(body.n_nodes()), acceleration(body.n_nodes());
+  for (unsigned int n = 0; n < body.n_nodes(); ++n)
+    {
+      const Vector3 &x   = body.node_positions()[n];
+      const double   phi = std::atan2(x[1], x[0]);
+      const Matrix3  cylindrical(placement.rotation * rotation_about(Vector3::UnitZ(), phi));
+      const Field    field(phi);
+      velocity[n] = rate * (cylindrical * field.slope);
+      acceleration[n] =
+        rate * rate * (cylindrical * (field.curvature + 2. * Vector3::UnitZ().cross(field.slope)));
+      const std::uint32_t i = run.state.partition.local_node[n];
+      Eigen::Map<Vector3>(run.state.position.data() + 4 * static_cast<std::size_t>(i)) =
+        placement(x) + cylindrical * field.value;
+    }
+
+  StandingPattern pattern(model, run.communicator);
+  pattern.update(run.state);
+  const std::size_t         size = run.state.position.size();
+  std::vector<double>       velocities(size, 0.), forces(size, 0.);
+  const std::vector<double> masses(size / 4, 2.);
+  pattern.add_velocities(velocities);
+  pattern.add_forces(masses, forces);
+  double wrong_velocity = 0., wrong_force = 0., largest = 0.;
+  for (unsigned int n = 0; n < body.n_nodes(); ++n)
+    {
+      const std::size_t i = 4 * static_cast<std::size_t>(run.state.partition.local_node[n]);
+      largest             = std::max(largest, velocity[n].norm());
+      wrong_velocity =
+        std::max(wrong_velocity, (Eigen::Map<Vector3>(velocities.data() + i) - velocity[n]).norm());
+      wrong_force =
+        std::max(wrong_force,
+                 (Eigen::Map<Vector3>(forces.data() + i) + 2. * acceleration[n]).norm());
+    }
+  // error of the fourth-order differences, (waves h)^4/30 with h = 2 pi/27
+  const double error = std::pow(waves * 2. * pi / 27., 4) / 30.;
+  check_below("velocity", wrong_velocity / largest, 1.01 * error);
+  check_below("force of inertia, per 2 m Omega and velocity",
+              wrong_force / (4. * std::abs(rate) * largest),
+              1.5 * error);
+  check_close("largest velocity", pattern.largest_velocity() / largest, 1., 2. * error);
+}
