@@ -153,7 +153,7 @@ namespace vfife
   {
     const auto start = Clock::now();
     Relaxation relaxation(
-      model, dynamics_.relaxation, solver.vfife_operator(), solver.contact(), communicator, log);
+      model, dynamics_.relaxation, solver.vfife_operator(), solver.contact(), solver.walls(), communicator, log);
     DeflectionProbe probe(model, communicator);
     const double    torque = gear_case_.operation().torque;
     log.line("equilibrium before the start:");
