@@ -199,10 +199,13 @@ namespace vfife
   {
     const Unit &bare = find_unit(unit);
     const auto  read = [&bare](const std::string &text) {
-      const auto parts = split_three(text);
-      Vector3    numbers;
-      for (unsigned int c = 0; c < 3; ++c)
-        numbers[c] = parse_quantity(parts[c], bare.name);
+      // "0, 0, 5 m": the unit behind the last number is also that of bare numbers before it.
+      const auto      parts = split_three(text);
+      const Quantity  last  = read_quantity(parts[2], bare.name);
+      Vector3         numbers;
+      numbers[2] = last.internal();
+      for (unsigned int c = 0; c < 2; ++c)
+        numbers[c] = parse_quantity(parts[c], last.unit->name);
       return numbers;
     };
     const auto text = [&](const unsigned int c) { return quantity_text(value[c], unit); };

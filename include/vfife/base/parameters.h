@@ -73,8 +73,9 @@ namespace vfife
                         const Range              &range = Range::any());
 
   /**
-   * Declares three dimensioned numbers separated by commas, "0, 0, 9.81 m/s"; each is read as by
-   * declare_quantity(). @p value is in internal units.
+   * Declares three dimensioned numbers separated by commas, "0, 0, 5 m/s"; each is read as by
+   * declare_quantity(), and a unit behind the last one is that of all that carry none. @p value is
+   * in internal units.
    */
   void declare_vector(dealii::ParameterHandler &prm,
                       const std::string        &name,
