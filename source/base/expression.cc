@@ -20,7 +20,7 @@ namespace vfife
   {
     // deal.II writes the parser's message to std::cerr before it throws; it belongs into ours.
     std::ostringstream    said;
-    std::streambuf *const screen = std::cerr.rdbuf(said.rdbuf());
+    std::streambuf *const screen     = std::cerr.rdbuf(said.rdbuf());
     bool                  understood = true;
     try
       {

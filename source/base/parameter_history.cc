@@ -78,12 +78,10 @@ namespace vfife
       return (*formula_)(Vector3::Zero(), time);
     if (rows_.empty())
       return 1.;
-    const auto next = std::lower_bound(rows_.begin(),
-                                       rows_.end(),
-                                       time,
-                                       [](const auto &row, const double t) {
-                                         return row.first < t;
-                                       });
+    const auto next =
+      std::lower_bound(rows_.begin(), rows_.end(), time, [](const auto &row, const double t) {
+        return row.first < t;
+      });
     if (next == rows_.begin())
       return rows_.front().second;
     if (next == rows_.end())

@@ -200,9 +200,9 @@ namespace vfife
     const Unit &bare = find_unit(unit);
     const auto  read = [&bare](const std::string &text) {
       // "0, 0, 5 m": the unit behind the last number is also that of bare numbers before it.
-      const auto      parts = split_three(text);
-      const Quantity  last  = read_quantity(parts[2], bare.name);
-      Vector3         numbers;
+      const auto     parts = split_three(text);
+      const Quantity last  = read_quantity(parts[2], bare.name);
+      Vector3        numbers;
       numbers[2] = last.internal();
       for (unsigned int c = 0; c < 2; ++c)
         numbers[c] = parse_quantity(parts[c], last.unit->name);

@@ -48,8 +48,8 @@ namespace vfife
                                         const Model      &model,
                                         const Partition  &partition)
   {
-    const bool                                led  = constraint.kind == ConstraintKind::directions;
-    const Body                               &body = model.bodies[constraint.body];
+    const bool                              led  = constraint.kind == ConstraintKind::directions;
+    const Body                             &body = model.bodies[constraint.body];
     std::vector<std::pair<Group *, Node *>> taken(partition.n_local());
     for (Group &group : groups_)
       for (Node &node : group.nodes)
@@ -282,8 +282,8 @@ namespace vfife
       }
     if (group.kind == ConstraintKind::directions)
       // What the leads have added to the motion under forces and damping.
-      sums.drive_power += node.mass * (1. + 0.5 * damping.zeta * dt) / dt *
-                          (v - node.free_velocity).dot(mean);
+      sums.drive_power +=
+        node.mass * (1. + 0.5 * damping.zeta * dt) / dt * (v - node.free_velocity).dot(mean);
     else if (group.kind == ConstraintKind::prescribed_rotation)
       {
         const Vector3 reaction = node.mass / dt * (v - node.old_velocity) - force;
@@ -384,13 +384,12 @@ namespace vfife
                 f               = t.dot(record(forces, node.local)) * t;
               }
             else if (group.kind == ConstraintKind::directions)
-              f = project_free(group.axis,
-                               group.definition->cylindrical,
-                               record(positions, node.local),
-                               {{node.leads[0] != nullptr,
-                                 node.leads[1] != nullptr,
-                                 node.leads[2] != nullptr}},
-                               record(forces, node.local));
+              f = project_free(
+                group.axis,
+                group.definition->cylindrical,
+                record(positions, node.local),
+                {{node.leads[0] != nullptr, node.leads[1] != nullptr, node.leads[2] != nullptr}},
+                record(forces, node.local));
             set_record(forces, node.local, f);
           }
       }

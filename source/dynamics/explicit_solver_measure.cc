@@ -139,7 +139,7 @@ namespace vfife
                         state.contact_force.data());
     walls_.add_forces(state.position.data(), state.contact_force.data());
     EnergyLedger ledger;
-    ledger.strain = take_measurements(state);
+    ledger.strain             = take_measurements(state);
     ledger.contact            = contact_.energy() + walls_.collect_results().energy;
     state.measured            = observed_.measured;
     state.measured.energy     = ledger;

@@ -51,9 +51,7 @@ namespace vfife
     }
   } // namespace
 
-  NodalLoads::NodalLoads(const Model        &model,
-                         VfifeOperator      &vfife,
-                         const Communicator &communicator)
+  NodalLoads::NodalLoads(const Model &model, VfifeOperator &vfife, const Communicator &communicator)
     : model_(model)
     , operator_(vfife)
     , communicator_(communicator)
@@ -93,8 +91,8 @@ namespace vfife
 
   void NodalLoads::add_faces(const Load &load, Group &group) const
   {
-    const Body              &body      = model_.bodies[load.body];
-    const Partition         &partition = operator_.partition();
+    const Body               &body      = model_.bodies[load.body];
+    const Partition          &partition = operator_.partition();
     std::vector<std::uint8_t> selected(body.n_nodes(), 0);
     for (const unsigned int node : load.nodes)
       selected[node] = 1;
@@ -135,8 +133,7 @@ namespace vfife
     return 1. / std::sqrt(1. / (step * step) + 0.25 * largest_frequency2_);
   }
 
-  void NodalLoads::add_relaxation_masses(const double         fraction,
-                                         std::vector<double> &masses) const
+  void NodalLoads::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
   {
     for (const Group &group : groups_)
       if (group.load->kind == LoadKind::spring)
@@ -161,9 +158,9 @@ namespace vfife
         }
     communicator_.sum(sums);
     const Vector3 centre = Vector3(sums[1], sums[2], sums[3]) / sums[0];
-    const Matrix3 second = Eigen::Map<const Matrix3>(sums.data() + 4) -
-                           sums[0] * centre * centre.transpose();
-    const Matrix3 inertia = second.trace() * Matrix3::Identity() - second;
+    const Matrix3 second =
+      Eigen::Map<const Matrix3>(sums.data() + 4) - sums[0] * centre * centre.transpose();
+    const Matrix3                   inertia = second.trace() * Matrix3::Identity() - second;
     const Eigen::FullPivLU<Matrix3> factors(inertia);
     if (!factors.isInvertible())
       throw InputError("load \"" + group.load->name +
@@ -194,24 +191,24 @@ namespace vfife
     const Load &load = *group.load;
     switch (load.kind)
       {
-        case LoadKind::force:
-        case LoadKind::acceleration:
-          for (const Node &node : group.nodes)
-            add_record(forces_.data(), node.local, factor * node.weight * load.vector);
-          break;
-        case LoadKind::moment:
-          add_moment(group, factor * load.vector, positions);
-          break;
-        case LoadKind::pressure:
-          add_pressure(group, factor * load.pressure, positions);
-          break;
-        case LoadKind::spring:
-          for (const Node &node : group.nodes)
-            add_record(forces_.data(),
-                       node.local,
-                       -node.weight *
-                         load.vector.cwiseProduct(record(positions, node.local) - node.start));
-          break;
+      case LoadKind::force:
+      case LoadKind::acceleration:
+        for (const Node &node : group.nodes)
+          add_record(forces_.data(), node.local, factor * node.weight * load.vector);
+        break;
+      case LoadKind::moment:
+        add_moment(group, factor * load.vector, positions);
+        break;
+      case LoadKind::pressure:
+        add_pressure(group, factor * load.pressure, positions);
+        break;
+      case LoadKind::spring:
+        for (const Node &node : group.nodes)
+          add_record(forces_.data(),
+                     node.local,
+                     -node.weight *
+                       load.vector.cwiseProduct(record(positions, node.local) - node.start));
+        break;
       }
   }
 

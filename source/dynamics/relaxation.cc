@@ -38,6 +38,26 @@ namespace vfife
         return values[2];
       }
     };
+
+    /** The sums over this rank's nodes. */
+    StepSums add_steps(const Partition           &partition,
+                       const std::vector<double> &masses,
+                       const std::vector<double> &velocity,
+                       const std::vector<double> &previous_forces,
+                       const std::vector<double> &forces)
+    {
+      StepSums sums;
+      for (std::size_t i = 0; i < partition.n_local(); ++i)
+        if (partition.owned[i])
+          {
+            const Eigen::Map<const Vector3> f(forces.data() + 4 * i),
+              f_old(previous_forces.data() + 4 * i), v(velocity.data() + 4 * i);
+            sums.force_square() += f.squaredNorm();
+            sums.work_of_change() -= v.dot(f - f_old);
+            sums.kinetic() += masses[i] * v.squaredNorm();
+          }
+      return sums;
+    }
   } // namespace
 
   Relaxation::Relaxation(const Model             &model,
@@ -160,16 +180,7 @@ namespace vfife
           reference = norm(forces_, state.partition);
         constraints.project(state.position.data(), forces_.data(), !loads.hold_rotation);
 
-        StepSums sums;
-        for (std::size_t i = 0; i < state.partition.n_local(); ++i)
-          if (state.partition.owned[i])
-            {
-              const Eigen::Map<const Vector3> f(forces_.data() + 4 * i),
-                f_old(previous.data() + 4 * i), v(velocity.data() + 4 * i);
-              sums.force_square() += f.squaredNorm();
-              sums.work_of_change() -= v.dot(f - f_old);
-              sums.kinetic() += masses[i] * v.squaredNorm();
-            }
+        StepSums sums = add_steps(state.partition, masses, velocity, previous, forces_);
         communicator_.sum(sums.values);
         report.residual = reference > 0 ? std::sqrt(sums.force_square()) / reference : 0.;
         if (!std::isfinite(report.residual))

@@ -18,20 +18,22 @@ namespace vfife
       {
         const Body &body  = model.bodies[definition.body];
         const auto  areas = compute_nodal_areas(body, definition.nodes);
-        Wall wall{&definition, std::numeric_limits<double>::infinity(), definition.penalty, 0, 0, 0,
-                  {}};
+        Wall        wall{
+          &definition, std::numeric_limits<double>::infinity(), definition.penalty, 0, 0, 0, {}};
         for (std::size_t i = 0; i < areas.size(); ++i)
           if (areas[i] > 0)
             {
               const unsigned int node = definition.nodes[i];
-              wall.mass_per_area = std::min(wall.mass_per_area, body.node_masses()[node] / areas[i]);
+              wall.mass_per_area =
+                std::min(wall.mass_per_area, body.node_masses()[node] / areas[i]);
               const std::uint32_t local = partition.local_node[body.first_node + node];
               if (local != Partition::absent)
                 wall.nodes.push_back({local, partition.owned[local] != 0, areas[i]});
             }
         if (!std::isfinite(wall.mass_per_area))
-          throw InputError("contact \"" + definition.name + "\": its nodes carry no face of body \"" +
-                           body.name() + "\" that a wall could press on");
+          throw InputError("contact \"" + definition.name +
+                           "\": its nodes carry no face of body \"" + body.name() +
+                           "\" that a wall could press on");
         walls_.push_back(std::move(wall));
       }
   }
@@ -42,10 +44,11 @@ namespace vfife
     for (const Wall &wall : walls_)
       {
         const RigidWall &w = *wall.definition;
-        dt = std::min(dt,
-                      w.penalty_from_step
-                        ? step * std::sqrt(1. - 0.25 * w.penalty_fraction)
-                        : 1. / std::sqrt(1. / (step * step) + 0.25 * w.penalty / wall.mass_per_area));
+        dt =
+          std::min(dt,
+                   w.penalty_from_step
+                     ? step * std::sqrt(1. - 0.25 * w.penalty_fraction)
+                     : 1. / std::sqrt(1. / (step * step) + 0.25 * w.penalty / wall.mass_per_area));
       }
     return dt;
   }
@@ -57,8 +60,7 @@ namespace vfife
         wall.penalty = wall.definition->penalty_fraction * wall.mass_per_area / (dt * dt);
   }
 
-  void RigidWalls::add_relaxation_masses(const double         fraction,
-                                         std::vector<double> &masses) const
+  void RigidWalls::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
   {
     for (const Wall &wall : walls_)
       for (const Node &node : wall.nodes)

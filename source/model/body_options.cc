@@ -91,8 +91,8 @@ namespace vfife
           centre += body.node_masses()[i] / body.mass() * body.placement(body.node_positions()[i]);
         body.rate     = angular_velocity.norm();
         body.axis     = {centre,
-                         body.rate > 0 ? Vector3(angular_velocity / body.rate) :
-                                             axis_direction.normalized()};
+                     body.rate > 0 ? Vector3(angular_velocity / body.rate)
+                                       : axis_direction.normalized()};
         body.velocity = velocity;
       }
 
@@ -110,7 +110,9 @@ namespace vfife
         }
     if (moves)
       for (const Vector3 &X : body.node_positions())
-        body.initial_velocity.emplace_back(formulas[0](X, 0.), formulas[1](X, 0.), formulas[2](X, 0.));
+        body.initial_velocity.emplace_back(formulas[0](X, 0.),
+                                           formulas[1](X, 0.),
+                                           formulas[2](X, 0.));
     return body;
   }
 } // namespace vfife

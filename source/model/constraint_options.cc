@@ -32,17 +32,17 @@ namespace vfife
     {
       switch (kind)
         {
-          case SupportKind::turning:
-          case SupportKind::angle:
-            return ConstraintKind::prescribed_rotation;
-          case SupportKind::free_rotation:
-            return ConstraintKind::free_rotation;
-          case SupportKind::rigid_hub:
-            return ConstraintKind::rigid_hub;
-          case SupportKind::displacement:
-            return ConstraintKind::directions;
-          default:
-            return ConstraintKind::held;
+        case SupportKind::turning:
+        case SupportKind::angle:
+          return ConstraintKind::prescribed_rotation;
+        case SupportKind::free_rotation:
+          return ConstraintKind::free_rotation;
+        case SupportKind::rigid_hub:
+          return ConstraintKind::rigid_hub;
+        case SupportKind::displacement:
+          return ConstraintKind::directions;
+        default:
+          return ConstraintKind::held;
         }
     }
   } // namespace
@@ -76,11 +76,8 @@ namespace vfife
         history.declare(prm);
       }
     if (kind == SupportKind::spring)
-      declare_vector(prm,
-                     "stiffness",
-                     stiffness,
-                     "N/mm",
-                     "Stiffness of all nodes together along x, y, z");
+      declare_vector(
+        prm, "stiffness", stiffness, "N/mm", "Stiffness of all nodes together along x, y, z");
   }
 
   void ConstraintOptions::check(const std::string &section) const
@@ -94,12 +91,12 @@ namespace vfife
     const bool fixed = are_all_in(directions, fixed_directions);
     if (!fixed && !are_all_in(directions, cylindrical_directions))
       throw InputError(section + "/directions",
-                       "must be of x, y, z, or of r, theta, z, not \"" + list_of(directions) + "\"");
+                       "must be of x, y, z, or of r, theta, z, not \"" + list_of(directions) +
+                         "\"");
   }
 
-  void ConstraintOptions::add_to(Model             &model,
-                                 const std::string &name,
-                                 const std::string &section) const
+  void
+  ConstraintOptions::add_to(Model &model, const std::string &name, const std::string &section) const
   {
     const unsigned int body  = selection.find_body(model.bodies, section);
     const auto         nodes = selection.find_nodes(model.bodies[body], section);
@@ -125,7 +122,7 @@ namespace vfife
     if (kind == SupportKind::displacement)
       {
         constraint.cylindrical = !are_all_in(directions, fixed_directions);
-        const auto &words = constraint.cylindrical ? cylindrical_directions : fixed_directions;
+        const auto &words      = constraint.cylindrical ? cylindrical_directions : fixed_directions;
         for (unsigned int c = 0; c < 3; ++c)
           constraint.prescribed[c] =
             std::find(directions.begin(), directions.end(), words[c]) != directions.end();

@@ -25,12 +25,13 @@ namespace vfife
     if (kind == LoadKind::force)
       declare_vector(prm, "force", vector, "N", "Sum of the forces, fixed in space");
     if (kind == LoadKind::moment)
-      declare_vector(prm,
-                     "moment",
-                     vector,
-                     "N mm",
-                     "Sum of the moments about the nodes' centre, fixed in space; the forces sum to "
-                     "zero");
+      declare_vector(
+        prm,
+        "moment",
+        vector,
+        "N mm",
+        "Sum of the moments about the nodes' centre, fixed in space; the forces sum to "
+        "zero");
     if (kind == LoadKind::pressure)
       declare_quantity(prm,
                        "pressure",
@@ -38,12 +39,11 @@ namespace vfife
                        "MPa",
                        "Pressure on the present faces, + into the body; follows them");
     if (kind == LoadKind::acceleration)
-      declare_vector(prm, "acceleration", vector, "mm/s^2", "Body force over mass, such as gravity");
+      declare_vector(
+        prm, "acceleration", vector, "mm/s^2", "Body force over mass, such as gravity");
   }
 
-  void LoadOptions::add_to(Model             &model,
-                           const std::string &name,
-                           const std::string &section) const
+  void LoadOptions::add_to(Model &model, const std::string &name, const std::string &section) const
   {
     Load load;
     load.name     = name;

@@ -60,15 +60,13 @@ namespace vfife
                    "is left in the turning body along r, theta, z of its axis");
   }
 
-  void ProbeOptions::add_to(Model             &model,
-                            const std::string &name,
-                            const std::string &section) const
+  void ProbeOptions::add_to(Model &model, const std::string &name, const std::string &section) const
   {
     Probe probe;
-    probe.name       = name;
-    probe.body       = selection.find_body(model.bodies, section);
-    probe.fixed_axes = fixed_axes;
-    double least     = std::numeric_limits<double>::infinity();
+    probe.name         = name;
+    probe.body         = selection.find_body(model.bodies, section);
+    probe.fixed_axes   = fixed_axes;
+    double      least  = std::numeric_limits<double>::infinity();
     const auto &places = model.bodies[probe.body].node_positions();
     for (unsigned int i = 0; i < places.size(); ++i)
       if ((places[i] - point).norm() < least)
@@ -83,8 +81,10 @@ namespace vfife
   {
     Subsection section(prm, "Model");
     declare_names(prm, "bodies", body_names_, "A subsection \"Body NAME\" for each");
-    declare_names(
-      prm, "constraints", constraint_names_, "A subsection \"Constraint NAME\" for each");
+    declare_names(prm,
+                  "constraints",
+                  constraint_names_,
+                  "A subsection \"Constraint NAME\" for each");
     declare_names(prm, "loads", load_names_, "A subsection \"Load NAME\" for each");
     declare_names(prm, "contacts", contact_names_, "A subsection \"Contact NAME\" for each");
     declare_names(prm, "probes", probe_names_, "A subsection \"Probe NAME\" for each");
@@ -176,11 +176,11 @@ namespace vfife
   {
     Model model;
     for (const auto &body : bodies_)
-      model.add_body(body.second.make(
-        body.first, material(body.second.material), section_of("Body", body.first)));
+      model.add_body(body.second.make(body.first,
+                                      material(body.second.material),
+                                      section_of("Body", body.first)));
     for (const auto &constraint : constraints_)
-      constraint.second.add_to(
-        model, constraint.first, section_of("Constraint", constraint.first));
+      constraint.second.add_to(model, constraint.first, section_of("Constraint", constraint.first));
     for (const auto &load : loads_)
       load.second.add_to(model, load.first, section_of("Load", load.first));
     for (const auto &contact : contacts_)

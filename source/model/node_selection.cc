@@ -63,8 +63,8 @@ namespace vfife
         {
           const Expression condition(where);
           for (auto node = nodes.begin(); node != nodes.end();)
-            node = condition(selected_body.node_positions()[*node], 0.) != 0. ? std::next(node) :
-                                                                                nodes.erase(node);
+            node = condition(selected_body.node_positions()[*node], 0.) != 0. ? std::next(node)
+                                                                              : nodes.erase(node);
         }
       catch (const InputError &error)
         {

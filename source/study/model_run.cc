@@ -7,8 +7,8 @@
 #include <vfife/base/timers.h>
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/dynamics/relaxation.h>
-#include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/mesh_quality.h>
 #include <vfife/output/checkpoint.h>
 #include <vfife/output/field_writer.h>
 #include <vfife/output/history_writer.h>
@@ -176,7 +176,7 @@ namespace vfife
     solver.set_step(dt);
     log_step(solver, dt, log);
 
-    RunSummary          summary = start_summary("run", model, solver, dt, communicator);
+    RunSummary          summary       = start_summary("run", model, solver, dt, communicator);
     const std::uint64_t history_steps = output_.compute_history_steps(nullptr, dt);
     Observers           observers =
       make_observers(folder, model, history_steps, output_.compute_field_steps(nullptr, dt));
@@ -203,7 +203,7 @@ namespace vfife
       {
         if (dynamics_.start == Start::static_preload)
           {
-            Relaxation relaxation(model,
+            Relaxation             relaxation(model,
                                   dynamics_.relaxation,
                                   solver.vfife_operator(),
                                   solver.contact(),
@@ -211,10 +211,8 @@ namespace vfife
                                   communicator,
                                   log);
             const RelaxationReport report = relaxation.solve(state, Relaxation::Loads());
-            log.line("equilibrium before the start: ",
-                     report.steps,
-                     " steps, residual ",
-                     report.residual);
+            log.line(
+              "equilibrium before the start: ", report.steps, " steps, residual ", report.residual);
             solver.set_rigid_velocities(state);
           }
         solver.run(state, end_time_, observers);
@@ -268,8 +266,8 @@ namespace vfife
                           log);
     State      state;
     solver.start(state);
-    const auto         start   = Clock::now();
-    const unsigned int n_steps = dynamics_.relaxation.load_steps;
+    const auto         start              = Clock::now();
+    const unsigned int n_steps            = dynamics_.relaxation.load_steps;
     std::uint64_t      n_relaxation_steps = 0;
     for (unsigned int step = 1; step <= n_steps; ++step)
       {
@@ -299,9 +297,7 @@ namespace vfife
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
     write_summary(folder, summary);
-    log.line("finished: ",
-             n_relaxation_steps,
-             " relaxation steps in ",
-             duration_text(summary.run_time));
+    log.line(
+      "finished: ", n_relaxation_steps, " relaxation steps in ", duration_text(summary.run_time));
   }
 } // namespace vfife

@@ -49,7 +49,9 @@ namespace
     auto        h       = run_case("free_spin", {"Dynamics/end time=0.6283185307 ms"}, world);
     const auto &angular = h["angular momentum z"];
     // 10^4 steps of sums of 135 terms.
-    check_below("free spin: drift of angular momentum", angular.back() / angular.front() - 1, 1e-12);
+    check_below("free spin: drift of angular momentum",
+                angular.back() / angular.front() - 1,
+                1e-12);
     check_below("free spin: momentum over m omega r",
                 std::max(largest(h["momentum x"]), largest(h["momentum y"])) /
                   (6.28e-6 * 20000 * 10),
@@ -58,7 +60,7 @@ namespace
     check_below("free spin: energy error", largest(h["energy error"]), 0.005);
 
     // The published frame is not free of moments, to the order of the strain (1e-3).
-    auto three = run_case("free_spin",
+    auto         three = run_case("free_spin",
                           {"Dynamics/end time=0.6283185307 ms", "Dynamics/frame=three nodes"},
                           world);
     const double drift =
@@ -79,7 +81,7 @@ namespace
 
   void bar_impact(Communicator &world)
   {
-    auto h = run_case("bar_impact", {"Model/Body bar/cells x=100"}, world);
+    auto         h = run_case("bar_impact", {"Model/Body bar/cells x=100"}, world);
     const auto  &t = h["time"], &force = h["contact force total"];
     const double step = t[1] - t[0], wave = 68.951e-6;
     double       impulse = 0, plateau = 0, last = 0;
@@ -158,8 +160,14 @@ namespace
     overrides.emplace_back("Model/Load end/moment=0, -86289.077, 0 N mm");
     auto rolled = run_case("rolled_cantilever", overrides, world);
     // Polygon of 20 chords: (t/20)^2/24 = 3e-4; strains of second order 1e-3.
-    check_close("rolled cantilever: u/L", rolled["tip displacement x"].back() / 100, -0.363380, 3e-3);
-    check_close("rolled cantilever: w/L", rolled["tip displacement z"].back() / 100, 0.636620, 3e-3);
+    check_close("rolled cantilever: u/L",
+                rolled["tip displacement x"].back() / 100,
+                -0.363380,
+                3e-3);
+    check_close("rolled cantilever: w/L",
+                rolled["tip displacement z"].back() / 100,
+                0.636620,
+                3e-3);
 
     overrides = coarse;
     overrides.emplace_back("Model/Load end/force=0, 0, 2197.33333 N");

@@ -44,8 +44,8 @@ namespace vfife
      * the state; nodes of a rigid hub share their mean. Collective. */
     void read(const State &state, MotionFrame frame);
 
-    /** In the rotating frame: what part of the prescribed displacements and angles is taken, instead
-     * of their histories at time zero. */
+    /** In the rotating frame: what part of the prescribed displacements and angles is taken,
+     * instead of their histories at time zero. */
     void set_part(double part);
 
     /** Remembers the old positions and velocities, before update_nodes(). */
@@ -110,8 +110,9 @@ namespace vfife
       std::vector<Node> nodes;
     };
 
-    void           share_rotation(Group &group) const;
-    void  add_constraint(const Constraint &constraint, const Model &model, const Partition &partition);
+    void share_rotation(Group &group) const;
+    void
+    add_constraint(const Constraint &constraint, const Model &model, const Partition &partition);
     double  factor(const Constraint &constraint, double time, MotionFrame frame) const;
     Vector3 move_led(const Group       &group,
                      Node              &node,

@@ -61,14 +61,14 @@ namespace vfife
     void add_pressure(const Group &group, double pressure, const double *positions);
     void finish(double *forces);
 
-    const Model         &model_;
-    VfifeOperator       &operator_;
-    const Communicator  &communicator_;
-    std::vector<Group>   groups_;
-    std::vector<double>  forces_; ///< of all loads; empty without loads
-    std::vector<double>  face_forces_;
-    bool                 has_pressure_       = false;
-    double               largest_frequency2_ = 0; ///< k/m of springs [1/s^2]
+    const Model        &model_;
+    VfifeOperator      &operator_;
+    const Communicator &communicator_;
+    std::vector<Group>  groups_;
+    std::vector<double> forces_; ///< of all loads; empty without loads
+    std::vector<double> face_forces_;
+    bool                has_pressure_       = false;
+    double              largest_frequency2_ = 0; ///< k/m of springs [1/s^2]
   };
 } // namespace vfife
 

@@ -55,8 +55,8 @@ namespace vfife
     struct Wall
     {
       const RigidWall  *definition;
-      double            mass_per_area; ///< least of its nodes [t/mm^2]
-      double            penalty;       ///< [N/mm^3]
+      double            mass_per_area;              ///< least of its nodes [t/mm^2]
+      double            penalty;                    ///< [N/mm^3]
       double            force, energy, penetration; ///< of this rank
       std::vector<Node> nodes;
     };

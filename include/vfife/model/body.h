@@ -69,7 +69,7 @@ namespace vfife
     /** Added to the rigid motion at time zero: by node, or empty [mm/s]. */
     std::vector<Vector3> initial_velocity;
     unsigned int         first_node    = 0;
-    unsigned int first_element = 0;
+    unsigned int         first_element = 0;
 
   private:
     std::string                               name_;

@@ -40,7 +40,8 @@ namespace vfife
 
     void check(const std::string &section) const;
 
-    Body make(const std::string &name, const Material &of_material, const std::string &section) const;
+    Body
+    make(const std::string &name, const Material &of_material, const std::string &section) const;
   };
 } // namespace vfife
 

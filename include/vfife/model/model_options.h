@@ -47,12 +47,13 @@ namespace vfife
     template <typename Options>
     using Named = std::vector<std::pair<std::string, Options>>;
 
-    void declare_names_of_parts(dealii::ParameterHandler &prm);
-    void declare_kinds(dealii::ParameterHandler &prm);
-    void declare_materials(dealii::ParameterHandler &prm);
+    void            declare_names_of_parts(dealii::ParameterHandler &prm);
+    void            declare_kinds(dealii::ParameterHandler &prm);
+    void            declare_materials(dealii::ParameterHandler &prm);
     const Material &material(const std::string &name) const;
 
-    std::vector<std::string>  body_names_, constraint_names_, load_names_, contact_names_, probe_names_;
+    std::vector<std::string> body_names_, constraint_names_, load_names_, contact_names_,
+      probe_names_;
     Named<BodyOptions>        bodies_;
     Named<ConstraintOptions>  constraints_;
     Named<LoadOptions>        loads_;

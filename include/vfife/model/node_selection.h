@@ -18,8 +18,8 @@ namespace vfife
   struct NodeSelection
   {
     std::string              body;
-    std::vector<std::string> sets;  ///< united; "all": every node
-    std::string              where; ///< formula of x, y, z [mm] of the undeformed body frame, or empty
+    std::vector<std::string> sets; ///< united; "all": every node
+    std::string where; ///< formula of x, y, z [mm] of the undeformed body frame, or empty
 
     /** Declares "body", "nodes" and "where" in the section entered. */
     void declare(dealii::ParameterHandler &prm);
