@@ -16,6 +16,7 @@
 #include <vfife/output/progress_line.h>
 #include <vfife/study/model_run.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -175,6 +176,8 @@ namespace vfife
     const double   dt = choose_step(solver.stable_step());
     solver.set_step(dt);
     log_step(solver, dt, log);
+    const double end_time =
+      dynamics_.largest_steps > 0 ? std::min(end_time_, dynamics_.largest_steps * dt) : end_time_;
 
     RunSummary          summary       = start_summary("run", model, solver, dt, communicator);
     const std::uint64_t history_steps = output_.compute_history_steps(nullptr, dt);
@@ -184,7 +187,7 @@ namespace vfife
       observers.push_back(
         std::make_unique<CheckpointWriter>(folder, output_.checkpoint_every, history_steps));
     observers.push_back(
-      std::make_unique<ProgressLine>(log, communicator, 0., end_time_, history_steps));
+      std::make_unique<ProgressLine>(log, communicator, 0., end_time, end_time_, history_steps));
 
     State state;
     solver.start(state);
@@ -215,7 +218,7 @@ namespace vfife
               "equilibrium before the start: ", report.steps, " steps, residual ", report.residual);
             solver.set_rigid_velocities(state);
           }
-        solver.run(state, end_time_, observers);
+        solver.run(state, end_time, observers);
       }
     catch (const NumericalError &error)
       {
