@@ -122,6 +122,18 @@ namespace vfife
              (unit.empty() ? "" : " [" + unit + "]");
     }
 
+    /** The three parts between two commas. */
+    std::array<std::string, 3> split_three(const std::string &text)
+    {
+      const std::size_t first = text.find(','), second = text.find(',', first + 1);
+      if (first == std::string::npos || second == std::string::npos ||
+          text.find(',', second + 1) != std::string::npos)
+        throw InputError("must be three numbers separated by commas");
+      return {{trimmed(text.substr(0, first)),
+               trimmed(text.substr(first + 1, second - first - 1)),
+               trimmed(text.substr(second + 1))}};
+    }
+
     std::vector<std::string> split_names(const std::string &text)
     {
       std::vector<std::string> names;
@@ -177,6 +189,35 @@ namespace vfife
       [&value](const double number) { value = number; },
       "a number" + (words.empty() ? "" : ", " + words) + " [" + unit + "]",
       description_of(meaning, words, unit));
+  }
+
+  void declare_vector(dealii::ParameterHandler &prm,
+                      const std::string        &name,
+                      Vector3                  &value,
+                      const std::string        &unit,
+                      const std::string        &meaning)
+  {
+    const Unit &bare = find_unit(unit);
+    const auto  read = [&bare](const std::string &text) {
+      // "0, 0, 5 m": the unit behind the last number is also that of bare numbers before it.
+      const auto     parts = split_three(text);
+      const Quantity last  = read_quantity(parts[2], bare.name);
+      Vector3        numbers;
+      numbers[2] = last.internal();
+      for (unsigned int c = 0; c < 2; ++c)
+        numbers[c] = parse_quantity(parts[c], last.unit->name);
+      return numbers;
+    };
+    const auto text = [&](const unsigned int c) { return quantity_text(value[c], unit); };
+    declare(
+      prm,
+      name,
+      text(0) + ", " + text(1) + ", " + text(2),
+      value,
+      read,
+      [&value](const Vector3 &numbers) { value = numbers; },
+      "three numbers [" + unit + "]",
+      description_of(meaning, "three numbers", unit));
   }
 
   void declare_number(dealii::ParameterHandler &prm,

@@ -35,29 +35,110 @@ namespace vfife
                                      const Communicator &communicator)
     : communicator_(communicator)
   {
-    std::vector<std::uint8_t> taken(partition.n_local(), 0);
-    for (const Constraint &constraint : model.constraints)
-      {
-        const Body &body = model.bodies[constraint.body];
-        Group       group{constraint.kind, constraint.body, body.axis, body.rate, {}};
-        for (const unsigned int node : constraint.nodes)
-          {
-            const std::uint32_t local = partition.local_node[body.first_node + node];
-            if (local == Partition::absent)
-              continue;
-            if (taken[local])
-              throw InputError("node " + std::to_string(node) + " of body \"" + body.name() +
-                               "\" is in two constraints; the second one is \"" + constraint.name +
-                               "\"");
-            taken[local]        = 1;
-            const double  mass  = body.node_masses()[node];
-            const Vector3 start = body.placement(body.node_positions()[node]) - body.axis.point;
-            group.nodes.push_back({local, partition.owned[local] != 0, mass, mass, start});
-          }
-        groups_.push_back(std::move(group));
-      }
+    // Directions come last: a node that is held altogether needs no leads.
+    for (const bool directions : {false, true})
+      for (const Constraint &constraint : model.constraints)
+        if ((constraint.kind == ConstraintKind::directions) == directions)
+          add_constraint(constraint, model, partition);
     for (const Body &body : model.bodies)
       axes_.push_back(axis_of(body));
+  }
+
+  void ConstraintMotion::add_constraint(const Constraint &constraint,
+                                        const Model      &model,
+                                        const Partition  &partition)
+  {
+    const bool                              led  = constraint.kind == ConstraintKind::directions;
+    const Body                             &body = model.bodies[constraint.body];
+    std::vector<std::pair<Group *, Node *>> taken(partition.n_local());
+    for (Group &group : groups_)
+      for (Node &node : group.nodes)
+        taken[node.local] = {&group, &node};
+
+    Group group{&constraint, constraint.kind, constraint.body, body.axis, body.rate, {}};
+    for (const unsigned int i : constraint.nodes)
+      {
+        const std::uint32_t local = partition.local_node[body.first_node + i];
+        if (local == Partition::absent)
+          continue;
+        const double  mass  = body.node_masses()[i];
+        const Vector3 start = body.placement(body.node_positions()[i]) - body.axis.point;
+        Node          node{local, partition.owned[local] != 0, mass, mass, start};
+        for (unsigned int c = 0; c < 3; ++c)
+          node.leads[c] = led && constraint.prescribed[c] ? &constraint : nullptr;
+        const auto [known_group, known] = taken[local];
+        if (known == nullptr)
+          {
+            group.nodes.push_back(node);
+            continue;
+          }
+
+        const Constraint *const first = known_group->definition;
+        if (led && first->kind == ConstraintKind::held && constraint.displacement.isZero(0.))
+          continue;
+        bool can_join = led && first->kind == ConstraintKind::directions &&
+                        first->cylindrical == constraint.cylindrical;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            can_join = can_join && !(node.leads[c] && known->leads[c]);
+            if (can_join && node.leads[c])
+              known->leads[c] = node.leads[c];
+          }
+        if (!can_join)
+          throw InputError("node " + std::to_string(i) + " of body \"" + body.name() +
+                           "\" is in two constraints, \"" + first->name + "\" and \"" +
+                           constraint.name + "\", that do not go together");
+      }
+    groups_.push_back(std::move(group));
+  }
+
+  void ConstraintMotion::set_part(const double part)
+  {
+    part_ = part;
+  }
+
+  double ConstraintMotion::factor(const Constraint &constraint,
+                                  const double      time,
+                                  const MotionFrame frame) const
+  {
+    if (frame == MotionFrame::fixed)
+      return constraint.history.value(time);
+    return part_ ? *part_ : constraint.history.value(0.);
+  }
+
+  double ConstraintMotion::turned_angle(const Group      &group,
+                                        const double      time,
+                                        const MotionFrame frame) const
+  {
+    if (group.kind != ConstraintKind::prescribed_rotation)
+      return 0.;
+    if (group.definition->angle)
+      return *group.definition->angle * factor(*group.definition, time, frame);
+    return frame == MotionFrame::fixed ? group.rate * time : 0.;
+  }
+
+  Vector3 ConstraintMotion::move_led(const Group       &group,
+                                     Node              &node,
+                                     const double       time,
+                                     const double       dt,
+                                     const MotionFrame  frame,
+                                     const BodyDamping &damping,
+                                     const Vector3     &force) const
+  {
+    const double half  = 0.5 * damping.zeta * dt;
+    node.free_velocity = ((1. - half) * node.old_velocity +
+                          dt * (force / node.moved_mass - damping.mesh.at(node.old_position)) +
+                          2. * half * damping.rigid.at(node.old_position)) /
+                         (1. + half);
+    const Vector3   free = node.old_position + dt * node.free_velocity;
+    LedDisplacement led;
+    for (unsigned int c = 0; c < 3; ++c)
+      if (node.leads[c])
+        led[c] = node.leads[c]->displacement[c] * factor(*node.leads[c], time + dt, frame);
+    const Vector3 start = group.axis.point + node.start;
+    return group.definition->cylindrical
+             ? place_led(group.axis, start, node.old_position, free, led)
+             : place_led(start, free, led);
   }
 
   void ConstraintMotion::set_masses(const std::vector<double> &masses)
@@ -190,7 +271,7 @@ namespace vfife
     const Vector3 mean = 0.5 * (node.old_velocity + v);
     sums.update.kinetic += 0.5 * node.mass * node.old_velocity.dot(v);
     add_node_moments(axis, node.mass, x, v, sums.update);
-    if (turns_freely(group.kind))
+    if (turns_freely(group.kind) || group.kind == ConstraintKind::directions)
       {
         const Vector3 relative = mean - damping.rigid.at(node.old_position);
         sums.update.damping_power += damping.zeta * node.mass * relative.dot(mean);
@@ -199,6 +280,10 @@ namespace vfife
           damping.zeta * node.mass *
           group.axis.direction.cross(node.old_position - group.axis.point).dot(relative);
       }
+    if (group.kind == ConstraintKind::directions)
+      // What the leads have added to the motion under forces and damping.
+      sums.drive_power +=
+        node.mass * (1. + 0.5 * damping.zeta * dt) / dt * (v - node.free_velocity).dot(mean);
     else if (group.kind == ConstraintKind::prescribed_rotation)
       {
         const Vector3 reaction = node.mass / dt * (v - node.old_velocity) - force;
@@ -221,10 +306,8 @@ namespace vfife
       {
         if (turns_freely(group.kind))
           turn_freely(group, dt, damping[group.body], forces);
-        const bool turns =
-          group.kind == ConstraintKind::prescribed_rotation && frame == MotionFrame::fixed;
-        const double  angle    = turns ? group.rate * (time + dt) : 0.;
-        const Matrix3 rotation = rotation_about(group.axis.direction, angle);
+        const Matrix3 rotation =
+          rotation_about(group.axis.direction, turned_angle(group, time + dt, frame));
         for (Node &node : group.nodes)
           {
             Vector3 x;
@@ -233,6 +316,9 @@ namespace vfife
                 node.angle += dt * node.rate;
                 x = turned(group.axis, node.start, node.angle);
               }
+            else if (group.kind == ConstraintKind::directions)
+              x = move_led(
+                group, node, time, dt, frame, damping[group.body], record(forces, node.local));
             else
               x = group.axis.point + rotation * node.start;
             const Vector3 v = (x - node.old_position) / dt;
@@ -297,6 +383,13 @@ namespace vfife
                 const Vector3 t = lever(group, node).normalized();
                 f               = t.dot(record(forces, node.local)) * t;
               }
+            else if (group.kind == ConstraintKind::directions)
+              f = project_free(
+                group.axis,
+                group.definition->cylindrical,
+                record(positions, node.local),
+                {{node.leads[0] != nullptr, node.leads[1] != nullptr, node.leads[2] != nullptr}},
+                record(forces, node.local));
             set_record(forces, node.local, f);
           }
       }

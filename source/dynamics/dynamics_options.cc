@@ -12,7 +12,8 @@ namespace vfife
                                                 {"mean speed", DampingRate::mean_speed}};
 
     const Choices<Start> starts = {{"static preload", Start::static_preload},
-                                   {"ramp", Start::ramp}};
+                                   {"ramp", Start::ramp},
+                                   {"undeformed", Start::undeformed}};
   } // namespace
 
   void RelaxationOptions::declare(dealii::ParameterHandler &prm)
@@ -29,6 +30,19 @@ namespace vfife
                     largest_steps,
                     "Relaxation steps after which the run is given up",
                     1);
+    declare_integer(prm,
+                    "load steps",
+                    load_steps,
+                    "Equal parts in which a static study applies loads and prescribed "
+                    "displacements one after the other",
+                    1);
+    declare_quantity(prm,
+                     "virtual damping",
+                     virtual_damping,
+                     "1/s",
+                     "zeta of the virtual damping -zeta m v with true masses and time step; 0: "
+                     "scaled masses and a damping that follows the motion",
+                     Range::not_negative());
   }
 
   void DynamicsOptions::declare(dealii::ParameterHandler &prm)

@@ -27,6 +27,8 @@ namespace vfife
     , contact_(model, operator_.partition(), communicator)
     , constraints_(model, operator_.partition(), communicator)
     , torques_(model, operator_.partition())
+    , loads_(model, operator_, communicator)
+    , walls_(model, operator_.partition(), communicator)
     , forces_(operator_.array_size())
     , contact_watch_(log)
   {
@@ -42,15 +44,22 @@ namespace vfife
     return contact_;
   }
 
+  RigidWalls &ExplicitSolver::walls()
+  {
+    return walls_;
+  }
+
   double ExplicitSolver::stable_step()
   {
-    return contact_.vote_on_step(options_.safety * operator_.limiting_element().stable_step());
+    const double elements = options_.safety * operator_.limiting_element().stable_step();
+    return walls_.vote_on_step(loads_.vote_on_step(contact_.vote_on_step(elements)));
   }
 
   void ExplicitSolver::set_step(const double dt)
   {
     dt_ = dt;
     contact_.set_penalties(dt);
+    walls_.set_penalties(dt);
   }
 
   void ExplicitSolver::start(State &state)
@@ -79,6 +88,14 @@ namespace vfife
       }
     constraints_.clear_masses(state);
     set_rigid_velocities(state);
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      if (!model_.bodies[b].initial_velocity.empty())
+        for (std::uint32_t i = state.partition.first_local_node[b];
+             i < state.partition.first_local_node[b + 1];
+             ++i)
+          Eigen::Map<Vector3>(state.velocity.data() + 4 * static_cast<std::size_t>(i)) +=
+            model_.bodies[b]
+              .initial_velocity[state.partition.global_node[i] - model_.bodies[b].first_node];
   }
 
   void ExplicitSolver::set_rigid_velocities(State &state) const
@@ -156,7 +173,9 @@ namespace vfife
         for (std::size_t i = 0; i < forces_.size(); ++i)
           state.contact_force[i] = forces_[i] - state.contact_force[i];
     }
+    walls_.add_forces(state.position.data(), forces_.data());
     torques_.add_forces(state.time, state.position.data(), forces_.data());
+    loads_.add_forces(state.time, state.position.data(), forces_.data());
   }
 
   void ExplicitSolver::set_damping(const State &state)
@@ -186,7 +205,8 @@ namespace vfife
   {
     const auto scope = timers_.time(timers_.section("nodal update"));
     powers_          = StepPowers();
-    powers_.torque   = torques_.half_power(state.velocity.data());
+    powers_.torque =
+      torques_.half_power(state.velocity.data()) + loads_.half_power(state.velocity.data());
     constraints_.save(state.position.data(), state.velocity.data());
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
@@ -209,7 +229,8 @@ namespace vfife
                        state.position.data(),
                        state.velocity.data(),
                        sums_);
-    powers_.torque += torques_.half_power(state.velocity.data());
+    powers_.torque +=
+      torques_.half_power(state.velocity.data()) + loads_.half_power(state.velocity.data());
 
     drive_torque_  = 0;
     powers_.torque = communicator_.sum(powers_.torque);

@@ -32,7 +32,7 @@ namespace vfife
                                      model_.bodies[b].mass(),
                                      sums_[b].update);
     ledger_.strain  = strain;
-    ledger_.contact = contact_.energy();
+    ledger_.contact = contact_.energy() + walls_.collect_results().energy;
     if (first)
       {
         ledger_.start    = ledger_.kinetic + ledger_.strain + ledger_.contact;
@@ -59,6 +59,9 @@ namespace vfife
         m.contact_torque += tooth.torque;
         m.largest_penetration = std::max(m.largest_penetration, tooth.penetration);
       }
+    const RigidWalls::Results wall = walls_.collect_results();
+    m.contact_force += wall.force;
+    m.largest_penetration = std::max(m.largest_penetration, wall.penetration);
   }
 
   void ExplicitSolver::add_audit()
@@ -114,9 +117,34 @@ namespace vfife
     observed_        = state;
     measure_transmission(model_, observed_, communicator_);
     observed_.measured.probes = measure_probes(model_, observed_, operator_, communicator_);
+    measure_momentum(observed_, operator_.masses(), communicator_);
     measure_contact();
     add_rate_difference(state);
     return operator_.compute_strain_energy(state.position.data());
+  }
+
+  void ExplicitSolver::measure_at_rest(State &state)
+  {
+    operator_.compute_internal_forces(state.position.data(), forces_.data());
+    contact_.search(state.body_motion,
+                    std::vector<RigidVelocity>(model_.bodies.size()),
+                    state.position.data(),
+                    0.);
+    const std::vector<double> no_velocity(operator_.array_size(), 0.);
+    state.contact_force.assign(operator_.array_size(), 0.);
+    contact_.add_forces(state.body_motion,
+                        state.position.data(),
+                        no_velocity.data(),
+                        dt_,
+                        state.contact_force.data());
+    walls_.add_forces(state.position.data(), state.contact_force.data());
+    EnergyLedger ledger;
+    ledger.strain             = take_measurements(state);
+    ledger.contact            = contact_.energy() + walls_.collect_results().energy;
+    state.measured            = observed_.measured;
+    state.measured.energy     = ledger;
+    state.measured.body_rates = std::vector<double>(model_.bodies.size(), 0.);
+    state.measured.momentum = state.measured.angular_momentum = Vector3::Zero();
   }
 
   void ExplicitSolver::show(Observers &observers, const bool last)

@@ -59,6 +59,23 @@ namespace vfife
     m.rim_transmission_error = start + rim;
   }
 
+  void measure_momentum(State                     &state,
+                        const std::vector<double> &masses,
+                        const Communicator        &communicator)
+  {
+    std::vector<double> sums(6, 0.);
+    for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
+      if (state.partition.owned[i])
+        {
+          const Vector3 momentum = masses[i] * state.node_velocity(i);
+          Eigen::Map<Vector3>(sums.data()) += momentum;
+          Eigen::Map<Vector3>(sums.data() + 3) += state.node_position(i).cross(momentum);
+        }
+    communicator.sum(sums);
+    state.measured.momentum         = Eigen::Map<const Vector3>(sums.data());
+    state.measured.angular_momentum = Eigen::Map<const Vector3>(sums.data() + 3);
+  }
+
   std::vector<ProbeValue> measure_probes(const Model         &model,
                                          const State         &state,
                                          const VfifeOperator &vfife,
@@ -114,9 +131,16 @@ namespace vfife
                                compute_turn(body, state.body_motion[probe.body]));
         values[p].displacement = axes.transpose() * (body.placement.rotation.transpose() * moved);
 
-        const Stress mean                           = Eigen::Map<const Stress>(s + 3) / s[9];
-        Eigen::Map<Stress>(values[p].stress.data()) = turn_stress(mean, axes);
-        values[p].von_mises                         = von_mises(mean);
+        const Stress mean   = Eigen::Map<const Stress>(s + 3) / s[9];
+        values[p].von_mises = von_mises(mean);
+        if (probe.fixed_axes)
+          {
+            values[p].displacement =
+              Eigen::Map<const Vector3>(s) - body.placement(body.node_positions()[probe.node]);
+            Eigen::Map<Stress>(values[p].stress.data()) = mean;
+          }
+        else
+          Eigen::Map<Stress>(values[p].stress.data()) = turn_stress(mean, axes);
       }
     return values;
   }

@@ -38,21 +38,44 @@ namespace vfife
         return values[2];
       }
     };
+
+    /** The sums over this rank's nodes. */
+    StepSums add_steps(const Partition           &partition,
+                       const std::vector<double> &masses,
+                       const std::vector<double> &velocity,
+                       const std::vector<double> &previous_forces,
+                       const std::vector<double> &forces)
+    {
+      StepSums sums;
+      for (std::size_t i = 0; i < partition.n_local(); ++i)
+        if (partition.owned[i])
+          {
+            const Eigen::Map<const Vector3> f(forces.data() + 4 * i),
+              f_old(previous_forces.data() + 4 * i), v(velocity.data() + 4 * i);
+            sums.force_square() += f.squaredNorm();
+            sums.work_of_change() -= v.dot(f - f_old);
+            sums.kinetic() += masses[i] * v.squaredNorm();
+          }
+      return sums;
+    }
   } // namespace
 
   Relaxation::Relaxation(const Model             &model,
                          const RelaxationOptions &options,
                          VfifeOperator           &vfife,
                          ContactSystem           &contact,
+                         RigidWalls              &walls,
                          const Communicator      &communicator,
                          Log                     &log)
     : model_(model)
     , options_(options)
     , operator_(vfife)
     , contact_(contact)
+    , walls_(walls)
     , communicator_(communicator)
     , log_(log)
     , torques_(model, vfife.partition())
+    , loads_(model, vfife, communicator)
     , forces_(vfife.array_size())
     , no_velocity_(vfife.array_size(), 0.)
   {
@@ -63,6 +86,10 @@ namespace vfife
     torques_.add_part(loads.torque, state.position.data(), forces.data());
     if (loads.pattern != nullptr)
       loads.pattern->add_forces(operator_.masses(), forces);
+    if (loads.part)
+      loads_.add_part(*loads.part, state.position.data(), forces.data());
+    else
+      loads_.add_forces(0., state.position.data(), forces.data());
     if (!loads.centrifugal)
       return;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
@@ -90,13 +117,33 @@ namespace vfife
     return std::sqrt(communicator_.sum(sum));
   }
 
+  std::vector<double> Relaxation::compute_masses(const Loads &loads, const double dt)
+  {
+    if (options_.virtual_damping > 0)
+      {
+        // The true masses in units of the step, which contact and springs have voted on.
+        std::vector<double> masses = operator_.masses();
+        for (double &mass : masses)
+          mass /= dt * dt;
+        return masses;
+      }
+    std::vector<double> masses = operator_.compute_relaxation_masses(stability_fraction);
+    loads_.add_relaxation_masses(stability_fraction, masses);
+    if (loads.contact)
+      {
+        contact_.add_relaxation_masses(stability_fraction, masses);
+        walls_.add_relaxation_masses(stability_fraction, masses);
+      }
+    return masses;
+  }
+
   RelaxationReport Relaxation::solve(State &state, const Loads &loads)
   {
-    std::vector<double> masses = operator_.compute_relaxation_masses(stability_fraction);
-    if (loads.contact)
-      contact_.add_relaxation_masses(stability_fraction, masses);
+    const std::vector<double> masses = compute_masses(loads, state.dt);
 
     ConstraintMotion constraints(model_, state.partition, communicator_);
+    if (loads.part)
+      constraints.set_part(*loads.part);
     constraints.read(state, MotionFrame::rotating);
     constraints.set_masses(
       loads.hold_rotation ? std::vector<double>(masses.size(), std::numeric_limits<double>::max())
@@ -104,11 +151,12 @@ namespace vfife
 
     std::vector<double> applied(operator_.array_size(), 0.);
     add_applied(state, loads, applied);
-    const double applied_norm = norm(applied, state.partition);
+    double reference = norm(applied, state.partition);
 
     const std::vector<RigidVelocity> at_rest(model_.bodies.size());
     std::vector<double> velocity(operator_.array_size(), 0.), previous(operator_.array_size(), 0.);
-    double              damping = 1.;
+    const bool          adaptive = !(options_.virtual_damping > 0);
+    double              damping  = adaptive ? 1. : options_.virtual_damping * state.dt;
     RelaxationReport    report;
     std::string         history;
     for (;; ++report.steps)
@@ -123,24 +171,20 @@ namespace vfife
                                 no_velocity_.data(),
                                 state.dt,
                                 forces_.data());
+            walls_.add_forces(state.position.data(), forces_.data());
           }
         add_applied(state, loads, forces_);
+        // Where nothing is applied but displacements, the reactions are what forces are measured
+        // by.
+        if (!(reference > 0))
+          reference = norm(forces_, state.partition);
         constraints.project(state.position.data(), forces_.data(), !loads.hold_rotation);
 
-        StepSums sums;
-        for (std::size_t i = 0; i < state.partition.n_local(); ++i)
-          if (state.partition.owned[i])
-            {
-              const Eigen::Map<const Vector3> f(forces_.data() + 4 * i),
-                f_old(previous.data() + 4 * i), v(velocity.data() + 4 * i);
-              sums.force_square() += f.squaredNorm();
-              sums.work_of_change() -= v.dot(f - f_old);
-              sums.kinetic() += masses[i] * v.squaredNorm();
-            }
+        StepSums sums = add_steps(state.partition, masses, velocity, previous, forces_);
         communicator_.sum(sums.values);
-        report.residual = std::sqrt(sums.force_square()) / applied_norm;
+        report.residual = reference > 0 ? std::sqrt(sums.force_square()) / reference : 0.;
         if (!std::isfinite(report.residual))
-          throw NumericalError("the equilibrium before the start diverged at relaxation step " +
+          throw NumericalError("the equilibrium diverged at relaxation step " +
                                std::to_string(report.steps));
         if (report.residual < loads.looseness * options_.tolerance)
           break;
@@ -155,14 +199,14 @@ namespace vfife
                         damping);
           }
         if (report.steps >= options_.largest_steps)
-          throw NumericalError("the equilibrium before the start was not reached in " +
+          throw NumericalError("the equilibrium was not reached in " +
                                std::to_string(report.steps) +
                                " relaxation steps (Dynamics/Relaxation); residual every " +
                                std::to_string(report_interval) + " steps:" + history);
 
         // Critical damping of the lowest mode that moves, from the stiffness which the last step
         // has met.
-        if (sums.kinetic() > 0 && sums.work_of_change() > 0)
+        if (adaptive && sums.kinetic() > 0 && sums.work_of_change() > 0)
           damping = std::min(1.9, 2. * std::sqrt(sums.work_of_change() / sums.kinetic()));
         previous = forces_;
         move(state, masses, damping, constraints, velocity);

@@ -9,6 +9,40 @@ namespace vfife
   {
     constexpr double degree = pi / 180;
 
+    /** Momenta and probes, which in a gear pair have files and figures of their own. */
+    void add_model_columns(const Model &model, Table &table)
+    {
+      for (const char *axis : {"x", "y", "z"})
+        table.add_column(std::string("momentum ") + axis, "N s");
+      for (const char *axis : {"x", "y", "z"})
+        table.add_column(std::string("angular momentum ") + axis, "N mm s");
+      for (const Probe &probe : model.probes)
+        {
+          const std::vector<std::string> axes = probe.fixed_axes
+                                                  ? std::vector<std::string>{"x", "y", "z"}
+                                                  : std::vector<std::string>{"r", "theta", "z"};
+          for (const std::string &axis : axes)
+            table.add_column(probe.name + " displacement " + axis, "mm");
+          for (unsigned int c = 0; c < 6; ++c)
+            table.add_column(probe.name + " stress " +
+                               (c < 3 ? axes[c] : axes[c - 3] + " " + axes[(c - 2) % 3]),
+                             "MPa");
+          table.add_column(probe.name + " von mises", "MPa");
+        }
+    }
+
+    void add_model_cells(const Measurements &now, std::vector<Table::Cell> &row)
+    {
+      row.insert(row.end(), now.momentum.data(), now.momentum.data() + 3);
+      row.insert(row.end(), now.angular_momentum.data(), now.angular_momentum.data() + 3);
+      for (const ProbeValue &value : now.probes)
+        {
+          row.insert(row.end(), value.displacement.data(), value.displacement.data() + 3);
+          row.insert(row.end(), value.stress.begin(), value.stress.end());
+          row.emplace_back(value.von_mises);
+        }
+    }
+
     Table make_table(const Model &model)
     {
       Table table;
@@ -32,12 +66,14 @@ namespace vfife
                                  "strain energy",
                                  "contact energy",
                                  "work of the drive",
-                                 "work of the torques",
+                                 model.transmission ? "work of the torques" : "work of the loads",
                                  "damping loss",
                                  "mesh damping loss",
                                  "contact loss"})
         table.add_column(energy, "mJ");
       table.add_column("energy error", "-");
+      if (!model.transmission)
+        add_model_columns(model, table);
       return table;
     }
   } // namespace
@@ -85,6 +121,8 @@ namespace vfife
                 now.energy.mesh_damping_loss,
                 now.energy.contact_loss,
                 now.energy.error()});
+    if (!model.transmission)
+      add_model_cells(now, row);
     table_.add_row(row);
     file_.append_new_rows(table_);
   }

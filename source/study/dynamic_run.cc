@@ -151,9 +151,14 @@ namespace vfife
                                           const Communicator &communicator,
                                           Log                &log) const
   {
-    const auto start = Clock::now();
-    Relaxation relaxation(
-      model, dynamics_.relaxation, solver.vfife_operator(), solver.contact(), communicator, log);
+    const auto      start = Clock::now();
+    Relaxation      relaxation(model,
+                          dynamics_.relaxation,
+                          solver.vfife_operator(),
+                          solver.contact(),
+                          solver.walls(),
+                          communicator,
+                          log);
     DeflectionProbe probe(model, communicator);
     const double    torque = gear_case_.operation().torque;
     log.line("equilibrium before the start:");

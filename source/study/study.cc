@@ -9,6 +9,7 @@
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/mesh_study.h>
 #include <vfife/study/modal_study.h>
+#include <vfife/study/model_run.h>
 #include <vfife/study/study.h>
 #include <vfife/study/tooth_contact_study.h>
 
@@ -21,17 +22,26 @@ namespace vfife
 {
   namespace
   {
-    using MakeStudy = std::unique_ptr<StudyKind> (*)();
+    using MakeStudy = std::unique_ptr<StudyKind> (*)(const ParameterFile &);
 
     template <typename Kind>
-    std::unique_ptr<StudyKind> make()
+    std::unique_ptr<StudyKind> make(const ParameterFile &)
     {
       return std::make_unique<Kind>();
     }
 
+    /** A file with a section Model and no Gear pair is a general model. */
+    std::unique_ptr<StudyKind> make_run(const ParameterFile &file)
+    {
+      if (file.contains("Model") && !file.contains("Gear pair"))
+        return std::make_unique<ModelRun>();
+      return std::make_unique<DynamicRun>();
+    }
+
     /** All kinds of studies. */
     const Choices<MakeStudy> study_kinds = {
-      {"run", &make<DynamicRun>},
+      {"run", &make_run},
+      {"static", &make<StaticRun>},
       {"tooth contact analysis", &make<ToothContactStudy>},
       {"mesh", &make<MeshStudy>},
       {"modal", &make<ModalStudy>},
@@ -65,7 +75,7 @@ namespace vfife
         options.declare(first);
         file.read_known(first);
       }
-      const std::unique_ptr<StudyKind> study = options.kind();
+      const std::unique_ptr<StudyKind> study = options.kind(file);
 
       dealii::ParameterHandler prm;
       options.declare(prm);

@@ -193,8 +193,13 @@ namespace
     OneSolver         run(model, undamped());
     RelaxationOptions options;
     options.tolerance = 1e-8;
-    Relaxation relaxation(
-      model, options, run.solver.vfife_operator(), run.solver.contact(), run.communicator, run.log);
+    Relaxation             relaxation(model,
+                          options,
+                          run.solver.vfife_operator(),
+                          run.solver.contact(),
+                          run.solver.walls(),
+                          run.communicator,
+                          run.log);
     const RelaxationReport report = relaxation.solve(run.state, Relaxation::Loads());
 
     Vector3 tip  = Vector3::Zero();

@@ -2,6 +2,8 @@
 #ifndef vfife_base_parameters_h
 #define vfife_base_parameters_h
 
+#include <vfife/base/types.h>
+
 #include <functional>
 #include <limits>
 #include <string>
@@ -69,6 +71,17 @@ namespace vfife
                         const std::string        &unit,
                         const std::string        &meaning,
                         const Range              &range = Range::any());
+
+  /**
+   * Declares three dimensioned numbers separated by commas, "0, 0, 5 m/s"; each is read as by
+   * declare_quantity(), and a unit behind the last one is that of all that carry none. @p value is
+   * in internal units.
+   */
+  void declare_vector(dealii::ParameterHandler &prm,
+                      const std::string        &name,
+                      Vector3                  &value,
+                      const std::string        &unit,
+                      const std::string        &meaning);
 
   /** Declares a dimensionless number. */
   void declare_number(dealii::ParameterHandler &prm,

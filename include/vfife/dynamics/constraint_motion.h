@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_constraint_motion_h
 #define vfife_dynamics_constraint_motion_h
 
+#include <vfife/dynamics/led_place.h>
 #include <vfife/dynamics/nodal_update.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
@@ -23,7 +24,7 @@ namespace vfife
    * The nodes that constraints hold or lead. After update_nodes() has moved all nodes, apply() puts
    * these where they belong: prescribed rotations by position, X -> p + R(rate t)(X - p), so that
    * nothing drifts; free rotations on their circles with one angle a node, or one angle for all
-   * (rigid hub).
+   * (rigid hub); nodes led in some directions where these and their free motion put them.
    */
   class ConstraintMotion
   {
@@ -42,6 +43,10 @@ namespace vfife
     /** Takes over angles and angular velocities of free rotations from positions and velocities of
      * the state; nodes of a rigid hub share their mean. Collective. */
     void read(const State &state, MotionFrame frame);
+
+    /** In the rotating frame: what part of the prescribed displacements and angles is taken,
+     * instead of their histories at time zero. */
+    void set_part(double part);
 
     /** Remembers the old positions and velocities, before update_nodes(). */
     void save(const double *positions, const double *velocities);
@@ -89,10 +94,15 @@ namespace vfife
       Vector3       start;      ///< undeformed position at time zero relative to the axis point
       Vector3       old_position = Vector3::Zero(), old_velocity = Vector3::Zero();
       double        angle = 0, rate = 0; ///< free rotations
+
+      /** Directions that lead the node, one constraint each, or nullptr. */
+      std::array<const Constraint *, 3> leads         = {{nullptr, nullptr, nullptr}};
+      Vector3                           free_velocity = Vector3::Zero(); ///< without the leads
     };
 
     struct Group
     {
+      const Constraint *definition;
       ConstraintKind    kind;
       unsigned int      body;
       Axis              axis;
@@ -100,7 +110,19 @@ namespace vfife
       std::vector<Node> nodes;
     };
 
-    void           share_rotation(Group &group) const;
+    void share_rotation(Group &group) const;
+    void
+    add_constraint(const Constraint &constraint, const Model &model, const Partition &partition);
+    double  factor(const Constraint &constraint, double time, MotionFrame frame) const;
+    Vector3 move_led(const Group       &group,
+                     Node              &node,
+                     double             time,
+                     double             dt,
+                     MotionFrame        frame,
+                     const BodyDamping &damping,
+                     const Vector3     &force) const;
+    double  turned_angle(const Group &group, double time, MotionFrame frame) const;
+
     static Vector3 turned(const Axis &axis, const Vector3 &start, double angle);
     void
     turn_freely(Group &group, double dt, const BodyDamping &damping, const double *forces) const;
@@ -117,6 +139,7 @@ namespace vfife
     const Communicator     &communicator_;
     std::vector<Group>      groups_;
     std::vector<UpdateAxis> axes_; ///< per body
+    std::optional<double>   part_;
   };
 } // namespace vfife
 

@@ -25,7 +25,8 @@ namespace vfife
   {
     static_preload, ///< rotating-frame equilibrium under centrifugal force, torque and contact,
                     ///< then release
-    ramp            ///< centrifugal equilibrium, then the torque grows linearly
+    ramp,           ///< centrifugal equilibrium, then the torque grows linearly
+    undeformed      ///< the undeformed bodies with their initial velocities
   };
 
   /** How the equilibrium before the start is found (dynamic relaxation). */
@@ -33,6 +34,10 @@ namespace vfife
   {
     double       tolerance     = 1e-6;  ///< residual force norm over the norm of the applied forces
     unsigned int largest_steps = 60000; ///< failure beyond
+    unsigned int load_steps    = 1;     ///< of a static study: equal parts of the loads, in turn
+    /** Virtual damping zeta [1/s] of M a = F - zeta M v with the true masses and time step (the
+     * traditional method); 0: scaled masses and a damping that follows the motion. */
+    double virtual_damping = 0;
 
     void declare(dealii::ParameterHandler &prm);
   };

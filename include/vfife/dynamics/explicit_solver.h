@@ -6,6 +6,8 @@
 #include <vfife/dynamics/contact_system.h>
 #include <vfife/dynamics/contact_watch.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/nodal_loads.h>
+#include <vfife/dynamics/rigid_walls.h>
 #include <vfife/dynamics/torque_loads.h>
 #include <vfife/dynamics/vfife_operator.h>
 #include <vfife/model/observer.h>
@@ -30,6 +32,7 @@ namespace vfife
 
     VfifeOperator &vfife_operator();
     ContactSystem &contact();
+    RigidWalls    &walls();
 
     /** Largest stable step times safety, after the contact's vote [s]; penalties are set for
      * set_step(). */
@@ -51,6 +54,9 @@ namespace vfife
      * energy, runaway penetration, inverted element) after observers have seen the last state.
      */
     void run(State &state, double end_time, Observers &observers);
+
+    /** Fills State::measured of a state at rest (no energies of motion, no work). Collective. */
+    void measure_at_rest(State &state);
 
     /** Of each body in the last run(). */
     const std::vector<DampingAudit> &damping_audit() const;
@@ -96,6 +102,8 @@ namespace vfife
     ContactSystem          contact_;
     ConstraintMotion       constraints_;
     TorqueLoads            torques_;
+    NodalLoads             loads_;
+    RigidWalls             walls_;
     double                 dt_ = 0;
 
     std::vector<double>                 forces_, contact_forces_;

@@ -25,6 +25,12 @@ namespace vfife
   /** Sets angles and transmission errors of the measurements from positions. Collective. */
   void measure_transmission(const Model &model, State &state, const Communicator &communicator);
 
+  /** Sets momentum and angular momentum of the measurements from the lumped @p masses of the local
+   * nodes. x x v with v half a step back is what central differences conserve. Collective. */
+  void measure_momentum(State                     &state,
+                        const std::vector<double> &masses,
+                        const Communicator        &communicator);
+
   /** Displacement in the turning body and stress at the probes; elements' nodal stresses averaged.
    * Collective. */
   std::vector<ProbeValue> measure_probes(const Model         &model,

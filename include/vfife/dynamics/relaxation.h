@@ -5,6 +5,8 @@
 #include <vfife/dynamics/constraint_motion.h>
 #include <vfife/dynamics/contact_system.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/nodal_loads.h>
+#include <vfife/dynamics/rigid_walls.h>
 #include <vfife/dynamics/torque_loads.h>
 #include <vfife/dynamics/vfife_operator.h>
 
@@ -26,7 +28,8 @@ namespace vfife
    * prescribed rotations stand still and the centrifugal force m omega^2 r, r in the deformed
    * state, is applied. The masses M are fictitious, scaled element by element to one common stable
    * step, and the damping follows the lowest frequency that the motion itself shows (Rayleigh
-   * quotient of the last step; Underwood 1983). It stops on the residual, not on a time.
+   * quotient of the last step; Underwood 1983). Or, with a given virtual damping, masses and step
+   * are the true ones and the damping is constant. It stops on the residual, not on a time.
    */
   class Relaxation
   {
@@ -35,6 +38,7 @@ namespace vfife
                const RelaxationOptions &options,
                VfifeOperator           &vfife,
                ContactSystem           &contact,
+               RigidWalls              &walls,
                const Communicator      &communicator,
                Log                     &log);
 
@@ -47,6 +51,8 @@ namespace vfife
       bool                   hold_rotation = false;   ///< free rotations are held
       const StandingPattern *pattern       = nullptr; ///< forces of inertia to add
       double looseness = 1; ///< factor of the tolerance, for states that are passed through
+      /** Part of Model::loads and prescribed displacements; none: their histories at time zero. */
+      std::optional<double> part;
     };
 
     /**
@@ -56,6 +62,7 @@ namespace vfife
     RelaxationReport solve(State &state, const Loads &loads);
 
   private:
+    std::vector<double> compute_masses(const Loads &loads, double dt);
     void   add_applied(const State &state, const Loads &loads, std::vector<double> &forces);
     double norm(const std::vector<double> &forces, const Partition &partition) const;
     void   move(State                     &state,
@@ -68,9 +75,11 @@ namespace vfife
     const RelaxationOptions &options_;
     VfifeOperator           &operator_;
     ContactSystem           &contact_;
+    RigidWalls              &walls_;
     const Communicator      &communicator_;
     Log                     &log_;
     TorqueLoads              torques_;
+    NodalLoads               loads_;
     std::vector<double>      forces_, no_velocity_;
   };
 } // namespace vfife

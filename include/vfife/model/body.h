@@ -66,8 +66,10 @@ namespace vfife
     double  rate          = 0;     ///< angular velocity about the axis at time zero [rad/s]
     Vector3 velocity =
       Vector3::Zero(); ///< translation velocity at time zero (bodies without bearings) [mm/s]
-    unsigned int first_node    = 0;
-    unsigned int first_element = 0;
+    /** Added to the rigid motion at time zero: by node, or empty [mm/s]. */
+    std::vector<Vector3> initial_velocity;
+    unsigned int         first_node    = 0;
+    unsigned int         first_element = 0;
 
   private:
     std::string                               name_;

@@ -2,10 +2,13 @@
 #ifndef vfife_model_model_h
 #define vfife_model_model_h
 
+#include <vfife/base/parameter_history.h>
 #include <vfife/contact/contact_options.h>
 #include <vfife/model/body.h>
+#include <vfife/model/load.h>
 #include <vfife/model/transmission.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +20,8 @@ namespace vfife
     held,                ///< nodes do not move
     prescribed_rotation, ///< nodes follow the body's rate about its axis exactly
     free_rotation,       ///< radial and axial displacement held, each node free tangentially
-    rigid_hub            ///< as before, but all nodes share one rotation
+    rigid_hub,           ///< as before, but all nodes share one rotation
+    directions           ///< displacement prescribed in some directions, free in the others
   };
 
   struct Constraint
@@ -26,6 +30,20 @@ namespace vfife
     ConstraintKind            kind = ConstraintKind::held;
     unsigned int              body = 0;
     std::vector<unsigned int> nodes; ///< of the body
+
+    /** Of `prescribed_rotation`: angle times history instead of the body's rate times time [rad].
+     */
+    std::optional<double> angle = {};
+
+    /**
+     * Of `directions`: along r, theta, z of the body's axis (of each node's own place) instead of
+     * x, y, z of the fixed frame; which ones are prescribed; and the displacement [mm; theta: rad]
+     * that times the history is.
+     */
+    bool                cylindrical  = false;
+    std::array<bool, 3> prescribed   = {{false, false, false}};
+    Vector3             displacement = Vector3::Zero();
+    ParameterHistory    history      = {};
   };
 
   /**
@@ -60,6 +78,9 @@ namespace vfife
     std::string  name;
     unsigned int body = 0;
     unsigned int node = 0; ///< of the body
+    /** Displacement x - X along x, y, z of the fixed frame, stresses along those of the body,
+     * instead of what is left in the turning body along r, theta, z. */
+    bool fixed_axes = false;
   };
 
   /** Everything that is computed with, but for the state: read-only while a solver runs. */
@@ -68,6 +89,8 @@ namespace vfife
     std::vector<Body>           bodies;
     std::vector<Constraint>     constraints;
     std::vector<Torque>         torques;
+    std::vector<Load>           loads;
+    std::vector<RigidWall>      walls;
     std::vector<ContactPair>    contacts;
     std::vector<Probe>          probes;
     std::optional<Transmission> transmission; ///< where two of the bodies are a gear pair

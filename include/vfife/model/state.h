@@ -109,6 +109,9 @@ namespace vfife
     std::vector<ToothContact> teeth;
     std::vector<ProbeValue>   probes;
     std::vector<double>       body_rates; ///< momentum rate of each body about its axis [rad/s]
+    /** Of all bodies, velocities half a step back: sum m v [t mm/s = N s], and sum m x x v about
+     * the fixed origin [N mm s]. */
+    Vector3 momentum = Vector3::Zero(), angular_momentum = Vector3::Zero();
   };
 
   /**

@@ -1,0 +1,60 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_load_h
+#define vfife_model_load_h
+
+#include <vfife/base/parameter_history.h>
+#include <vfife/base/types.h>
+
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  enum class LoadKind
+  {
+    /** The vector is the sum of the nodal forces [N], fixed in space, shared out by the area that
+     * belongs to each node (equally where the nodes carry no whole face). */
+    force,
+    /** The vector is the sum of the moments about the set's centre [N mm], fixed in space, with the
+     * forces f_i = A_i (J^-1 M) x r_i, J = sum A_i (r^2 I - r r^T) in the present places: bending
+     * traction on an end face, torsion about its normal. The forces sum to zero. */
+    moment,
+    /** Pressure [MPa] on the faces within the set, on their present areas and normals (follows). */
+    pressure,
+    /** Acceleration field [mm/s^2], force m a on each node of the set. */
+    acceleration,
+    /** Springs to the ground along x, y, z: the vector is the stiffness of the whole set [N/mm],
+     * shared out as for `force`; -k (x - X). Has no history. */
+    spring
+  };
+
+  /** What acts on a set of nodes of a body. */
+  struct Load
+  {
+    std::string               name;
+    LoadKind                  kind = LoadKind::force;
+    unsigned int              body = 0;
+    std::vector<unsigned int> nodes; ///< of the body
+    Vector3                   vector   = Vector3::Zero();
+    double                    pressure = 0; ///< [MPa], + into the body
+    ParameterHistory          history;      ///< factor
+  };
+
+  /**
+   * A rigid plane at rest that nodes of a body must not pass: a node at the depth d > 0 behind it
+   * is pushed back by eps A d along the normal, A being the area that belongs to the node.
+   */
+  struct RigidWall
+  {
+    std::string               name;
+    unsigned int              body = 0;
+    std::vector<unsigned int> nodes;                                ///< of the body
+    Vector3                   point             = Vector3::Zero();  ///< of the plane [mm]
+    Vector3                   normal            = Vector3::UnitX(); ///< unit, out of the wall
+    bool                      penalty_from_step = true; ///< eps = fraction min(m/A)/dt^2
+    double                    penalty_fraction  = 0.5;  ///< [-]
+    double                    penalty           = 1e6;  ///< eps [N/mm^3] otherwise
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,35 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_node_selection_h
+#define vfife_model_node_selection_h
+
+#include <vfife/model/body.h>
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /** Nodes of a body as a user names them: sets of the mesh, and a condition on their places. */
+  struct NodeSelection
+  {
+    std::string              body;
+    std::vector<std::string> sets; ///< united; "all": every node
+    std::string where; ///< formula of x, y, z [mm] of the undeformed body frame, or empty
+
+    /** Declares "body", "nodes" and "where" in the section entered. */
+    void declare(dealii::ParameterHandler &prm);
+
+    /** Index of the body in @p bodies; throws InputError (entries under @p section). */
+    unsigned int find_body(const std::vector<Body> &bodies, const std::string &section) const;
+
+    /** The nodes, sorted; throws InputError where there are none. */
+    std::vector<unsigned int> find_nodes(const Body &body, const std::string &section) const;
+  };
+} // namespace vfife
+
+#endif

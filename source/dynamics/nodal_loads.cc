@@ -1,0 +1,254 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/dynamics/nodal_loads.h>
+#include <vfife/dynamics/vfife_operator.h>
+#include <vfife/mesh/body_mesh.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vfife
+{
+  namespace
+  {
+    Vector3 record(const double *values, const std::uint32_t local)
+    {
+      return Eigen::Map<const Vector3>(values + 4 * static_cast<std::size_t>(local));
+    }
+
+    void add_record(double *values, const std::uint32_t local, const Vector3 &v)
+    {
+      Eigen::Map<Vector3>(values + 4 * static_cast<std::size_t>(local)) += v;
+    }
+
+    /** What each node takes of the load: areas, shares that sum to one, or masses. */
+    std::vector<double> compute_weights(const Load &load, const Body &body)
+    {
+      std::vector<double> weights;
+      if (load.kind == LoadKind::acceleration)
+        {
+          for (const unsigned int node : load.nodes)
+            weights.push_back(body.node_masses()[node]);
+          return weights;
+        }
+      weights    = compute_nodal_areas(body, load.nodes);
+      double sum = std::accumulate(weights.begin(), weights.end(), 0.);
+      if (!(sum > 0))
+        {
+          if (load.kind == LoadKind::pressure)
+            throw InputError("load \"" + load.name + "\": its nodes carry no face of body \"" +
+                             body.name() + "\" that the pressure could act on");
+          weights.assign(load.nodes.size(), 1.);
+          sum = weights.size();
+        }
+      for (double &weight : weights)
+        weight /= sum;
+      return weights;
+    }
+  } // namespace
+
+  NodalLoads::NodalLoads(const Model &model, VfifeOperator &vfife, const Communicator &communicator)
+    : model_(model)
+    , operator_(vfife)
+    , communicator_(communicator)
+  {
+    const Partition &partition = vfife.partition();
+    for (const Load &load : model.loads)
+      {
+        const Body &body    = model.bodies[load.body];
+        const auto  weights = compute_weights(load, body);
+        Group       group{&load, {}, {}};
+        for (std::size_t i = 0; i < load.nodes.size(); ++i)
+          {
+            const unsigned int  node  = load.nodes[i];
+            const std::uint32_t local = partition.local_node[body.first_node + node];
+            if (load.kind == LoadKind::spring)
+              largest_frequency2_ =
+                std::max(largest_frequency2_,
+                         load.vector.maxCoeff() * weights[i] / body.node_masses()[node]);
+            if (local != Partition::absent)
+              group.nodes.push_back({local,
+                                     partition.owned[local] != 0,
+                                     weights[i],
+                                     body.placement(body.node_positions()[node])});
+          }
+        if (load.kind == LoadKind::pressure)
+          {
+            add_faces(load, group);
+            has_pressure_ = true;
+          }
+        groups_.push_back(std::move(group));
+      }
+    if (!groups_.empty())
+      forces_.assign(vfife.array_size(), 0.);
+    if (has_pressure_)
+      face_forces_.assign(vfife.array_size(), 0.);
+  }
+
+  void NodalLoads::add_faces(const Load &load, Group &group) const
+  {
+    const Body               &body      = model_.bodies[load.body];
+    const Partition          &partition = operator_.partition();
+    std::vector<std::uint8_t> selected(body.n_nodes(), 0);
+    for (const unsigned int node : load.nodes)
+      selected[node] = 1;
+    for (const auto &cell : body.mesh().triangulation.active_cell_iterators())
+      {
+        if (!cell->at_boundary() ||
+            !std::binary_search(partition.elements.begin(),
+                                partition.elements.end(),
+                                body.first_element + cell->active_cell_index()))
+          continue;
+        const auto &nodes = body.elements()[cell->active_cell_index()];
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->face(f)->at_boundary())
+              continue;
+            // Corners of face f = 2 d + side in turn: in the plane of the directions d + 1, d + 2
+            // of the reference cube, counter-clockwise about + d; the other way round on side 0.
+            const unsigned int d = f / 2, side = f % 2, u = 1u << ((d + 1) % 3),
+                               v = 1u << ((d + 2) % 3), base = side << d;
+            std::array<unsigned int, 4> corners = {{base, base + u, base + u + v, base + v}};
+            if (side == 0)
+              std::swap(corners[1], corners[3]);
+            Face face;
+            bool inside = true;
+            for (unsigned int i = 0; i < 4; ++i)
+              {
+                inside        = inside && selected[nodes[corners[i]]] != 0;
+                face.local[i] = partition.local_node[body.first_node + nodes[corners[i]]];
+              }
+            if (inside)
+              group.faces.push_back(face);
+          }
+      }
+  }
+
+  double NodalLoads::vote_on_step(const double step) const
+  {
+    return 1. / std::sqrt(1. / (step * step) + 0.25 * largest_frequency2_);
+  }
+
+  void NodalLoads::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
+  {
+    for (const Group &group : groups_)
+      if (group.load->kind == LoadKind::spring)
+        for (const Node &node : group.nodes)
+          masses[node.local] +=
+            group.load->vector.maxCoeff() * node.weight / (4 * fraction * fraction);
+  }
+
+  void NodalLoads::add_moment(const Group &group, const Vector3 &moment, const double *positions)
+  {
+    std::vector<double> sums(13, 0.); // weight, first and second moments of the weights
+    for (const Node &node : group.nodes)
+      if (node.owned)
+        {
+          const Vector3 x      = record(positions, node.local);
+          const Matrix3 second = node.weight * x * x.transpose();
+          sums[0] += node.weight;
+          for (unsigned int c = 0; c < 3; ++c)
+            sums[1 + c] += node.weight * x[c];
+          for (unsigned int c = 0; c < 9; ++c)
+            sums[4 + c] += second.data()[c];
+        }
+    communicator_.sum(sums);
+    const Vector3 centre = Vector3(sums[1], sums[2], sums[3]) / sums[0];
+    const Matrix3 second =
+      Eigen::Map<const Matrix3>(sums.data() + 4) - sums[0] * centre * centre.transpose();
+    const Matrix3                   inertia = second.trace() * Matrix3::Identity() - second;
+    const Eigen::FullPivLU<Matrix3> factors(inertia);
+    if (!factors.isInvertible())
+      throw InputError("load \"" + group.load->name +
+                       "\": its nodes lie on a line and cannot carry a moment");
+    const Vector3 turn = factors.solve(moment);
+    for (const Node &node : group.nodes)
+      add_record(forces_.data(),
+                 node.local,
+                 node.weight * turn.cross(record(positions, node.local) - centre));
+  }
+
+  void NodalLoads::add_pressure(const Group &group, const double pressure, const double *positions)
+  {
+    for (const Face &face : group.faces)
+      {
+        Vector3 x[4];
+        for (unsigned int i = 0; i < 4; ++i)
+          x[i] = record(positions, face.local[i]);
+        // The vector area of a bilinear face is half the cross product of its diagonals.
+        const Vector3 force = -0.125 * pressure * (x[2] - x[0]).cross(x[3] - x[1]);
+        for (const std::uint32_t local : face.local)
+          add_record(face_forces_.data(), local, force);
+      }
+  }
+
+  void NodalLoads::add(const Group &group, const double factor, const double *positions)
+  {
+    const Load &load = *group.load;
+    switch (load.kind)
+      {
+      case LoadKind::force:
+      case LoadKind::acceleration:
+        for (const Node &node : group.nodes)
+          add_record(forces_.data(), node.local, factor * node.weight * load.vector);
+        break;
+      case LoadKind::moment:
+        add_moment(group, factor * load.vector, positions);
+        break;
+      case LoadKind::pressure:
+        add_pressure(group, factor * load.pressure, positions);
+        break;
+      case LoadKind::spring:
+        for (const Node &node : group.nodes)
+          add_record(forces_.data(),
+                     node.local,
+                     -node.weight *
+                       load.vector.cwiseProduct(record(positions, node.local) - node.start));
+        break;
+      }
+  }
+
+  void NodalLoads::finish(double *forces)
+  {
+    if (has_pressure_)
+      {
+        operator_.add_over_ranks(face_forces_.data());
+        for (std::size_t i = 0; i < forces_.size(); ++i)
+          forces_[i] += face_forces_[i];
+        std::fill(face_forces_.begin(), face_forces_.end(), 0.);
+      }
+    for (std::size_t i = 0; i < forces_.size(); ++i)
+      forces[i] += forces_[i];
+  }
+
+  void NodalLoads::add_forces(const double time, const double *positions, double *forces)
+  {
+    std::fill(forces_.begin(), forces_.end(), 0.);
+    for (const Group &group : groups_)
+      add(group, group.load->history.value(time), positions);
+    finish(forces);
+  }
+
+  void NodalLoads::add_part(const double part, const double *positions, double *forces)
+  {
+    std::fill(forces_.begin(), forces_.end(), 0.);
+    for (const Group &group : groups_)
+      add(group, part, positions);
+    finish(forces);
+  }
+
+  double NodalLoads::half_power(const double *velocities) const
+  {
+    const Partition &partition = operator_.partition();
+    double           power     = 0;
+    if (!forces_.empty())
+      for (std::size_t i = 0; i < partition.n_local(); ++i)
+        if (partition.owned[i])
+          power += 0.5 * record(forces_.data(), i).dot(record(velocities, i));
+    return power;
+  }
+} // namespace vfife
