@@ -5,6 +5,7 @@
 #include "../tests.h"
 #include "one_solver.h"
 
+#include <vfife/base/mpi_session.h>
 #include <vfife/dynamics/standing_pattern.h>
 #include <vfife/mesh/gear_body.h>
 #include <vfife/mesh/node_set_names.h>
@@ -31,7 +32,7 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
+  const MpiSession session(argc, argv);
   // mounted with its axis along x, to see that the axis is used and not z
   RigidMotion placement;
   placement.rotation << 0., 0., 1., 1., 0., 0., 0., 1., 0.;
