@@ -34,12 +34,42 @@ namespace vfife
     }
   } // namespace
 
-  struct Flank::BlankFramePoint
+  struct Flank::Cutter
   {
-    Vector3 position, position_t, position_phi; ///< [mm], [mm/rad]
-    Vector3 normal;
-    double  meshing, meshing_t, meshing_phi; ///< equation of meshing f [mm] and its derivatives
+    Vector3 center, center_phi; ///< of the circle of blade tips, from the machine centre [mm]
+    Matrix3 tilt, tilt_phi;     ///< turns vectors of the upright cutter
+    double  ratio, ratio_phi;   ///< of roll, and its rate
+    double  cos_blank, sin_blank;
+
+    /** A vector of the upright cutter (and its derivative by t) in the machine. */
+    Moving carry(const Vector3 &v, const Vector3 &v_t) const;
   };
+
+  struct Flank::Moving
+  {
+    Vector3 value, t, phi;
+
+    Moving operator+(const Moving &other) const
+    {
+      return {value + other.value, t + other.t, phi + other.phi};
+    }
+  };
+
+  struct Flank::Meshing
+  {
+    double value, t, phi;
+  };
+
+  struct Flank::EdgePoint
+  {
+    Moving  position, normal;
+    Meshing meshing;
+  };
+
+  Flank::Moving Flank::Cutter::carry(const Vector3 &v, const Vector3 &v_t) const
+  {
+    return {tilt * v, tilt * v_t, tilt_phi * v};
+  }
 
   Flank::Flank(const MachineSettings &settings, const double pitch_angle)
     : settings_(settings)
@@ -79,52 +109,95 @@ namespace vfife
     return derivatives(t, phi).point;
   }
 
+  Flank::Cutter Flank::cutter_at(const double phi) const
+  {
+    const double Q = settings_.cradle_angle + phi, S = settings_.radial_distance;
+    Cutter       cutter;
+    cutter.center     = {S * std::cos(Q), S * std::sin(Q), 0.};
+    cutter.center_phi = z_cross(cutter.center);
+    // The direction of the tilt turns with the cradle: dT/dphi v = z x T v - T (z x v).
+    const Vector3 direction =
+      rotate_about_z(std::cos(phi), std::sin(phi), settings_.tilt_direction());
+    cutter.tilt = rotation_about(direction, settings_.cutter_tilt);
+    for (unsigned int d = 0; d < 3; ++d)
+      cutter.tilt_phi.col(d) =
+        z_cross(cutter.tilt.col(d)) - cutter.tilt * z_cross(Vector3::Unit(d));
+    cutter.ratio     = settings_.roll_rate(phi);
+    cutter.ratio_phi = settings_.roll_acceleration(phi);
+    const double psi = settings_.blank_rotation(phi);
+    cutter.cos_blank = std::cos(psi);
+    cutter.sin_blank = std::sin(psi);
+    return cutter;
+  }
+
+  Flank::Moving Flank::relative_to_apex(const Cutter &cutter, const Moving &from_center) const
+  {
+    return Moving{cutter.center - apex_, Vector3::Zero(), cutter.center_phi} + from_center;
+  }
+
+  Flank::Moving Flank::into_body(const Cutter &cutter, const Moving &v) const
+  {
+    const auto turned = [&](const Vector3 &x) {
+      return rotate_about_z(cutter.cos_blank, cutter.sin_blank, into_blank_frame(x));
+    };
+    const Vector3 value = turned(v.value);
+    return {value, turned(v.t), turned(v.phi) + cutter.ratio * z_cross(value)};
+  }
+
+  Flank::Meshing Flank::meshing(const Cutter  &cutter,
+                                const Moving  &normal,
+                                const Moving  &position,
+                                const Vector3 &apex) const
+  {
+    const Vector3 axis(cos_root_, 0., -sin_root_);
+    const auto    velocity = [&](const Vector3 &from_machine, const Vector3 &from_apex) -> Vector3 {
+      return z_cross(from_machine) + cutter.ratio * axis.cross(from_apex);
+    };
+    const Vector3 v = velocity(position.value + apex, position.value);
+    const Vector3 v_phi =
+      velocity(position.phi, position.phi) + cutter.ratio_phi * axis.cross(position.value);
+    return {normal.value.dot(v),
+            normal.t.dot(v) + normal.value.dot(velocity(position.t, position.t)),
+            normal.phi.dot(v) + normal.value.dot(v_phi)};
+  }
+
   SurfaceDerivatives Flank::derivatives(const double t, const double phi) const
   {
-    const double sigma = settings_.sigma(), S = settings_.radial_distance,
-                 ratio = settings_.ratio_of_roll;
-    const double Q     = settings_.cradle_angle + phi;
-    const double cos_t = std::cos(t), sin_t = std::sin(t), cos_Q = std::cos(Q), sin_Q = std::sin(Q);
-    const Vector3 axis(cos_root_, 0., -sin_root_);
-    const Vector3 e(cos_t, sin_t, 0.), e_t(-sin_t, cos_t, 0.);
+    const double  sigma  = settings_.sigma();
+    const Cutter  cutter = cutter_at(phi);
+    const Vector3 e(std::cos(t), std::sin(t), 0.), e_t = z_cross(e), z = Vector3::UnitZ();
 
     // r = P0 + s P1 in the machine frame, from the apex; n does not depend on s
-    const Vector3 center(S * cos_Q, S * sin_Q, 0.), center_phi(-S * sin_Q, S * cos_Q, 0.);
-    const Vector3 P0   = center + settings_.point_radius * e - apex_,
-                  P0_t = settings_.point_radius * e_t;
-    const Vector3 P1(sigma * sin_blade_ * cos_t, sigma * sin_blade_ * sin_t, cos_blade_);
-    const Vector3 P1_t = sigma * sin_blade_ * e_t;
-    const Vector3 n(sigma * cos_blade_ * cos_t, sigma * cos_blade_ * sin_t, -sin_blade_);
-    const Vector3 n_t = sigma * cos_blade_ * e_t;
+    const Moving P0 =
+      relative_to_apex(cutter,
+                       cutter.carry(settings_.point_radius * e, settings_.point_radius * e_t));
+    const Moving P1 =
+      cutter.carry(sigma * sin_blade_ * e + cos_blade_ * z, sigma * sin_blade_ * e_t);
+    const Moving n =
+      cutter.carry(sigma * cos_blade_ * e - sin_blade_ * z, sigma * cos_blade_ * e_t);
 
-    // Equation of meshing, numerator + s denominator = 0. Terms of z x r other than z x C vanish:
-    // the cutter is a surface of revolution about z.
-    const Vector3 m = n.cross(axis), m_t = n_t.cross(axis);
-    const double  sin_tQ = sin_t * cos_Q - cos_t * sin_Q, cos_tQ = cos_t * cos_Q + sin_t * sin_Q;
-    const double  numerator = sigma * cos_blade_ * S * sin_tQ + ratio * m.dot(P0);
-    const double  numerator_t =
-      sigma * cos_blade_ * S * cos_tQ + ratio * (m_t.dot(P0) + m.dot(P0_t));
-    const double numerator_phi = -sigma * cos_blade_ * S * cos_tQ + ratio * m.dot(center_phi);
-    const double denominator   = ratio * m.dot(P1);
-    const double denominator_t = ratio * (m_t.dot(P1) + m.dot(P1_t));
-    const double s             = -numerator / denominator;
-    const double s_t           = -(numerator_t + s * denominator_t) / denominator;
-    const double s_phi         = -numerator_phi / denominator;
+    // equation of meshing: constant + s linear = 0
+    const Meshing constant = meshing(cutter, n, P0, apex_);
+    const Meshing linear   = meshing(cutter, n, P1, Vector3::Zero());
+    const double  s        = -constant.value / linear.value;
+    const double  s_t      = -(constant.t + s * linear.t) / linear.value;
+    const double  s_phi    = -(constant.phi + s * linear.phi) / linear.value;
 
-    const double c_psi = std::cos(ratio * phi), s_psi = std::sin(ratio * phi);
-    const auto   to_body = [&](const Vector3 &v) {
-      return rotate_about_z(c_psi, s_psi, into_blank_frame(v));
-    };
+    const Moving       position = into_body(cutter,
+                                      {P0.value + s * P1.value,
+                                             P0.t + s * P1.t + s_t * P1.value,
+                                             P0.phi + s * P1.phi + s_phi * P1.value});
+    const Moving       normal   = into_body(cutter, n);
     SurfaceDerivatives result;
-    result.point.position = to_body(P0 + s * P1);
-    result.point.normal   = to_body(n);
+    result.point.position = position.value;
+    result.point.normal   = normal.value;
     result.point.t        = t;
     result.point.phi      = phi;
     result.point.s        = s;
-    result.position_t     = to_body(P0_t + s * P1_t + s_t * P1);
-    result.position_phi = to_body(center_phi + s_phi * P1) + ratio * z_cross(result.point.position);
-    result.normal_t     = to_body(n_t);
-    result.normal_phi   = ratio * z_cross(result.point.normal);
+    result.position_t     = position.t;
+    result.position_phi   = position.phi;
+    result.normal_t       = normal.t;
+    result.normal_phi     = normal.phi;
     return result;
   }
 
@@ -164,61 +237,43 @@ namespace vfife
     return evaluate(x[0], x[1]);
   }
 
-  Flank::BlankFramePoint
-  Flank::fillet_equations(const double t, const double phi, const double lambda) const
+  Flank::EdgePoint Flank::edge_point(const double t, const double phi, const double lambda) const
   {
-    const double sigma = settings_.sigma(), S = settings_.radial_distance,
-                 ratio = settings_.ratio_of_roll;
-    const double Q     = settings_.cradle_angle + phi;
-    const double sin_l = std::sin(lambda), cos_l = std::cos(lambda);
+    const double sigma = settings_.sigma(), sin_l = std::sin(lambda), cos_l = std::cos(lambda);
     const double radius = settings_.point_radius - sigma * settings_.edge_width() +
                           sigma * settings_.edge_radius * sin_l;
-    const Vector3 axis(cos_root_, 0., -sin_root_);
-    const Vector3 e(std::cos(t), std::sin(t), 0.), e_t(-e[1], e[0], 0.);
-    const Vector3 center(S * std::cos(Q), S * std::sin(Q), 0.),
-      center_phi(-center[1], center[0], 0.);
+    const double  height = settings_.edge_radius * (1. - cos_l);
+    const Cutter  cutter = cutter_at(phi);
+    const Vector3 e(std::cos(t), std::sin(t), 0.), e_t = z_cross(e), z = Vector3::UnitZ();
 
-    Vector3 r = center + radius * e - apex_;
-    r[2] += settings_.edge_radius * (1. - cos_l);
-    Vector3 n       = sigma * sin_l * e;
-    n[2]            = -cos_l;
-    const Vector3 m = n.cross(axis), m_t = (sigma * sin_l * e_t).cross(axis);
-    const double  cos_tQ = (e[0] * center[0] + e[1] * center[1]) / S;
-    const double  sin_tQ = (e[1] * center[0] - e[0] * center[1]) / S;
-
-    BlankFramePoint point;
-    point.position     = into_blank_frame(r);
-    point.position_t   = into_blank_frame(radius * e_t);
-    point.position_phi = into_blank_frame(center_phi);
-    point.normal       = into_blank_frame(n);
-    point.meshing      = sigma * sin_l * S * sin_tQ + ratio * m.dot(r);
-    point.meshing_t    = sigma * sin_l * S * cos_tQ + ratio * (m_t.dot(r) + m.dot(radius * e_t));
-    point.meshing_phi  = -sigma * sin_l * S * cos_tQ + ratio * m.dot(center_phi);
-    return point;
+    const Moving position =
+      relative_to_apex(cutter, cutter.carry(radius * e + height * z, radius * e_t));
+    const Moving normal = cutter.carry(sigma * sin_l * e - cos_l * z, sigma * sin_l * e_t);
+    return {into_body(cutter, position),
+            into_body(cutter, normal),
+            meshing(cutter, normal, position, apex_)};
   }
 
   SurfacePoint Flank::fillet_at(const double L, const double lambda) const
   {
     const auto equations = [&](const Vector2 &x, Vector2 &residual, Eigen::Matrix2d &jacobian) {
-      const BlankFramePoint point = fillet_equations(x[0], x[1], lambda);
-      const Vector3        &X     = point.position;
-      const double          r     = std::hypot(X[0], X[1]);
-      const auto            dL    = [&](const Vector3 &dX) {
+      const EdgePoint point = edge_point(x[0], x[1], lambda);
+      const Vector3  &X     = point.position.value;
+      const double    r     = std::hypot(X[0], X[1]);
+      const auto      dL    = [&](const Vector3 &dX) {
         return dX[2] * cos_pitch_ + (X[0] * dX[0] + X[1] * dX[1]) / r * sin_pitch_;
       };
-      residual = Vector2(point.meshing, X[2] * cos_pitch_ + r * sin_pitch_ - L);
-      jacobian << point.meshing_t, point.meshing_phi, dL(point.position_t), dL(point.position_phi);
+      residual = Vector2(point.meshing.value, X[2] * cos_pitch_ + r * sin_pitch_ - L);
+      jacobian << point.meshing.t, point.meshing.phi, dL(point.position.t), dL(point.position.phi);
     };
     Vector2 x = start(L);
     if (!solve_newton<2>(equations, x))
       refuse(settings_.blade, "fillet", L, "blade edge angle lambda [rad]", lambda);
 
-    const BlankFramePoint point = fillet_equations(x[0], x[1], lambda);
-    const double          c     = std::cos(settings_.ratio_of_roll * x[1]),
-                 s              = std::sin(settings_.ratio_of_roll * x[1]);
-    SurfacePoint result;
-    result.position = rotate_about_z(c, s, point.position);
-    result.normal   = rotate_about_z(c, s, point.normal);
+    const EdgePoint point = edge_point(x[0], x[1], lambda);
+    SurfacePoint    result;
+    result.position = point.position.value;
+    result.normal   = point.normal.value;
     result.t        = x[0];
     result.phi      = x[1];
     result.s        = lambda;
@@ -261,18 +316,32 @@ namespace vfife
 
   double Flank::ratio_of_roll_at(const MachineSettings &settings, const double t, const double s)
   {
-    // f = n . (z x C) + Ra n . (a x (r - O)) = 0 solved for Ra; any ratio of roll serves to make
+    // f = n . (z x r) + Ra n . (a x (r - O)) = 0 solved for Ra; any ratio of roll serves to make
     // the frames
     MachineSettings trial = settings;
     trial.ratio_of_roll   = 1.;
     const Flank   flank(trial, pi / 4);
-    const double  sigma = settings.sigma(), S = settings.radial_distance, q = settings.cradle_angle;
+    const Cutter  cutter = flank.cutter_at(0.);
+    const double  sigma  = settings.sigma();
     const Vector3 e(std::cos(t), std::sin(t), 0.), axis(flank.cos_root_, 0., -flank.sin_root_);
-    const Vector3 n = sigma * flank.cos_blade_ * e - flank.sin_blade_ * Vector3::UnitZ();
-    const Vector3 r = S * Vector3(std::cos(q), std::sin(q), 0.) +
-                      (settings.point_radius + sigma * s * flank.sin_blade_) * e +
-                      s * flank.cos_blade_ * Vector3::UnitZ() - flank.apex_;
-    return -sigma * flank.cos_blade_ * S * std::sin(t - q) / n.dot(axis.cross(r));
+    const Vector3 n =
+      cutter.tilt * (sigma * flank.cos_blade_ * e - flank.sin_blade_ * Vector3::UnitZ());
+    const Vector3 r =
+      cutter.center + cutter.tilt * ((settings.point_radius + sigma * s * flank.sin_blade_) * e +
+                                     s * flank.cos_blade_ * Vector3::UnitZ());
+    return -n.dot(z_cross(r)) / n.dot(axis.cross(r - flank.apex_));
+  }
+
+  double Flank::angle_of_normal(const MachineSettings &settings, const double axial)
+  {
+    // (T n) . a = n . b with b = T^-1 a: sigma cos al (b_x cos t + b_y sin t) - sin al b_z
+    const double  g = settings.machine_root_angle, al = settings.blade_angle;
+    const Vector3 b = rotation_about(settings.tilt_direction(), -settings.cutter_tilt) *
+                      Vector3(std::cos(g), 0., -std::sin(g));
+    const double cosine =
+      (axial + std::sin(al) * b[2]) / (settings.sigma() * std::cos(al) * std::hypot(b[0], b[1]));
+    return std::atan2(b[1], b[0]) +
+           std::copysign(std::acos(std::max(-1., std::min(1., cosine))), -settings.cradle_angle);
   }
 
   double Flank::straight_start() const

@@ -128,13 +128,8 @@ namespace vfife
       MachineSettings trial = settings;
       if (!(trial.ratio_of_roll > 0.))
         {
-          const double sigma = settings.sigma(), al = settings.blade_angle,
-                       g = settings.machine_root_angle;
-          const double cos_t =
-            (normal[2] - std::sin(al) * std::sin(g)) / (sigma * std::cos(al) * std::cos(g));
-          const double t =
-            std::copysign(std::acos(std::max(-1., std::min(1., cos_t))), -settings.cradle_angle);
-          const double s      = (pinion.mean_dedendum + height) / std::cos(al);
+          const double t      = Flank::angle_of_normal(settings, normal[2]);
+          const double s      = (pinion.mean_dedendum + height) / std::cos(settings.blade_angle);
           trial.ratio_of_roll = Flank::ratio_of_roll_at(settings, t, s);
         }
       const SurfacePoint point1 =
@@ -302,6 +297,8 @@ namespace vfife
                                                      : 0.)
   {
     gear_frame_.translation[2] = options.gear_axial_shift;
+    if (design_.options.proposal.is_given())
+      check_proposed_contact(*this);
   }
 
   const GearPairOptions &GearPair::options() const

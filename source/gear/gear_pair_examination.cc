@@ -99,7 +99,8 @@ namespace vfife
       void examine_root_angle() const
       {
         const double g = settings_.machine_root_angle, root = blank_.root_angle;
-        if (std::abs(g - root) > root_angle_tolerance)
+        // a tilted cutter cuts the root cone with the blank tilted against it
+        if (std::abs(g - root) > root_angle_tolerance + std::abs(settings_.cutter_tilt))
           findings_.add(Findings::Action::stop,
                         section_ + "machine root angle",
                         {blank_section_ + "root angle"},
@@ -289,11 +290,6 @@ namespace vfife
                " deg: the clearance tapers along the face; the angles are taken as given"));
     }
 
-    /**
-     * Sum of the dedendum angles with which slots cut by spread blades taper as the teeth do
-     * (duplex taper), with transverse module m, spiral angle b, cutter radius r:
-     *   (pi m / (2 A_m)) (1 - A_m sin b / r) / (tan al cos b),   m at A_m
-     */
     void
     examine_duplex(const GearPairOptions &options, const std::string &section, Findings &findings)
     {
@@ -302,10 +298,8 @@ namespace vfife
       if (!options.gear.is_spread_blade() || blank2.teeth == 0 || cut.radial_distance == 0.)
         return;
       const CutterPosition position(blank2, cut);
-      const double         A = blank2.mean_cone_distance, b = position.spiral_angle;
-      const double         module = 2. * A * std::sin(blank2.pitch_angle) / blank2.teeth;
-      const double duplex = pi * module / (2. * A) * (1. - A * std::sin(b) / position.radius) /
-                            (std::tan(cut.blade_angle) * std::cos(b));
+      const double         duplex =
+        duplex_dedendum_angles(blank2, position.radius, position.spiral_angle, cut.blade_angle);
       const double sum =
         blank1.pitch_angle - blank1.root_angle + blank2.pitch_angle - blank2.root_angle;
       if (std::abs(sum - duplex) > duplex_tolerance * std::abs(duplex))
@@ -341,8 +335,8 @@ namespace vfife
       flank.examine_hand();
 
     const double g = concave.machine_root_angle;
-    if (g == convex.machine_root_angle && g > 0. &&
-        std::abs(g - blank.root_angle) > root_angle_tolerance)
+    if (g == convex.machine_root_angle && g > 0. && concave.cutter_tilt == 0. &&
+        convex.cutter_tilt == 0. && std::abs(g - blank.root_angle) > root_angle_tolerance)
       findings.add(Findings::Action::stop,
                    section + "/Blank/root angle",
                    {section + "/Concave flank/machine root angle"},
@@ -374,6 +368,8 @@ namespace vfife
     examine_pitch_angle(blank1, blank2, shaft_angle, "pinion", pinion_section, findings);
     examine_pitch_angle(blank2, blank1, shaft_angle, "gear", gear_section, findings);
     examine_hands(options, section, findings);
+    pinion.examine_spread(pinion_section, findings);
+    gear.examine_spread(gear_section, findings);
     options.pinion.examine(pinion_section, findings);
     options.gear.examine(gear_section, findings);
 

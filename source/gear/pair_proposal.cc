@@ -5,8 +5,10 @@
 #include <vfife/gear/local_contact.h>
 #include <vfife/gear/newton.h>
 #include <vfife/gear/pair_proposal.h>
+#include <vfife/gear/tooth_contact.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace vfife
 {
@@ -145,9 +147,8 @@ namespace vfife
                      sin_al = std::sin(al);
 
         // the component of the normal along the blank's axis gives t, its azimuth the rotation
-        const double cos_t = (normal_[2] - sin_al * sin_g) / (sigma * cos_al * cos_g);
-        t                  = std::copysign(std::acos(std::max(-1., std::min(1., cos_t))),
-                          blank_.hand == Hand::left ? -1. : 1.);
+        result.cradle_angle = blank_.hand == Hand::left ? 1. : -1.; // the sign counts here
+        t                   = Flank::angle_of_normal(result, normal_[2]);
         const Vector3 e(std::cos(t), std::sin(t), 0.);
         const Vector3 n = sigma * cos_al * e - sin_al * Vector3::UnitZ();
         Matrix3       to_blank;
@@ -327,6 +328,36 @@ namespace vfife
                                *settings,
                                settings == &options.pinion.concave ? options.gear.convex
                                                                    : options.gear.concave);
+      }
+  }
+
+  void check_proposed_contact(const GearPair &pair)
+  {
+    // A wrong solution misses by factors or by the sign; mounting errors change both by per cents.
+    constexpr double    largest_factor = 2.;
+    const PairProposal &asked          = pair.options().proposal;
+    for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
+      {
+        const UnloadedContact      contact(pair, side);
+        const double               step   = 0.1 * contact.pitch();
+        const UnloadedContactPoint middle = contact.contact(contact.reference(), 0);
+        const double               second = contact.contact(contact.reference() + step, 0).lag +
+                              contact.contact(contact.reference() - step, 0).lag - 2. * middle.lag;
+        const double lag        = second / 2. * 25.; // half a pitch is five steps
+        const double axis       = contact.ellipse(middle, marking_thickness).semi_axes[0];
+        const double asked_axis = asked.ellipse_length * pair.gear().blank().face_width / 2.;
+        const auto   is_like    = [&](const double value, const double target) {
+          return value > target / largest_factor && value < target * largest_factor;
+        };
+        if (is_like(lag, asked.lag) && is_like(axis, asked_axis))
+          continue;
+        std::ostringstream message;
+        message << "the " << (side == MeshSide::drive ? "drive" : "coast")
+                << " side of the proposed pair does not touch as designed: lag at half a pitch "
+                << lag / arcsecond << " arcsec instead of " << asked.lag / arcsecond
+                << ", major semi-axis of the ellipse " << axis << " mm instead of " << asked_axis
+                << "; try a path angle nearer to 25 deg or another cutter radius";
+        throw InputError("Gear pair/Proposal/path angle", message.str());
       }
   }
 } // namespace vfife

@@ -234,8 +234,50 @@ void check_reading()
   check_close("what is not in the file stays", options.pinion.convex.radial_distance, 108.77, 0.);
 }
 
+/** A spread-blade gear given in one section is the same as one given for each flank. */
+void check_both_flanks()
+{
+  GearPairOptions        options = paper::options(), shared = options;
+  const MachineSettings &gear = options.gear.convex;
+  shared.gear.concave         = MachineSettings(Blade::outside);
+  shared.gear.convex          = MachineSettings(Blade::inside);
+  const auto parse            = [&](GearPairOptions &target, const std::string &more) {
+    dealii::ParameterHandler prm;
+    target.declare(prm);
+    prm.parse_input_from_string("subsection Gear\n"
+                                           "  subsection Both flanks\n"
+                                           "    set point width = 1.98 mm\n"
+                                           "    set blade angle = 20 deg\n"
+                                           "    set blade edge radius = 0.8 mm\n"
+                                           "    set radial distance = 107.42 mm\n"
+                                           "    set cradle angle = 50.16 deg\n"
+                                           "    set sliding base = -0.5 mm\n"
+                                           "    set machine root angle = 69.44 deg\n"
+                                           "  end\n" +
+                                more + "end\n");
+  };
+  parse(shared, "");
+  const GearPairOptions completed = shared.completed();
+  check_close("both flanks: inside point radius", completed.gear.convex.point_radius, 94.26, 1e-12);
+  check_close("both flanks: outside point radius",
+              completed.gear.concave.point_radius,
+              96.24,
+              1e-12);
+  check("both flanks: settings arrive in each flank",
+        completed.gear.convex.radial_distance == gear.radial_distance &&
+          completed.gear.concave.sliding_base == gear.sliding_base &&
+          completed.gear.convex.edge_radius == 0.8 && completed.gear.is_spread_blade());
+  shared.check();
+  completed.check();
+  parse(shared, "  subsection Convex flank\n    set cradle angle = 50.2 deg\n  end\n");
+  const auto causes = shared.examine().causes();
+  check("both flanks: a flank that says otherwise is refused",
+        causes.size() == 1 && causes.front().entry == "Gear pair/Gear/Convex flank/cradle angle");
+}
+
 int main()
 {
+  check_both_flanks();
   paper::options().check();
   check("the paper's pair is accepted", true);
   check_missing_entries();

@@ -46,8 +46,28 @@ GearPairOptions basic(const unsigned int pinion, const unsigned int gear, const 
   return options;
 }
 
+/** The mean contact that is found must be the one of the design, or the pair is refused. */
+void check_other_solution(const double path_angle)
+{
+  GearPairOptions options     = basic(9, 33, 5.5);
+  options.proposal.path_angle = path_angle * pi / 180.;
+  std::string message;
+  try
+    {
+      const GearPair pair(options);
+    }
+  catch (const InputError &error)
+    {
+      message = error.what();
+    }
+  check("another solution of the mean contact is refused",
+        message.find("does not touch as designed") != std::string::npos);
+}
+
 int main()
 {
+  check_other_solution(15.);
+  check_other_solution(40.);
   check_pair("25/25", basic(25, 25, 4.));
   check_pair("9/33", basic(9, 33, 5.5));
   check_pair("17/43", basic(17, 43, 4.));

@@ -83,15 +83,38 @@ namespace vfife
      * 0. */
     static double ratio_of_roll_at(const MachineSettings &settings, double t, double s);
 
+    /**
+     * Angle t of the blade's normal with the component @p axial along the blank's axis, with the
+     * cradle at rest; of the two, the one on the side of the cutter that faces the blank. Nearest
+     * where the normal cannot have such a component.
+     */
+    static double angle_of_normal(const MachineSettings &settings, double axial);
+
     /** Where the straight part of the blade starts: distance from the (sharp) tip along the blade
      * [mm]. */
     double straight_start() const;
 
   private:
-    /** Point of the cutter relative to the apex, and unit normal, both in the blank frame at psi =
-     * 0. */
-    struct BlankFramePoint;
-    BlankFramePoint fillet_equations(double t, double phi, double lambda) const;
+    /** The cutter at a rotation of the cradle. */
+    struct Cutter;
+    /** A vector that moves with the cutter, with its derivatives. */
+    struct Moving;
+    Cutter cutter_at(double phi) const;
+    Moving relative_to_apex(const Cutter &cutter, const Moving &from_center) const;
+    /** The same in the body frame, the derivative including the blank's rotation. */
+    Moving into_body(const Cutter &cutter, const Moving &v) const;
+
+    /** Equation of meshing n . (relative velocity) of a position relative to the apex, and its
+     * derivatives; with @p apex = 0 the part that is linear in the position. [mm] */
+    struct Meshing;
+    Meshing meshing(const Cutter  &cutter,
+                    const Moving  &normal,
+                    const Moving  &position,
+                    const Vector3 &apex) const;
+
+    /** A point of the blade's edge: position (from the apex), normal, equation of meshing. */
+    struct EdgePoint;
+    EdgePoint edge_point(double t, double phi, double lambda) const;
 
     /** Newton's start: the cutter passes the pitch generatrix at distance L with the cradle at
      * rest. */

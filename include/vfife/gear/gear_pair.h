@@ -16,15 +16,24 @@ namespace vfife
   struct GearMemberOptions
   {
     double          cutter_diameter = 0; ///< twice the mean of the point radii; 0: not given [mm]
+    double          point_width     = 0; ///< outside less inside point radius; 0: not given [mm]
     Blank           blank;
+    MachineSettings both{no_settings()}; ///< holds for both flanks where it is not 0
     MachineSettings concave{Blade::outside};
     MachineSettings convex{Blade::inside};
 
     void declare(dealii::ParameterHandler &prm);
+    /** With the settings of both flanks, and point radii from diameter and width, in each flank. */
+    GearMemberOptions spread() const;
     /** Whether one cutter in one position cuts both flanks of a slot at once. */
     bool is_spread_blade() const;
     /** Adds what is wrong with the member alone (@p section: path of its entries). */
     void examine(const std::string &section, Findings &findings) const;
+    /** Adds contradictions between "Both flanks" and the sections of the flanks, as given. */
+    void examine_spread(const std::string &section, Findings &findings) const;
+
+  private:
+    static MachineSettings no_settings();
   };
 
   /** What the user gives of a pair: content of "Gear pair" without the bodies and meshes. */

@@ -40,6 +40,11 @@ namespace vfife
     double machine_center_to_back = 0;   ///< X_D, > 0 withdraws the blank along its axis [mm]
     double machine_root_angle     = 0;   ///< g [rad]
     double ratio_of_roll          = 0;   ///< blank over cradle rotation, Ra; 0: derived by the pair
+    double second_order_roll      = 0;   ///< modified roll, C of blank_rotation() [1/rad]
+    double third_order_roll       = 0;   ///< modified roll, D of blank_rotation() [1/rad^2]
+    double cutter_tilt            = 0;   ///< of the cutter axis to the cradle axis, i [rad]
+    double cutter_swivel          = 0;   ///< j: the tilt turns about the direction from cradle to
+                                         ///< cutter axis, turned by j about the cradle axis [rad]
 
     /** Settings of the blade that cuts one flank, everything else not given yet. */
     explicit MachineSettings(Blade blade = Blade::outside)
@@ -53,10 +58,31 @@ namespace vfife
       return blade == Blade::outside ? 1. : -1.;
     }
 
+    /** Rotation of the blank while the cradle turns by @p phi from the mean position [rad]:
+     * Ra (phi - C phi^2 - D phi^3). */
+    double blank_rotation(double phi) const;
+    /** Its derivative by phi, the ratio of roll at that position, ... */
+    double roll_rate(double phi) const;
+    /** ... and its second derivative [1/rad]. */
+    double roll_acceleration(double phi) const;
+
+    /** Direction about which the cutter is tilted with the cradle in the mean position (machine
+     * frame). */
+    Vector3 tilt_direction() const;
+
     /** Flat width from the point radius at which the edge rounding meets the tip plane [mm]. */
     double edge_width() const;
 
     void declare(dealii::ParameterHandler &prm);
+    /** Everything but the point radius: what one section may say for both flanks. */
+    void declare_shared(dealii::ParameterHandler &prm);
+    /** Takes over from @p both what is given there, that is, not 0. */
+    void take_over(const MachineSettings &both);
+    /** Adds what is given differently in @p both, which stands in @p both_section. */
+    void examine_shared(const MachineSettings &both,
+                        const std::string     &both_section,
+                        const std::string     &section,
+                        Findings              &findings) const;
     /**
      * Adds what is missing or impossible (@p section: path of the entries). The ratio of roll may
      * be 0: the pair derives it.

@@ -13,6 +13,7 @@ namespace dealii
 namespace vfife
 {
   struct GearPairOptions;
+  class GearPair;
 
   /**
    * Basic data from which blanks and machine settings are proposed: a spread-blade gear with duplex
@@ -46,6 +47,12 @@ namespace vfife
    * Throws InputError when the data are incomplete or no settings exist.
    */
   void propose(const PairProposal &proposal, GearPairOptions &options);
+
+  /**
+   * The equations of the mean contact have more than one solution. Throws InputError when that of a
+   * proposed pair is not the one it was designed for: another lag or another contact ellipse.
+   */
+  void check_proposed_contact(const GearPair &pair);
 } // namespace vfife
 
 #endif
