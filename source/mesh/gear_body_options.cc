@@ -18,7 +18,9 @@ namespace vfife
                                                     {"solid", WebKind::solid}};
     const Choices<WebDirection>  web_directions  = {{"towards apex", WebDirection::apex},
                                                     {"towards back", WebDirection::back}};
-    const Choices<WebAttachment> web_attachments = {{"toe", WebAttachment::toe}};
+    const Choices<WebAttachment> web_attachments = {{"toe", WebAttachment::toe},
+                                                    {"middle", WebAttachment::middle},
+                                                    {"heel", WebAttachment::heel}};
 
     /** A web steeper to the rim than this would leave no room for cells between it and the rim. */
     constexpr double largest_turn = 75. * degree;
@@ -77,7 +79,11 @@ namespace vfife
       at_least("web rows", options.web_rows, 2);
       at_least("hub rows", options.hub_rows, 1);
       at_least("hub side cells", options.hub_side_cells, 1);
-      at_least("rim rows", options.rim_rows, options.web_layers + 2);
+      at_least("fillet rows", options.fillet_rows, 1);
+      if (options.web_attachment == WebAttachment::toe)
+        at_least("rim rows", options.rim_rows, options.web_layers + 2);
+      else
+        at_least("cells lengthwise", options.cells_lengthwise, options.web_layers + 2);
     }
 
     void check_conical(const GearBodyOptions &options, const Blank &blank, const Refusal &refuse)
@@ -93,26 +99,48 @@ namespace vfife
                     "Body/bore radius",
                     millimetres(options.bore_radius) + " is not smaller than the hub radius " +
                       millimetres(options.hub_radius));
-      refuse.unless(options.web_thickness <= (1. - 2. * least_free_part) * options.rim_thickness,
-                    "Body/web thickness",
-                    millimetres(options.web_thickness) + " does not fit under the root of a rim " +
-                      millimetres(options.rim_thickness) + " thick");
-      const double turn = ConicalWeb::turn_from_toe(blank, options);
+      const bool   at_toe = options.web_attachment == WebAttachment::toe;
+      const double turn   = ConicalWeb::turn_from_wall(blank, options);
       refuse.unless(std::abs(turn) <= largest_turn,
-                    "Body/web angle",
-                    "a web at this angle and direction leaves the toe face at " +
-                      std::to_string(90. - std::abs(turn) / degree) +
-                      " deg to it; at least 15 deg are needed");
+                    at_toe ? "Body/web angle" : "Body/web attachment",
+                    std::string("a web at this angle and direction ") +
+                      (std::abs(turn) < .5 * pi ? "leaves the " : "does not leave the ") +
+                      (at_toe ? "toe face" : "rim's underside") +
+                      (std::abs(turn) < .5 * pi
+                         ? " at " + std::to_string(90. - std::abs(turn) / degree) +
+                             " deg to it; at least 15 deg are needed"
+                         : ", it would run into the rim; choose another direction or attachment"));
 
-      const double     L = blank.inner_cone_distance();
-      const ConicalWeb web(blank, options, -blank.dedendum(L));
-      const double     start = std::min(web.point(0., -.5 * options.web_thickness)[0],
-                                    web.point(0., .5 * options.web_thickness)[0]);
+      const double     inner = blank.inner_cone_distance(), outer = blank.outer_cone_distance;
+      const ConicalWeb web(blank, options, -blank.dedendum(inner), -blank.dedendum(outer));
+      const double     first = web.wall_place(0.), last = web.wall_place(1.);
+      if (at_toe)
+        refuse.unless(first >= least_free_part * options.rim_thickness &&
+                        last <= (1. - least_free_part) * options.rim_thickness,
+                      options.rim_fillet_radius > 0. ? "Body/rim fillet radius"
+                                                     : "Body/web thickness",
+                      "a web " + millimetres(options.web_thickness) +
+                        " thick takes with its fillets " + millimetres(last - first) +
+                        " and does not fit under the root of a rim " +
+                        millimetres(options.rim_thickness) + " thick");
+      else
+        refuse.unless(first >= inner + least_free_part * blank.face_width &&
+                        (options.web_attachment == WebAttachment::heel ||
+                         last <= outer - least_free_part * blank.face_width),
+                      "Body/web attachment",
+                      "the foot of the web with its fillets is " + millimetres(last - first) +
+                        " long and does not fit on the rim's underside, " +
+                        millimetres(blank.face_width) + " long");
+      const double start = std::min(web.point(0., 0.)[0], web.point(0., 1.)[0]);
       refuse.unless(options.hub_radius < start,
                     "Body/hub radius",
                     millimetres(options.hub_radius) +
                       " leaves no room for a web, which starts at r = " + millimetres(start));
-      refuse.unless(options.hub_length * std::sin(options.web_angle) > options.web_thickness,
+      refuse.unless(web.straight_start() < web.straight_end(),
+                    "Body/hub fillet radius",
+                    "the fillets leave no straight part of the web");
+      const double foot = web.point(1., 1.)[1] - web.point(1., 0.)[1];
+      refuse.unless(options.hub_length > foot,
                     "Body/hub length",
                     millimetres(options.hub_length) + " is shorter than the web's foot on the hub");
     }
@@ -150,6 +178,18 @@ namespace vfife
                        "Metal under the root of a rim",
                        Range::positive());
       declare_quantity(prm,
+                       "rim fillet radius",
+                       rim_fillet_radius,
+                       "mm",
+                       "Radius between the faces of the web and the rim; 0: sharp corners",
+                       Range::not_negative());
+      declare_quantity(prm,
+                       "hub fillet radius",
+                       hub_fillet_radius,
+                       "mm",
+                       "Radius between the faces of the web and the hub; 0: sharp corners",
+                       Range::not_negative());
+      declare_quantity(prm,
                        "hub radius",
                        hub_radius,
                        "mm",
@@ -168,6 +208,11 @@ namespace vfife
                        "Length of the hub ring along the axis, centred on the web",
                        Range::positive());
     }
+    declare_counts(prm);
+  }
+
+  void GearBodyOptions::declare_counts(dealii::ParameterHandler &prm)
+  {
     const Subsection section(prm, "Mesh");
     declare_quantity(prm,
                      "element size",
@@ -188,6 +233,11 @@ namespace vfife
     declare_integer(prm, "web layers", web_layers, "Cells through the thickness of the web", 1);
     declare_integer(
       prm, "web rows", web_rows, "Cells along the web, the coarsening row included", 2);
+    declare_integer(prm,
+                    "fillet rows",
+                    fillet_rows,
+                    "Cells along each fillet of the web, besides the web rows",
+                    1);
     declare_integer(prm, "hub rows", hub_rows, "Cells from hub radius to bore", 1);
     declare_integer(prm,
                     "hub side cells",

@@ -34,8 +34,13 @@ namespace vfife
     // 2, 5, 8 ... cells across let the web be coarser than the teeth.
     sized.cells_across = std::max(2u, (sized.cells_across + 2) / 3 * 3 - 1);
     sized.web_layers   = count(web_thickness, 1);
-    sized.rim_rows     = std::max(sized.rim_rows, sized.web_layers + 2);
-    const ConicalWeb cone(blank, *this, -blank.dedendum(blank.inner_cone_distance()));
+    (web_attachment == WebAttachment::toe ? sized.rim_rows : sized.cells_lengthwise) =
+      std::max(web_attachment == WebAttachment::toe ? sized.rim_rows : sized.cells_lengthwise,
+               sized.web_layers + 2);
+    const ConicalWeb cone(blank,
+                          *this,
+                          -blank.dedendum(blank.inner_cone_distance()),
+                          -blank.dedendum(blank.outer_cone_distance));
     sized.web_rows       = count(cone.length(), 2);
     sized.hub_rows       = count(hub_radius - bore_radius, 1);
     sized.hub_side_cells = count(.5 * (hub_length - web_thickness / std::sin(web_angle)), 1);

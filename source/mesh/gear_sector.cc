@@ -42,9 +42,10 @@ namespace vfife
   GearSectorBuilder::GearSectorBuilder(const GearMember &member, const GearBodyOptions &options)
     : member_(member)
     , options_(options)
-    , conical_(options.web == WebKind::conical)
+    , at_toe_(options.web == WebKind::conical && options.web_attachment == WebAttachment::toe)
+    , at_underside_(options.web == WebKind::conical && options.web_attachment != WebAttachment::toe)
     , sections_(compute_sections(member, options))
-    , web_(member.blank(), options, sections_.front().root_height)
+    , web_(member.blank(), options, sections_.front().root_height, sections_.back().root_height)
   {
   }
 
@@ -54,7 +55,7 @@ namespace vfife
     region_ = GearRegion::rim;
     add_rim();
     region_ = GearRegion::web;
-    if (conical_)
+    if (at_toe_ || at_underside_)
       add_web();
     add_named_ends();
     add_flank_grid(FlankSide::concave);
@@ -170,18 +171,18 @@ namespace vfife
         return part * (root[0] - options_.bore_radius) / std::cos(member_.blank().pitch_angle);
       }
     const double even = part * options_.rim_thickness;
-    if (!conical_)
+    if (!at_toe_)
       return even;
     // At the toe the rows stand at the layers of the web, towards the heel they spread evenly.
     const unsigned int above = rows_above_web(), below = above + options_.web_layers;
     double             at_toe;
     if (row < above)
-      at_toe = web_.depth(web_offset(0)) * row / above;
+      at_toe = web_.wall_place(0.) * row / above;
     else if (row <= below)
-      at_toe = web_.depth(web_offset(row - above));
+      at_toe = web_.wall_place(double(row - above) / options_.web_layers);
     else
       {
-        const double end = web_.depth(web_offset(options_.web_layers));
+        const double end = web_.wall_place(1.);
         at_toe = end + (options_.rim_thickness - end) * (row - below) / (options_.rim_rows - below);
       }
     const double to_heel = smooth_step(double(i) / options_.cells_lengthwise);
@@ -198,15 +199,58 @@ namespace vfife
     if (row == 0)
       return position_of(blank, section.cone_distance, top[0], top[1]);
 
-    const double depth   = rim_depth(i, row);
-    const double to_heel = double(i) / options_.cells_lengthwise;
-    const double L =
-      section.cone_distance + (conical_ ? (1. - to_heel) * web_.mitre_slope() * depth : 0.);
+    const double depth = rim_depth(i, row);
     const double circular_pitch =
       section.pitch * section.cone_distance * std::sin(blank.pitch_angle);
-    const double even  = section.left_angle + section.pitch * column / options_.columns();
+    const double even  = section.pitch * column / options_.columns();
     const double blend = smooth_step(depth / (blend_depth * circular_pitch));
-    return position_of(blank, L, section.root_height - depth, (1. - blend) * top[1] + blend * even);
+    const double angle = (1. - blend) * (top[1] - section.left_angle) + blend * even;
+    if (at_underside_)
+      {
+        // Straight lines from the root to places on the underside that leave room for the web.
+        const double  part   = depth / options_.rim_thickness;
+        const double  place  = underside_place(i);
+        const Vector2 bottom = blank.cone_coordinates(web_.wall_point(place));
+        const double  L      = (1. - part) * section.cone_distance + part * place;
+        return position_of(blank,
+                           L,
+                           (1. - part) * section.root_height + part * bottom[1],
+                           left_angle_at(L) + angle);
+      }
+    const double to_heel = double(i) / options_.cells_lengthwise;
+    const double L =
+      section.cone_distance + (at_toe_ ? (1. - to_heel) * web_.mitre_slope() * depth : 0.);
+    return position_of(blank, L, section.root_height - depth, section.left_angle + angle);
+  }
+
+  unsigned int GearSectorBuilder::first_web_section() const
+  {
+    const unsigned int free = options_.cells_lengthwise - options_.web_layers;
+    return options_.web_attachment == WebAttachment::heel ? free : free / 2;
+  }
+
+  double GearSectorBuilder::underside_place(const unsigned int i) const
+  {
+    const unsigned int first = first_web_section(), last = first + options_.web_layers;
+    const double       inner = member_.blank().inner_cone_distance(),
+                 outer       = member_.blank().outer_cone_distance;
+    if (i < first)
+      return inner + (web_.wall_place(0.) - inner) * i / first;
+    if (i <= last)
+      return web_.wall_place(double(i - first) / options_.web_layers);
+    return outer + (web_.wall_place(1.) - outer) * (options_.cells_lengthwise - i) /
+                     (options_.cells_lengthwise - last);
+  }
+
+  double GearSectorBuilder::left_angle_at(const double L) const
+  {
+    const double along = (L - sections_.front().cone_distance) /
+                         (sections_.back().cone_distance - sections_.front().cone_distance) *
+                         options_.cells_lengthwise;
+    const auto i = static_cast<unsigned int>(
+      std::min(options_.cells_lengthwise - 1., std::max(0., std::floor(along))));
+    return sections_[i].left_angle +
+           (along - i) * (sections_[i + 1].left_angle - sections_[i].left_angle);
   }
 
   void GearSectorBuilder::add_rim()
@@ -252,8 +296,8 @@ namespace vfife
     };
     add_layer(node_set::toe, tooth_.front());
     // The web covers the rows between its faces.
-    const unsigned int above = conical_ ? rows_above_web() : options_.rim_rows,
-                       below = conical_ ? above + options_.web_layers : above;
+    const unsigned int above = at_toe_ ? rows_above_web() : options_.rim_rows,
+                       below = at_toe_ ? above + options_.web_layers : above;
     for (unsigned int row = 0; row <= options_.rim_rows; ++row)
       if (row <= above || row >= below)
         add_layer(node_set::toe, {rim_.front()[row]});
@@ -261,10 +305,14 @@ namespace vfife
     add_layer(node_set::heel, rim_.back());
     for (const NodeLayer &layer : tooth_)
       add_layer(node_set::tip, {layer.back()});
-    for (const NodeLayer &layer : rim_)
+    for (unsigned int i = 0; i < rim_.size(); ++i)
       {
-        add_layer(options_.web == WebKind::solid ? node_set::bore : node_set::rim_underside,
-                  {layer.back()});
+        const NodeLayer &layer = rim_[i];
+        // what lies between the faces of a web on the underside is inside
+        if (!at_underside_ || i <= first_web_section() ||
+            i >= first_web_section() + options_.web_layers)
+          add_layer(options_.web == WebKind::solid ? node_set::bore : node_set::rim_underside,
+                    {layer.back()});
         add_layer(node_set::rim, layer);
         for (const unsigned int column : {0u, 1u, options_.columns() - 1})
           add_to_set(node_set::root_land, layer[0][column]);

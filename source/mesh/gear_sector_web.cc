@@ -13,20 +13,21 @@ namespace vfife
     using HalfHexahedron = std::array<unsigned int, 4>;
   } // namespace
 
-  double GearSectorBuilder::web_offset(const unsigned int layer) const
+  double GearSectorBuilder::web_angle(const double       u,
+                                      const unsigned int layer,
+                                      const double       fraction) const
   {
-    return options_.web_thickness * (double(layer) / options_.web_layers - .5);
-  }
-
-  double GearSectorBuilder::toe_angle(const double fraction) const
-  {
-    return sections_.front().left_angle + fraction * member_.pitch();
+    const double across = fraction * member_.pitch();
+    if (at_toe_)
+      return sections_.front().left_angle + across;
+    const double own = web_.wall_place(double(layer) / options_.web_layers);
+    return (1. - u) * left_angle_at(own) + u * left_angle_at(web_.wall_place(.5)) + across;
   }
 
   Vector3
   GearSectorBuilder::web_point(const double u, const unsigned int layer, const double angle) const
   {
-    const Vector2 r_z = web_.point(u, web_offset(layer));
+    const Vector2 r_z = web_.point(u, double(layer) / options_.web_layers);
     return {r_z[0] * std::cos(angle), r_z[0] * std::sin(angle), r_z[1]};
   }
 
@@ -37,7 +38,7 @@ namespace vfife
     for (unsigned int layer = 0; layer <= options_.web_layers; ++layer)
       {
         for (unsigned int c = 0; c < columns; ++c)
-          nodes[layer][c] = add_node(web_point(u, layer, toe_angle(double(c) / columns)));
+          nodes[layer][c] = add_node(web_point(u, layer, web_angle(u, layer, double(c) / columns)));
         nodes[layer][columns] = GearSector::next_sector(nodes[layer][0]);
       }
     return nodes;
@@ -58,7 +59,7 @@ namespace vfife
             // Between the columns of the rim, not yet equally wide, and those of the web.
             const auto angle = [&](const unsigned int k) {
               const Vector3 x    = position(a[k]);
-              const double  even = toe_angle((g + k / 3.) / groups);
+              const double  even = web_angle(u, layer, (g + k / 3.) / groups);
               return even + .5 * std::remainder(std::atan2(x[1], x[0]) - even, 2. * pi);
             };
             const unsigned int c1 = add_node(web_point(u, layer, angle(1)));
@@ -82,19 +83,52 @@ namespace vfife
       }
   }
 
-  void GearSectorBuilder::add_web()
+  GearSectorBuilder::NodeLayer GearSectorBuilder::web_foot() const
   {
-    const unsigned int above = rows_above_web(), layers = options_.web_layers;
-    NodeLayer previous(rim_.front().begin() + above, rim_.front().begin() + above + layers + 1);
+    const unsigned int layers = options_.web_layers;
+    if (at_toe_)
+      {
+        const auto first = rim_.front().begin() + rows_above_web();
+        return NodeLayer(first, first + layers + 1);
+      }
+    NodeLayer foot;
+    for (unsigned int layer = 0; layer <= layers; ++layer)
+      foot.push_back(rim_[first_web_section() + layer].back());
+    return foot;
+  }
 
-    const bool         coarsens = options_.coarsens();
-    const unsigned int columns  = coarsens ? options_.columns() / 3 : options_.columns();
-    const unsigned int rows     = options_.web_rows;
+  std::vector<double> GearSectorBuilder::web_stations(unsigned int &coarsening) const
+  {
+    const unsigned int  rows  = options_.web_rows;
+    const double        start = web_.straight_start(), stop = web_.straight_end();
+    std::vector<double> stations = {0.};
+    if (options_.rim_fillet_radius > 0.)
+      for (unsigned int row = 1; row <= options_.fillet_rows; ++row)
+        stations.push_back(start * row / options_.fillet_rows);
 
     // The coarsening row is 0.8 of its three columns' width long: best of the lengths tried for the
     // least scaled Jacobian over all webs of the paper.
-    const double group_width = member_.pitch() * web_.point(0., 0.)[0] / columns;
-    const double first = coarsens ? std::min(.5, .8 * group_width / web_.length()) : 1. / rows;
+    coarsening               = options_.coarsens() ? stations.size() : 0;
+    const double group_width = 3. * member_.pitch() * web_.point(0., .5)[0] / options_.columns();
+    const double straight    = (stop - start) * web_.length();
+    const double first = coarsening > 0 ? std::min(.5, .8 * group_width / straight) : 1. / rows;
+    for (unsigned int row = 1; row <= rows; ++row)
+      {
+        const double part = rows == 1 ? 1. : first + (1. - first) * (row - 1) / (rows - 1);
+        stations.push_back(start + (stop - start) * part);
+      }
+    if (options_.hub_fillet_radius > 0.)
+      for (unsigned int row = 1; row <= options_.fillet_rows; ++row)
+        stations.push_back(stop + (1. - stop) * row / options_.fillet_rows);
+    return stations;
+  }
+
+  void GearSectorBuilder::add_web()
+  {
+    unsigned int              coarsening = 0;
+    const std::vector<double> stations   = web_stations(coarsening);
+    NodeLayer                 previous   = web_foot();
+    unsigned int              columns    = options_.columns();
 
     const auto add_faces = [&](const NodeLayer &nodes) {
       for (const unsigned int node : nodes.front())
@@ -103,12 +137,14 @@ namespace vfife
         add_to_set(node_set::web_back, node);
     };
     add_faces(previous);
-    for (unsigned int row = 1; row <= rows; ++row)
+    for (unsigned int row = 1; row < stations.size(); ++row)
       {
-        const double    u    = rows == 1 ? 1. : first + (1. - first) * (row - 1) / (rows - 1);
+        const double u = stations[row], last = stations[row - 1];
+        if (row == coarsening)
+          columns /= 3;
         const NodeLayer next = make_web_nodes(u, columns);
-        if (coarsens && row == 1)
-          add_coarsening_row(previous, next, .6 * u);
+        if (row == coarsening)
+          add_coarsening_row(previous, next, last + .6 * (u - last));
         else
           add_row(previous, next);
         add_faces(next);
@@ -124,17 +160,16 @@ namespace vfife
     region_                   = GearRegion::hub;
     const unsigned int layers = options_.web_layers, side = options_.hub_side_cells;
     const unsigned int columns = web_end.front().size() - 1, lines = 2 * side + layers;
-    const double       middle = web_.point(1., 0.)[1];
+    const double       middle = web_.point(1., .5)[1];
 
     const auto height = [&](const unsigned int line) {
-      const double front = web_.point(1., web_offset(0))[1],
-                   back  = web_.point(1., web_offset(layers))[1];
-      const double low   = middle - .5 * options_.hub_length,
-                   high  = middle + .5 * options_.hub_length;
+      const double front = web_.point(1., 0.)[1], back = web_.point(1., 1.)[1];
+      const double low  = middle - .5 * options_.hub_length,
+                   high = middle + .5 * options_.hub_length;
       if (line < side)
         return low + (front - low) * line / side;
       if (line <= side + layers)
-        return web_.point(1., web_offset(line - side))[1];
+        return web_.point(1., double(line - side) / layers)[1];
       return back + (high - back) * (line - side - layers) / side;
     };
     NodeLayer previous;
@@ -148,7 +183,7 @@ namespace vfife
             const bool on_web = row == 0 && line >= side && line <= side + layers;
             for (unsigned int c = 0; c < columns; ++c)
               {
-                const double angle = toe_angle(double(c) / columns);
+                const double angle = web_angle(1., 0, double(c) / columns);
                 nodes[line][c] =
                   on_web ? web_end[line - side][c]
                          : add_node({r * std::cos(angle), r * std::sin(angle), height(line)});

@@ -107,8 +107,12 @@ namespace vfife
       if (triangulation.n_active_cells() == 0 ||
           !triangulation.all_reference_cells_are_hyper_cube())
         throw InputError(path + ": has other volume elements than hexahedra, or none");
-      return take_over(triangulation,
-                       format == GridInput::msh ? read_group_names(path) : GroupNames());
+      if (format != GridInput::msh)
+        return take_over(triangulation, GroupNames());
+      GroupNames names = read_group_names(path);
+      FileMesh   mesh  = take_over(triangulation, names);
+      add_gmsh_points(path, names[0], mesh);
+      return mesh;
     }
 
     using ReadMesh = FileMesh (*)(const std::string &path);

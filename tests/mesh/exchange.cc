@@ -78,6 +78,14 @@ namespace
       sets =
         sets && inp->node_sets.at(abaqus_name("pinion " + set.first)).size() == set.second.size();
     check("inp: node sets", sets);
+    bool point_sets = true;
+    for (const auto &set : pinion->node_sets)
+      {
+        const auto found = msh->node_sets.find("pinion " + set.first);
+        point_sets =
+          point_sets && found != msh->node_sets.end() && found->second.size() == set.second.size();
+      }
+    check("msh: node sets", point_sets);
     bool surfaces = true;
     for (const char *side : {surface_name::concave, surface_name::convex})
       surfaces =
@@ -215,6 +223,31 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  /** Hanging nodes would be cracks in another program. */
+  void check_hanging_nodes()
+  {
+    auto pinion = make_gear_body(paper::pinion(), coarse(pinion_body_defaults()));
+    pinion->triangulation.begin_active()->set_refine_flag();
+    pinion->triangulation.execute_coarsening_and_refinement();
+    for (const char *path : {"hanging.inp", "hanging.msh", "hanging.vtu"})
+      {
+        std::string message;
+        try
+          {
+            write(path, {exported(*pinion)});
+          }
+        catch (const InputError &error)
+          {
+            message = error.what();
+          }
+        check(std::string("refuses to export hanging nodes: ") + path,
+              message.find("hanging nodes") != std::string::npos);
+      }
+  }
+} // namespace
+
 int main()
 {
   check_pinion();
@@ -222,4 +255,5 @@ int main()
   check_foreign();
   check_refusals();
   check_flank_points();
+  check_hanging_nodes();
 }

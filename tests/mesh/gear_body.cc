@@ -145,10 +145,14 @@ namespace
 
   void check_web(const BodyMesh &mesh, const GearMember &member, const GearBodyOptions &options)
   {
-    const auto section =
-      compute_gear_section(member, member.blank().inner_cone_distance(), options.flank_rows);
-    const ConicalWeb web(member.blank(), options, section.root_height);
-    const double     half = .5 * options.web_thickness;
+    const Blank &blank   = member.blank();
+    const auto   root_at = [&](const double L) {
+      return compute_gear_section(member, L, options.flank_rows).root_height;
+    };
+    const ConicalWeb web(blank,
+                         options,
+                         root_at(blank.inner_cone_distance()),
+                         root_at(blank.outer_cone_distance));
     const Vector2    along(-std::sin(options.web_angle), std::cos(options.web_angle));
     const Vector2    normal(along[1], -along[0]);
     const auto       offsets = [&](const char *name) {
@@ -157,7 +161,7 @@ namespace
         {
           const Vector3 x = vertex(mesh, i);
           const double  offset =
-            normal.dot(Vector2(std::hypot(x[0], x[1]), x[2]) - web.point(.3, 0.));
+            normal.dot(Vector2(std::hypot(x[0], x[1]), x[2]) - web.point(.3, .5));
           range = {std::min(range[0], offset), std::max(range[1], offset)};
         }
       return range;
@@ -207,10 +211,10 @@ namespace
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       if (cell->active_cell_index() % cells >= rim_cells)
         volume += cell->measure();
-    const Vector2 corners[4] = {web.point(0., -half),
-                                web.point(0., half),
-                                web.point(1., half),
-                                web.point(1., -half)};
+    const Vector2 corners[4] = {web.point(0., 0.),
+                                web.point(0., 1.),
+                                web.point(1., 1.),
+                                web.point(1., 0.)};
     double        exact      = 0.;
     for (unsigned int k = 0; k < 4; ++k)
       {

@@ -5,6 +5,7 @@
 
 #include "paper_members.h"
 
+#include <vfife/base/errors.h>
 #include <vfife/mesh/gear_body.h>
 #include <vfife/mesh/mesh_quality.h>
 
@@ -24,6 +25,44 @@ namespace
       compute_mesh_quality(make_gear_body(member, options)->triangulation);
     check(name,
           quality.least_scaled_jacobian > least_scaled_jacobian && quality.least_determinant > 0.);
+  }
+  /**
+   * Webs on the underside of the rim and fillets. Towards the apex a web at 55 or 70 deg would run
+   * into the rim, and at 85 deg it leaves the underside at 14 deg: refused. Corner cells at the end
+   * of a fillet have an angle of half an arc's step less than 180 deg: positive is asked for.
+   */
+  void check_attachment(const GearMember   &gear,
+                        const WebAttachment attachment,
+                        const WebDirection  direction,
+                        const double        angle,
+                        const double        thickness,
+                        const double        fillet)
+  {
+    GearBodyOptions options   = coarse(GearBodyOptions());
+    options.cells_lengthwise  = 6;
+    options.web_attachment    = attachment;
+    options.web_direction     = direction;
+    options.web_angle         = angle * pi / 180.;
+    options.web_thickness     = thickness;
+    options.rim_fillet_radius = attachment == WebAttachment::toe ? .25 * fillet : fillet;
+    options.hub_fillet_radius = 2. * fillet;
+    std::ostringstream name;
+    name << (attachment == WebAttachment::toe      ? "toe"
+             : attachment == WebAttachment::middle ? "middle"
+                                                   : "heel")
+         << ", web " << thickness << " mm, " << angle << " deg, "
+         << (direction == WebDirection::back ? "back" : "apex") << ", fillet " << fillet;
+    const bool exists = attachment == WebAttachment::toe || direction == WebDirection::back;
+    try
+      {
+        const MeshQuality quality =
+          compute_mesh_quality(make_gear_body(gear, options)->triangulation);
+        check(name.str(), exists && quality.least_determinant > 0.);
+      }
+    catch (const InputError &error)
+      {
+        check(name.str() + " refused", !exists && error.entry() == "gear/Body/web attachment");
+      }
   }
 } // namespace
 
@@ -62,4 +101,12 @@ int main()
   GearBodyOptions uncoarsened = coarse(GearBodyOptions());
   uncoarsened.cells_across    = 3;
   check_shape("web as fine as the teeth", gear, uncoarsened);
+
+  for (const auto attachment : {WebAttachment::toe, WebAttachment::middle, WebAttachment::heel})
+    for (const auto direction : {WebDirection::back, WebDirection::apex})
+      for (const double angle : {55., 70., 85.})
+        for (const double thickness : {3.5, 5., 6.5})
+          for (const double fillet : {0., 2.})
+            if (attachment != WebAttachment::toe || (fillet > 0. && thickness < 6.))
+              check_attachment(gear, attachment, direction, angle, thickness, fillet);
 }

@@ -32,7 +32,9 @@ namespace vfife
   /** Where the web leaves the rim. */
   enum class WebAttachment
   {
-    toe
+    toe,    ///< the toe's end under the root
+    middle, ///< the middle of the underside
+    heel    ///< the heel's end of the underside
   };
 
   /**
@@ -44,11 +46,13 @@ namespace vfife
     WebKind web           = WebKind::conical;
     double  web_thickness = 5.;          ///< normal to the web [mm]
     double  web_angle = 70. * pi / 180.; ///< of the mid-surface generatrix to the gear axis [rad]
-    WebDirection  web_direction  = WebDirection::back;
-    WebAttachment web_attachment = WebAttachment::toe;
-    double        rim_thickness  = 8.5; ///< under the root [mm]
-    double        hub_radius     = 60.; ///< [mm]
-    double        bore_radius    = 50.; ///< [mm]
+    WebDirection  web_direction     = WebDirection::back;
+    WebAttachment web_attachment    = WebAttachment::toe;
+    double        rim_thickness     = 8.5; ///< under the root [mm]
+    double        rim_fillet_radius = 0.;  ///< of the web's faces at the rim; 0: none [mm]
+    double        hub_fillet_radius = 0.;  ///< of the web's faces at the hub; 0: none [mm]
+    double        hub_radius        = 60.; ///< [mm]
+    double        bore_radius       = 50.; ///< [mm]
     double        hub_length =
       36.; ///< along the axis, centred where the mid-surface of the web meets the hub [mm]
 
@@ -61,6 +65,7 @@ namespace vfife
       5; ///< from root to underside of the rim, or to the bore of a solid body
     unsigned int web_layers     = 3;  ///< through the thickness of the web
     unsigned int web_rows       = 11; ///< along the web, the coarsening row included
+    unsigned int fillet_rows    = 2;  ///< along each fillet of the web, besides web_rows
     unsigned int hub_rows       = 3;  ///< from hub radius to bore
     unsigned int hub_side_cells = 4;  ///< along the axis on either side of the web
     unsigned int refinements    = 0;  ///< times that every cell is divided into eight
@@ -87,6 +92,9 @@ namespace vfife
     {
       return columns() % 3 == 0;
     }
+
+  private:
+    void declare_counts(dealii::ParameterHandler &prm);
   };
 
   /** A pinion of the full mesh: solid down to a bore of 20 mm. */

@@ -46,10 +46,22 @@ namespace vfife
     Vector2 rim_top(const GearSection &section, unsigned int column) const;
     double  rim_depth(unsigned int i, unsigned int row) const;
     Vector3 rim_point(unsigned int i, unsigned int row, unsigned int column) const;
+    /** First section whose underside carries the web (not at the toe). */
+    unsigned int first_web_section() const;
+    /** Cone distance of section i on the underside, which leaves room for the web there. */
+    double underside_place(unsigned int i) const;
+    /** Centre of the slot below the tooth at cone distance L [rad]. */
+    double left_angle_at(double L) const;
+
     Vector3 web_point(double u, unsigned int layer, double angle) const;
-    double  web_offset(unsigned int layer) const;
-    /** Angle of equally wide columns of the toe section. */
-    double toe_angle(double fraction) const;
+    /** Angle of equally wide columns of a layer of the web, which loses the rim's spiral on the way
+     * to the hub. */
+    double web_angle(double u, unsigned int layer, double fraction) const;
+    /** Fractions u of the web's rows, from rim to hub; the row that coarsens ends at the place @p
+     * coarsening (0: none). */
+    std::vector<double> web_stations(unsigned int &coarsening) const;
+    /** Nodes of the rim where the web starts. */
+    NodeLayer web_foot() const;
 
     unsigned int rows_above_web() const
     {
@@ -58,7 +70,7 @@ namespace vfife
 
     const GearMember        &member_;
     const GearBodyOptions   &options_;
-    const bool               conical_;
+    const bool               at_toe_, at_underside_; ///< where there is a web
     std::vector<GearSection> sections_;
     ConicalWeb               web_; ///< used where the body has one
     std::vector<NodeLayer>   tooth_, rim_;

@@ -4,6 +4,7 @@
 
 #include <vfife/mesh/body_mesh.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ namespace vfife
   /**
    * A body from a file of 8-node hexahedra, lengths in mm; the format by the end of the file's
    * name:
-   *   .msh  Gmsh 2.2 or 4.1: regions and surfaces by the names of physical groups;
+   *   .msh  Gmsh 2.2 or 4.1: regions, surfaces and node sets by the names of physical groups;
    *   .inp  Abaqus or CalculiX: C3D8 elements; NSET, ELSET, SURFACE (such as EB1, SS1) and 4-node
    *         shells by their ELSET;
    *   .vtk  VTK's legacy format, .ucd AVS: regions "region N", surfaces "boundary N" by their ids.
@@ -41,6 +42,11 @@ namespace vfife
 
   /** The part of read_body() that reads Abaqus files. */
   FileMesh read_abaqus(const std::string &path);
+
+  /** The part that reads physical points of Gmsh files, @p names by their numbers, as node sets. */
+  void add_gmsh_points(const std::string                         &path,
+                       const std::map<unsigned int, std::string> &names,
+                       FileMesh                                  &mesh);
 } // namespace vfife
 
 #endif
