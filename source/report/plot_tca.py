@@ -10,10 +10,14 @@ import math
 import sys
 from pathlib import Path
 
-import matplotlib
+try:
+    import numpy  # noqa: F401
+    import matplotlib  # noqa: F401
+except ImportError as error:
+    sys.exit(f"no picture: {error} (Debian: python3-numpy, python3-matplotlib)")
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
+import style
+from matplotlib import pyplot as plt
 
 
 def read(path):
@@ -42,16 +46,17 @@ def plot_lag(axes, rows):
 
 
 def plot_pattern(axes, rows, border):
-    axes.plot(*zip(*border), "k", lw=0.8)
+    axes.plot(*zip(*border), color=style.EDGE, lw=0.8)
     angles = [math.pi * i / 30 for i in range(61)]
     for row in rows[::2]:
         axes.plot(
             [row["gear L"] + math.cos(a) * row["gear major L"] + math.sin(a) * row["gear minor L"] for a in angles],
             [row["gear h"] + math.cos(a) * row["gear major h"] + math.sin(a) * row["gear minor h"] for a in angles],
-            color="tab:blue",
+            color=style.COLOURS[1],
             lw=0.7,
         )
-    axes.plot([r["gear L"] for r in rows], [r["gear h"] for r in rows], "r.-", label="path of contact")
+    axes.plot([r["gear L"] for r in rows], [r["gear h"] for r in rows], ".-",
+              color=style.COLOURS[2], label="path of contact")
     axes.set(xlabel="gear L, mm (heel to the right)", ylabel="gear h, mm", aspect="equal")
     axes.legend()
 
@@ -59,7 +64,7 @@ def plot_pattern(axes, rows, border):
 def plot_ease_off(axes, rows):
     values = [r["ease-off"] for r in rows]
     drawn = axes.tricontourf(
-        [r["gear L"] for r in rows], [r["gear h"] for r in rows], values, levels=14, cmap="viridis"
+        [r["gear L"] for r in rows], [r["gear h"] for r in rows], values, levels=14, cmap=style.STRESS_MAP
     )
     plt.colorbar(drawn, ax=axes, label="ease-off, um", orientation="horizontal")
     axes.set(xlabel="gear L, mm (heel to the right)", ylabel="gear h, mm", aspect="equal")
@@ -83,7 +88,6 @@ def main():
         3,
         2,
         figsize=(13, 9),
-        constrained_layout=True,
         gridspec_kw={"height_ratios": [3, 1.2, 1.7]},
     )
     for column, side in enumerate(("drive", "coast")):
@@ -95,8 +99,7 @@ def main():
         plot_lag(grid[0][column], lag)
         plot_pattern(grid[1][column], path, outline(ease_off))
         plot_ease_off(grid[2][column], ease_off)
-    picture = sys.argv[2] if len(sys.argv) == 3 else folder / "tca.png"
-    figure.savefig(picture, dpi=120)
+    style.save(figure, Path(sys.argv[2]) if len(sys.argv) == 3 else folder / "tca.png")
 
 
 if __name__ == "__main__":
