@@ -10,10 +10,12 @@
 #include <vfife/output/field_writer.h>
 #include <vfife/output/history_writer.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/output/pattern_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/output/probe_writer.h>
 #include <vfife/output/progress_line.h>
 #include <vfife/output/teeth_writer.h>
+#include <vfife/study/contact_figures.h>
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/run_checks.h>
 
@@ -182,8 +184,9 @@ namespace vfife
     probe.take_partly_loaded(state, loads.torque * torque);
     relax("loaded", Relaxation::Loads());
     Preload result;
-    result.parts = probe.take_loaded(state);
-    result.swing = probe.compute_swing(state, result.parts, torque);
+    result.parts       = probe.take_loaded(state);
+    result.penalty_lag = compute_penalty_lag(solver.contact().energy(), torque);
+    result.swing       = probe.compute_swing(state, result.parts, torque);
     StandingPattern pattern(model, communicator);
     if (dynamics_.start == Start::ramp)
       {
@@ -215,6 +218,7 @@ namespace vfife
              parts.rim_tilt / arcsecond,
              ", teeth and rest ",
              parts.teeth / arcsecond);
+    log_contact_figures(model, gear_case_.hertz_contact(), result.penalty_lag, log);
     log.line("the gear swings at about ",
              result.swing.frequency(),
              " Hz, ",
@@ -272,7 +276,6 @@ namespace vfife
     summary.steps   = state.step;
     summary.energy  = state.measured.energy;
     summary.damping = solver.damping_audit();
-
     summary.contact_losses = solver.contact_losses();
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
@@ -333,10 +336,14 @@ namespace vfife
     const double        whole_time    = gear_case_.operation().meshes / t.mesh_frequency();
     const double        end_time =
       dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
-    Observers observers;
+    const HertzContact hertz = gear_case_.hertz_contact();
+    Observers          observers;
     observers.push_back(std::make_unique<HistoryWriter>(folder, model, history_steps));
     const auto &history = static_cast<const HistoryWriter &>(*observers.back()).table();
-    observers.push_back(std::make_unique<TeethWriter>(folder, model, history_steps));
+    observers.push_back(std::make_unique<TeethWriter>(folder, model, history_steps, hertz));
+    const auto &teeth = static_cast<const TeethWriter &>(*observers.back()).table();
+    observers.push_back(std::make_unique<PatternWriter>(
+      folder, model, end_time - 1. / t.mesh_frequency(), history_steps));
     observers.push_back(std::make_unique<ProbeWriter>(folder, history_steps));
     if (output_.fields_every > 0)
       observers.push_back(std::make_unique<FieldWriter>(
@@ -373,6 +380,7 @@ namespace vfife
         throw;
       }
     finish_summary(model, solver, state, history, equilibrium, summary, log);
+    add_contact_figures(model, hertz, equilibrium.penalty_lag, teeth, history.n_rows(), summary);
     const Table times = timers.report(communicator);
     for (std::size_t i = 0; i < times.n_rows(); ++i)
       summary.timers.emplace_back(times.column("section").texts[i],
