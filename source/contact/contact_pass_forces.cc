@@ -163,10 +163,11 @@ namespace vfife
                    basis.slope_eta * basis.dual_eta.dot(slip);
       }
 
-    const double pressure   = law.pressure(point.gap, gap_rate);
-    const double elastic    = -law.penalty * point.gap;
-    point.pressure          = pressure;
-    result.largest_pressure = std::max(result.largest_pressure, pressure);
+    const double pressure = law.pressure(point.gap, gap_rate);
+    const double elastic  = -law.penalty * point.gap;
+    // What acts on the slave's area: a faded edge is soft and sinks in deeply, but carries little.
+    point.pressure          = fade.weight * pressure;
+    result.largest_pressure = std::max(result.largest_pressure, point.pressure);
     result.energy -= 0.5 * elastic * point.gap * area;
     result.damping_power -= (pressure - elastic) * gap_rate * area;
     if (pressure <= 0.)

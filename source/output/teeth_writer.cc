@@ -9,7 +9,12 @@ namespace vfife
 {
   namespace
   {
-    Table make_table(const Model &model)
+    bool is_known(const HertzContact &hertz)
+    {
+      return hertz.largest_pressure(1.) > 0;
+    }
+
+    Table make_table(const Model &model, const HertzContact &hertz)
     {
       Table table;
       table.add_column("time", "s");
@@ -20,6 +25,9 @@ namespace vfife
       table.add_column("torque", "N m");
       table.add_column("largest pressure", "MPa");
       table.add_column("area", "mm^2");
+      table.add_column("mean pressure", "MPa");
+      if (is_known(hertz))
+        table.add_column("hertz pressure", "MPa");
       return table;
     }
 
@@ -37,9 +45,11 @@ namespace vfife
 
   TeethWriter::TeethWriter(const OutputFolder &folder,
                            const Model        &model,
-                           const std::uint64_t steps_between)
+                           const std::uint64_t steps_between,
+                           const HertzContact &hertz)
     : steps_between_(steps_between)
-    , table_(make_table(model))
+    , hertz_(hertz)
+    , table_(make_table(model, hertz))
     , file_(folder, "teeth.csv", table_)
   {
   }
@@ -60,14 +70,19 @@ namespace vfife
         unsigned int pinion_tooth = contact.slave_group, gear_tooth = contact.master_group;
         if (is_driven_slave(model, contact.side))
           std::swap(pinion_tooth, gear_tooth);
-        table_.add_row({state.time,
-                        contact.side,
-                        pinion_tooth,
-                        gear_tooth,
-                        contact.force.norm(),
-                        1e-3 * contact.torque,
-                        contact.largest_pressure,
-                        contact.area});
+        std::vector<Table::Cell> row = {state.time,
+                                        contact.side,
+                                        pinion_tooth,
+                                        gear_tooth,
+                                        contact.force.norm(),
+                                        1e-3 * contact.torque,
+                                        contact.largest_pressure,
+                                        contact.area,
+                                        contact.area > 0 ? contact.normal_force / contact.area
+                                                         : 0.};
+        if (is_known(hertz_))
+          row.emplace_back(hertz_.largest_pressure(contact.normal_force));
+        table_.add_row(row);
       }
     file_.append_new_rows(table_);
   }

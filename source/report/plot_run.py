@@ -18,6 +18,7 @@ import histories
 import pictures
 import spectra
 import style
+import tooth_contact
 from fields import read_last_fields
 from run_folder import RunFolder
 
@@ -28,6 +29,9 @@ def draw_all(run):
     pair = history and "dte" in run.history
     yield "dte.svg", pair, lambda: histories.draw_transmission_error(run)
     yield "contact_force.svg", history, lambda: histories.draw_contact_force(run)
+    sharing = pair and run.teeth is not None and "mean pressure" in run.teeth
+    yield "load_sharing.svg", sharing, lambda: tooth_contact.draw_load_sharing(run)
+    yield "contact_pattern.svg", run.pattern is not None, lambda: tooth_contact.draw_contact_pattern(run)
     yield "energies.svg", history, lambda: histories.draw_energies(run)
     yield "probes.svg", run.probes is not None, lambda: histories.draw_probes(run)
     yield "spectra.svg", pair and run.samples_per_mesh(), lambda: spectra.draw_spectra(run)

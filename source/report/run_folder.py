@@ -50,6 +50,7 @@ class RunFolder:
         self.history = self._read("history.csv")
         self.teeth = self._read("teeth.csv")
         self.probes = self._read("probes.csv")
+        self.pattern = self._read("pattern.csv")
         summary = self.path / "summary.json"
         self.summary = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else {}
         self.fields = self.path / "fields.pvd"

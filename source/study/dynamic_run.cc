@@ -2,7 +2,6 @@
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
-#include <vfife/base/revision.h>
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/dynamics/relaxation.h>
 #include <vfife/dynamics/standing_pattern.h>
@@ -10,10 +9,12 @@
 #include <vfife/output/field_writer.h>
 #include <vfife/output/history_writer.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/output/pattern_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/output/probe_writer.h>
 #include <vfife/output/progress_line.h>
 #include <vfife/output/teeth_writer.h>
+#include <vfife/study/contact_figures.h>
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/run_checks.h>
 
@@ -182,8 +183,9 @@ namespace vfife
     probe.take_partly_loaded(state, loads.torque * torque);
     relax("loaded", Relaxation::Loads());
     Preload result;
-    result.parts = probe.take_loaded(state);
-    result.swing = probe.compute_swing(state, result.parts, torque);
+    result.parts       = probe.take_loaded(state);
+    result.penalty_lag = compute_penalty_lag(solver.contact().energy(), torque);
+    result.swing       = probe.compute_swing(state, result.parts, torque);
     StandingPattern pattern(model, communicator);
     if (dynamics_.start == Start::ramp)
       {
@@ -215,6 +217,7 @@ namespace vfife
              parts.rim_tilt / arcsecond,
              ", teeth and rest ",
              parts.teeth / arcsecond);
+    log_contact_figures(model, gear_case_.hertz_contact(), result.penalty_lag, log);
     log.line("the gear swings at about ",
              result.swing.frequency(),
              " Hz, ",
@@ -225,95 +228,6 @@ namespace vfife
              1e3 * result.swing.inertia,
              " kg mm^2");
     return result;
-  }
-
-  RunSummary DynamicRun::start_summary(const Model        &model,
-                                       ExplicitSolver     &solver,
-                                       const double        dt,
-                                       const Communicator &communicator) const
-  {
-    RunSummary summary;
-    summary.study           = "run";
-    summary.version         = program_version();
-    summary.revision        = program_revision();
-    summary.instruction_set = solver.vfife_operator().instruction_set();
-    summary.ranks           = communicator.size();
-    summary.dt              = dt;
-    for (const Body &body : model.bodies)
-      summary.bodies.push_back({body.name(),
-                                body.n_elements(),
-                                body.n_nodes(),
-                                body.mass(),
-                                body.axial_inertia(),
-                                body.rate});
-
-    const Transmission &t      = *model.transmission;
-    const double        torque = gear_case_.operation().torque;
-    summary.figures            = {{"mesh frequency", {t.mesh_frequency(), "Hz"}},
-                                  {"pinion speed", {t.driver_rate * 30. / pi, "rpm"}},
-                                  {"gear torque", {1e-3 * torque, "N m"}},
-                                  {"effective arm", {t.arm, "mm"}},
-                                  {"torque over effective arm", {torque / t.arm, "N"}},
-                                  {"stable step of the elements",
-                                   {1e9 * solver.vfife_operator().limiting_element().stable_step(), "ns"}},
-                                  {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
-    return summary;
-  }
-
-  void DynamicRun::finish_summary(const Model    &model,
-                                  ExplicitSolver &solver,
-                                  const State    &state,
-                                  const Table    &history,
-                                  const Preload  &preload,
-                                  RunSummary     &summary,
-                                  Log            &log) const
-  {
-    summary.time    = state.time;
-    summary.steps   = state.step;
-    summary.energy  = state.measured.energy;
-    summary.damping = solver.damping_audit();
-
-    summary.contact_losses = solver.contact_losses();
-    for (const Log::Warning &warning : log.warnings())
-      summary.warnings.push_back(warning.text);
-    if (history.n_rows() < 2 || !(preload.swing.frequency() > 0))
-      return;
-
-    const double ramp_end = dynamics_.start == Start::ramp
-                              ? gear_case_.operation().ramp / model.transmission->mesh_frequency()
-                              : 0.;
-    summary.steady        = find_steady_part(history,
-                                      output_.history_every,
-                                      gear_case_.mesh_frequency() / preload.swing.frequency(),
-                                      ramp_end);
-    log.line(summary.steady->explain());
-    for (const char *name : {"contact force total", "dte", "rim dte"})
-      {
-        const ColumnStatistics &c = summary.steady->column(name);
-        log.line("  ",
-                 name,
-                 ": mean ",
-                 c.mean,
-                 " ",
-                 c.unit,
-                 ", peak to peak ",
-                 c.peak_to_peak,
-                 " ",
-                 c.unit);
-      }
-  }
-
-  void DynamicRun::add_preload(const Preload &preload, RunSummary &summary) const
-  {
-    const DeflectionParts &parts = preload.parts;
-    summary.transmission_error   = {{"total at the start", {parts.total / arcsecond, "arcsec"}},
-                                    {"teeth and rest", {parts.teeth / arcsecond, "arcsec"}},
-                                    {"web windup", {parts.web_windup / arcsecond, "arcsec"}},
-                                    {"rim tilt and shift", {parts.rim_tilt / arcsecond, "arcsec"}},
-                                    {"centrifugal shift", {parts.centrifugal / arcsecond, "arcsec"}}};
-    summary.figures.push_back({"torsional stiffness", {1e-3 * preload.swing.stiffness, "N m/rad"}});
-    summary.figures.push_back({"inertia of the swing", {1e-3 * preload.swing.inertia, "kg m^2"}});
-    summary.figures.push_back({"swing frequency, estimated", {preload.swing.frequency(), "Hz"}});
   }
 
   void DynamicRun::run(OutputFolder &folder, Log &log)
@@ -333,10 +247,14 @@ namespace vfife
     const double        whole_time    = gear_case_.operation().meshes / t.mesh_frequency();
     const double        end_time =
       dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
-    Observers observers;
+    const HertzContact hertz = gear_case_.hertz_contact();
+    Observers          observers;
     observers.push_back(std::make_unique<HistoryWriter>(folder, model, history_steps));
     const auto &history = static_cast<const HistoryWriter &>(*observers.back()).table();
-    observers.push_back(std::make_unique<TeethWriter>(folder, model, history_steps));
+    observers.push_back(std::make_unique<TeethWriter>(folder, model, history_steps, hertz));
+    const auto &teeth = static_cast<const TeethWriter &>(*observers.back()).table();
+    observers.push_back(std::make_unique<PatternWriter>(
+      folder, model, end_time - 1. / t.mesh_frequency(), history_steps));
     observers.push_back(std::make_unique<ProbeWriter>(folder, history_steps));
     if (output_.fields_every > 0)
       observers.push_back(std::make_unique<FieldWriter>(
@@ -373,6 +291,7 @@ namespace vfife
         throw;
       }
     finish_summary(model, solver, state, history, equilibrium, summary, log);
+    add_contact_figures(model, hertz, equilibrium.penalty_lag, teeth, history.n_rows(), summary);
     const Table times = timers.report(communicator);
     for (std::size_t i = 0; i < times.n_rows(); ++i)
       summary.timers.emplace_back(times.column("section").texts[i],

@@ -175,11 +175,18 @@ namespace vfife
     return gear_body_.web == WebKind::conical;
   }
 
-  Vector2 GearCase::relative_curvatures() const
+  HertzContact GearCase::hertz_contact() const
   {
     const UnloadedContact contact(GearPair(pair_), MeshSide::drive);
     // Curvatures do not depend on the separation of the ellipse that is asked for.
-    return contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
+    const Vector2 curvatures =
+      contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
+    const Material &pinion = material(pinion_material_), &gear = material(gear_material_);
+    return HertzContact(curvatures,
+                        contact_modulus(pinion.youngs_modulus,
+                                        pinion.poissons_ratio,
+                                        gear.youngs_modulus,
+                                        gear.poissons_ratio));
   }
 
   unsigned int GearCase::gear_tooth_in_mesh(const unsigned int meshes) const

@@ -92,7 +92,9 @@ namespace vfife
       const ContactPair  &drive = plan.model.contacts.front();
       const FacetSurface &flank =
         plan.model.bodies[drive.slave_body].mesh().surfaces.at(drive.slave_surface);
-      const double width   = 2 * compute_hertz_half_width(plan.gear_case, plan.model);
+      const double width =
+        2 * plan.gear_case.hertz_contact().semi_axes(plan.gear_case.operation().torque /
+                                                     plan.model.transmission->arm)[1];
       const double facet   = compute_facet_width(flank);
       const double spacing = facet / drive.options.points_per_facet;
       if (spacing > 0.5 * width)
@@ -185,24 +187,5 @@ namespace vfife
           found.push_back(sentence);
       }
     return found;
-  }
-
-  double compute_hertz_half_width(const GearCase &gear_case, const Model &model)
-  {
-    const Transmission &t         = *model.transmission;
-    const Vector2       curvature = gear_case.relative_curvatures();
-    double              softness  = 0; // 2/E' of Hamrock and Dowson
-    for (const unsigned int b : {t.driver, t.driven})
-      {
-        const Material &m = model.bodies[b].material();
-        softness += (1. - m.poissons_ratio * m.poissons_ratio) / m.youngs_modulus;
-      }
-    // Hamrock and Brewe's closed approximation of Hertz's ellipse (within 3 %), minor semi-axis.
-    const double force       = gear_case.operation().torque / t.arm;
-    const double ratio       = curvature[1] / curvature[0];
-    const double ellipticity = 1.0339 * std::pow(ratio, 0.636);
-    const double integral    = 1.0003 + 0.5968 / ratio;
-    const double radius      = 1. / (curvature[0] + curvature[1]);
-    return std::cbrt(6. * integral * radius * force * 0.5 * softness / (pi * ellipticity));
   }
 } // namespace vfife

@@ -75,11 +75,12 @@ namespace test_surfaces
   }
 
   /** Tabulates the offsets of the facets to the sphere |x - centre| = radius with @p n
-   * Gauss-Lobatto points. */
+   * Gauss-Lobatto points, or to the cylinder of that radius about @p axis (a unit vector). */
   inline void add_sphere_offsets(FacetSurface      &surface,
                                  const Vector3     &centre,
                                  const double       radius,
-                                 const unsigned int n)
+                                 const unsigned int n,
+                                 const Vector3     &axis = Vector3::Zero())
   {
     const auto points     = gauss_lobatto_points(n);
     surface.offset_points = n;
@@ -101,10 +102,11 @@ namespace test_surfaces
               m.normalize();
               // |d + delta m|^2 = R^2, the root next to zero (m points out of the sphere or into
               // it)
-              const Vector3 d = y - centre;
-              const double  b = d.dot(m), c = d.squaredNorm() - radius * radius;
-              surface.offsets.push_back(b > 0. ? -c / (b + std::sqrt(b * b - c))
-                                               : -c / (b - std::sqrt(b * b - c)));
+              const Vector3 d = y - centre - axis * axis.dot(y - centre);
+              m -= axis * axis.dot(m);
+              const double a = m.squaredNorm(), b = d.dot(m), c = d.squaredNorm() - radius * radius;
+              surface.offsets.push_back(b > 0. ? -c / (b + std::sqrt(b * b - a * c))
+                                               : -c / (b - std::sqrt(b * b - a * c)));
             }
       }
   }

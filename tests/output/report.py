@@ -147,8 +147,15 @@ def write_run(folder):
     text = "\n".join([",".join(names)] + [",".join(map(repr, row)) for row in rows])
     (folder / "history.csv").write_text(text + "\n0.001,3")  # the last line is cut off
     (folder / "teeth.csv").write_text(
-        "time [s],side,pinion tooth [-],gear tooth [-],force [N],largest pressure [MPa]\n"
-        "0,drive,0,0,9000,1000\n0.001,drive,26,1,8000,1100\n0.001,coast,1,0,10,20\n")
+        "time [s],side,pinion tooth [-],gear tooth [-],force [N],largest pressure [MPa],"
+        "mean pressure [MPa],hertz pressure [MPa]\n"
+        "0,drive,0,0,9000,1000,800,1300\n0.001,drive,26,1,8000,1100,700,1250\n"
+        "0.001,coast,1,0,10,20,15,130\n")
+    places = [(r, z) for r in range(5) for z in range(4)]
+    (folder / "pattern.csv").write_text(
+        "body,side,r [mm],z [mm],largest pressure [MPa]\n"
+        + "".join(f"{body},{side},{r},{z},{100 * r * z}\n" for body in ("pinion", "gear")
+                  for side in ("drive", "coast") for r, z in places))
     (folder / "probes.csv").write_text(
         "time [s],probe,von mises [MPa]\n0,a,1\n0,b,2\n0.001,a,3\n0.001,b,3\n")
     summary = {"figures": {"mesh frequency": {"value": 9000}},
@@ -168,7 +175,8 @@ class WholeRun(unittest.TestCase):
             plot_run.main([name])
             drawn = {path.name for path in (folder / "pictures").iterdir()}
             self.assertEqual(drawn, {
-                "dte.svg", "contact_force.svg", "energies.svg", "probes.svg", "spectra.svg",
+                "dte.svg", "contact_force.svg", "load_sharing.svg", "contact_pattern.svg",
+                "energies.svg", "probes.svg", "spectra.svg",
                 "bodies.png", "teeth_in_mesh.png", "meridian_section.png", "deformation.png"})
 
     def test_no_run(self):

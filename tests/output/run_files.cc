@@ -78,6 +78,8 @@ namespace
     tooth.master_group = 77;
     tooth.force        = Vector3(3, 0, 4);
     tooth.torque       = 2000;
+    tooth.normal_force = 6;
+    tooth.area         = 2;
     state.measured.teeth.push_back(tooth);
     tooth.side = "coast";
     state.measured.teeth.push_back(tooth);

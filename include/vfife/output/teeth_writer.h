@@ -3,6 +3,7 @@
 #define vfife_output_teeth_writer_h
 
 #include <vfife/base/table.h>
+#include <vfife/contact/hertz.h>
 #include <vfife/model/observer.h>
 #include <vfife/output/csv_stream.h>
 
@@ -13,13 +14,18 @@ namespace vfife
   /**
    * teeth.csv, long format: one line a sample and tooth pair in contact: time [s], side, pinion
    * tooth, gear tooth, force [N] (magnitude of the resultant), torque [N m] on the gear, largest
-   * pressure [MPa], area [mm^2]. Models without a gear pair have slave group and master group
-   * instead of the teeth.
+   * pressure [MPa] of a point, area [mm^2], mean pressure [MPa] (force over area), hertz pressure
+   * [MPa] (largest one of Hertz's ellipse under that force at the mean contact). Models without a
+   * gear pair have slave group and master group instead of the teeth.
    */
   class TeethWriter : public Observer
   {
   public:
-    TeethWriter(const OutputFolder &folder, const Model &model, std::uint64_t steps_between);
+    /** @p hertz: contact of one tooth pair; without it there is no column of its pressure. */
+    TeethWriter(const OutputFolder &folder,
+                const Model        &model,
+                std::uint64_t       steps_between,
+                const HertzContact &hertz = {});
 
     bool due(const State &state) const override;
     void observe(const Model &model, const State &state) override;
@@ -29,6 +35,7 @@ namespace vfife
 
   private:
     std::uint64_t steps_between_;
+    HertzContact  hertz_;
     Table         table_;
     CsvStream     file_;
   };

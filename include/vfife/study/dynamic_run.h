@@ -31,6 +31,7 @@ namespace vfife
     {
       DeflectionParts parts;
       Swing           swing;
+      double          penalty_lag = 0; ///< [rad]
     };
 
     void       log_step(const Model &model, ExplicitSolver &solver, double dt, Log &log) const;

@@ -3,6 +3,7 @@
 #define vfife_study_gear_case_h
 
 #include <vfife/contact/contact_options.h>
+#include <vfife/contact/hertz.h>
 #include <vfife/element/material.h>
 #include <vfife/gear/gear_pair.h>
 #include <vfife/mesh/gear_body.h>
@@ -71,9 +72,8 @@ namespace vfife
     /** Whether the gear's rim is carried by an elastic web. */
     bool has_web() const;
 
-    /** Smaller and larger curvature of the gap between the unloaded flanks at the mean contact
-     * [1/mm]. */
-    Vector2 relative_curvatures() const;
+    /** Of one tooth pair at the mean contact of the unloaded flanks. */
+    HertzContact hertz_contact() const;
 
     /** Gear tooth (sector) at the pitch point after @p meshes tooth meshes. */
     unsigned int gear_tooth_in_mesh(unsigned int meshes) const;

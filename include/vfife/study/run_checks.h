@@ -30,10 +30,6 @@ namespace vfife
    * although each of them is allowed; empty when nothing is found. doc/study.md lists the checks.
    */
   std::vector<std::string> find_contradictions(const RunPlan &plan);
-
-  /** Half the width of Hertz's contact ellipse across its longer axis [mm] when one tooth pair
-   * carries the whole torque at the mean contact. */
-  double compute_hertz_half_width(const GearCase &gear_case, const Model &model);
 } // namespace vfife
 
 #endif

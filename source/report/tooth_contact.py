@@ -1,0 +1,67 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plots of the contact of teeth: pattern on the flanks, load sharing, pressures."""
+import numpy as np
+
+from style import COLOURS, GREY, PRESSURE_MAP, plt
+
+
+def draw_contact_pattern(run):
+    """Largest nodal pressure on the flanks of the drive side in the last tooth mesh, in the axial
+    section of each body."""
+    pattern = run.pattern
+    bodies = list(dict.fromkeys(pattern["body"]))
+    figure, all_axes = plt.subplots(1, len(bodies), figsize=(10, 4.5), squeeze=False)
+    drive = pattern["side"] == "drive"
+    top = max(pattern["largest pressure"][drive].max(), 1)
+    for axes, body in zip(all_axes[0], bodies):
+        rows = drive & (pattern["body"] == body)
+        r, z, pressure = (pattern[name][rows] for name in ("r", "z", "largest pressure"))
+        shades = axes.tricontourf(z, r, pressure, levels=np.linspace(0, top, 25), cmap=PRESSURE_MAP)
+        axes.plot(z, r, ".", markersize=1.5, color=GREY)
+        axes.set_aspect("equal")
+        axes.set_title(f"{body}: largest {pressure.max():.0f} MPa")
+        axes.set_xlabel(pattern.label("z"))
+        axes.set_ylabel(pattern.label("r"))
+    figure.colorbar(shades, ax=list(all_axes[0]), label="largest nodal pressure [MPa]")
+    return figure
+
+
+def draw_load_sharing(run):
+    """Share of the tooth pair that passes the mean contact during the record, and pressures."""
+    teeth, frequency = run.teeth, run.figure("mesh frequency")
+    drive = teeth["side"] == "drive"
+    total = {}
+    for time, force in zip(teeth["time"][drive], teeth["force"][drive]):
+        total[time] = total.get(time, 0) + force
+    figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6.5))
+    first = teeth["pinion tooth"][drive][0]
+    # Tooth 0 is in mesh at the start and the next one is the last: their number is the largest plus
+    # one.
+    count = int(teeth["pinion tooth"].max()) + 1
+    for number, tooth in enumerate(dict.fromkeys(teeth["pinion tooth"][drive])):
+        rows = drive & (teeth["pinion tooth"] == tooth)
+        # Teeth follow each other in the - sense of the numbers, one a tooth mesh.
+        behind = (first - tooth) % count
+        behind -= count if behind > count / 2 else 0
+        meshes = teeth["time"][rows] * frequency - behind
+        shares = [force / total[time]
+                  for time, force in zip(teeth["time"][rows], teeth["force"][rows])]
+        colour = COLOURS[number % len(COLOURS)]
+        above.plot(meshes, shares, ".", markersize=3, color=colour)
+        below.plot(meshes, teeth["mean pressure"][rows], ".", markersize=3, color=colour)
+        if "hertz pressure" in teeth:
+            below.plot(meshes, teeth["hertz pressure"][rows], "-", linewidth=0.8, color=colour)
+    above.set_ylabel("share of the contact force")
+    above.set_ylim(bottom=0)
+    above.set_title("Share of each tooth pair, moved to the position of the first")
+    below.set_ylabel("pressure [MPa]")
+    below.set_title("Mean pressure, force over area (dots); largest of Hertz's ellipse (lines)")
+    below.set_xlabel("tooth meshes")
+    limit_to_most(below)
+    return figure
+
+
+def limit_to_most(axes):
+    """Single points that barely touch must not set the scale."""
+    values = np.concatenate([line.get_ydata() for line in axes.get_lines()])
+    axes.set_ylim(0, 1.2 * np.percentile(values, 98))
