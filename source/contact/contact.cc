@@ -180,6 +180,15 @@ namespace vfife
   }
 
 
+  std::vector<ContactSpring> Contact::springs()
+  {
+    std::vector<ContactSpring> springs;
+    for (std::size_t i = 0; i < passes_.size(); ++i)
+      passes_[i].append_springs(penalty_, i == 1, springs);
+    return springs;
+  }
+
+
   double Contact::search_skin() const
   {
     double skin = passes_[0].skin();

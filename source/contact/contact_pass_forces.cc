@@ -200,6 +200,38 @@ namespace vfife
   }
 
 
+  void ContactPass::append_springs(const double                penalty,
+                                   const bool                  swapped,
+                                   std::vector<ContactSpring> &springs)
+  {
+    for (const Pair &pair : pairs_)
+      for (const ListedPoint &point : pair.points)
+        {
+          if (!(point.pressure > 0.))
+            continue;
+          const Projection  &p = point.projection;
+          const Vector3      x = slave_point(point.slave_facet, point.rule_point);
+          const Vector3      n = master_.state(p.facet).normal(p.xi, p.eta).normalized();
+          const TangentBasis basis(*this, point, x, n);
+          const Fading       fade = fading(p);
+          // The slope of g sqrt(w), by the slopes of the gap and of the weight along the facet.
+          const double by_weight = 0.5 * point.gap / fade.weight;
+
+          ContactSpring spring;
+          spring.swapped        = swapped;
+          spring.slave_nodes    = slave_.corners(point.slave_facet);
+          spring.master_nodes   = master_.corners(p.facet);
+          spring.slave_weights  = rule_[point.rule_point].shape;
+          spring.master_weights = bilinear_weights(p.xi, p.eta);
+          spring.direction      = std::sqrt(fade.weight) *
+                             (n - (basis.slope_xi - by_weight * fade.slope_xi) * basis.dual_xi -
+                              (basis.slope_eta - by_weight * fade.slope_eta) * basis.dual_eta);
+          spring.stiffness = penalty * point.area;
+          springs.push_back(spring);
+        }
+  }
+
+
   ContactPass::TangentBasis::TangentBasis(ContactPass       &pass,
                                           const ListedPoint &point,
                                           const Vector3     &x,

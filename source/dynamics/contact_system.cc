@@ -5,6 +5,7 @@
 #include <vfife/dynamics/contact_system.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
+#include <vfife/model/tooth_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -356,26 +357,19 @@ namespace vfife
         communicator_.sum(sums);
         communicator_.max(maxima);
 
-        const Axis  &axis  = model_.bodies[pair->master.body].axis;
-        const double sense = model_.transmission ? model_.transmission->driven_sense : 1.;
         for (std::size_t i = 0; i < results.size(); ++i)
           {
             const double *s = sums.data() + 8 * i;
             if (!(s[6] > 0))
               continue;
-            ToothContact tooth;
-            tooth.side         = pair->definition.side;
-            tooth.slave_group  = results[i].slave_group;
-            tooth.master_group = results[i].master_group;
-            tooth.force        = Vector3(s[0], s[1], s[2]);
-            const Vector3 moment(s[3], s[4], s[5]);
-            // Reaction on the master, about a point of its axis.
-            tooth.torque = -sense * axis.direction.dot(moment - axis.point.cross(tooth.force));
-            tooth.normal_force     = s[6];
-            tooth.area             = s[7];
-            tooth.largest_pressure = maxima[2 * i];
-            tooth.penetration      = maxima[2 * i + 1];
-            teeth.push_back(tooth);
+            GroupPairResult sum     = results[i];
+            sum.force               = Vector3(s[0], s[1], s[2]);
+            sum.moment              = Vector3(s[3], s[4], s[5]);
+            sum.normal_force        = s[6];
+            sum.area                = s[7];
+            sum.largest_pressure    = maxima[2 * i];
+            sum.largest_penetration = maxima[2 * i + 1];
+            teeth.push_back(make_tooth_contact(model_, pair->definition, sum));
           }
       }
     return teeth;

@@ -5,6 +5,7 @@
 #include <vfife/fem/multigrid_solver.h>
 #include <vfife/fem/static_solver.h>
 #include <vfife/fem/system_matrices.h>
+#include <vfife/fem/torque_forces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,28 +14,6 @@ namespace vfife
 {
   namespace
   {
-    void add_torque(const Model                &model,
-                    const Torque               &torque,
-                    const Discretization::Part &part,
-                    const double                value,
-                    std::vector<double>        &forces)
-    {
-      const Body          &body = model.bodies[torque.body];
-      std::vector<Vector3> tangents;
-      double               moment = 0;
-      for (std::size_t i = 0; i < torque.nodes.size(); ++i)
-        {
-          const Vector3 arm = body.axis.direction.cross(
-            body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point);
-          tangents.push_back(arm.normalized());
-          moment += torque.areas[i] * arm.norm();
-        }
-      for (std::size_t i = 0; i < torque.nodes.size(); ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          forces[3 * std::size_t(part.first_point + torque.nodes[i]) + c] +=
-            value * torque.areas[i] / moment * tangents[i][c];
-    }
-
     Eigen::VectorXd integrate_body_force(const ElementNodes                            &X,
                                          const std::function<Vector3(const Vector3 &)> &force)
     {
@@ -94,7 +73,8 @@ namespace vfife
     std::vector<double> forces(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
     for (const Torque &torque : model_.torques)
       if (const auto *part = discretization_.find_part(torque.body))
-        add_torque(model_, torque, *part, loads.part_of_torques * torque.value, forces);
+        add_torque_forces(
+          torque, discretization_, *part, loads.part_of_torques * torque.value, forces);
     if (!loads.nodal_forces.empty())
       for (const Discretization::Part &part : discretization_.parts())
         {
@@ -153,21 +133,28 @@ namespace vfife
 
   std::vector<Stress> StaticSolver::compute_node_stresses(const StaticResult &result) const
   {
-    std::vector<Stress>       stresses(model_.n_nodes(), Stress::Zero());
-    std::vector<unsigned int> counts(model_.n_nodes(), 0);
+    return vfife::compute_node_stresses(discretization_, result.displacements);
+  }
+
+  std::vector<Stress> compute_node_stresses(const Discretization      &discretization,
+                                            const std::vector<double> &displacements)
+  {
+    const Model              &model = discretization.model();
+    std::vector<Stress>       stresses(model.n_nodes(), Stress::Zero());
+    std::vector<unsigned int> counts(model.n_nodes(), 0);
     const Eigen::MatrixXd     corners =
-      corner_extrapolation(discretization_.element() == FemElement::quadratic ? 3 : 2);
-    for (const Discretization::Part &part : discretization_.parts())
+      corner_extrapolation(discretization.element() == FemElement::quadratic ? 3 : 2);
+    for (const Discretization::Part &part : discretization.parts())
       {
-        const Body &body = model_.bodies[part.body];
+        const Body &body = model.bodies[part.body];
         for (unsigned int e = 0; e < part.n_elements; ++e)
           {
             const unsigned int                element = part.first_element + e;
             const Eigen::Matrix<double, 6, 8> values =
-              compute_point_stresses(discretization_.element_nodes(element),
+              compute_point_stresses(discretization.element_nodes(element),
                                      body.material(),
-                                     discretization_.element(),
-                                     discretization_.gather(element, result.displacements)) *
+                                     discretization.element(),
+                                     discretization.gather(element, displacements)) *
               corners;
             for (unsigned int v = 0; v < 8; ++v)
               {

@@ -7,6 +7,7 @@
 #include <vfife/base/parameters.h>
 #include <vfife/output/output_folder.h>
 #include <vfife/study/dynamic_run.h>
+#include <vfife/study/loaded_contact_study.h>
 #include <vfife/study/mesh_study.h>
 #include <vfife/study/modal_study.h>
 #include <vfife/study/model_run.h>
@@ -45,6 +46,7 @@ namespace vfife
       {"tooth contact analysis", &make<ToothContactStudy>},
       {"mesh", &make<MeshStudy>},
       {"modal", &make<ModalStudy>},
+      {"loaded tooth contact analysis", &make<LoadedContactStudy>},
     };
 
     struct StudyOptions

@@ -116,6 +116,10 @@ namespace vfife
      * be valid. */
     std::vector<ContactPoint> points() const;
 
+    /** Tangent of the elastic forces of the last add_forces() (this part, no friction, no
+     * damping); its position arrays must still be valid. */
+    std::vector<ContactSpring> springs();
+
     /** Motion between wide searches [mm]. */
     double search_skin() const;
 

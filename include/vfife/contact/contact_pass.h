@@ -4,6 +4,7 @@
 
 #include <vfife/contact/contact_law.h>
 #include <vfife/contact/contact_results.h>
+#include <vfife/contact/contact_spring.h>
 #include <vfife/contact/group_path.h>
 #include <vfife/contact/local_search.h>
 
@@ -57,6 +58,9 @@ namespace vfife
 
     /** Appends the points with pressure of the last add_forces(). */
     void append_points(std::vector<ContactPoint> &points, bool swapped) const;
+
+    /** Appends the springs of the points with pressure of the last add_forces(). */
+    void append_springs(double penalty, bool swapped, std::vector<ContactSpring> &springs);
 
     const SurfaceGeometry &slave() const
     {

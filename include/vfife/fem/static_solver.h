@@ -53,11 +53,7 @@ namespace vfife
     /** Collective; throws NumericalError where the solver fails. */
     StaticResult solve(const StaticLoads &loads) const;
 
-    /**
-     * Stresses at the model's nodes (xx yy zz xy yz zx, fixed frame [MPa]), averages of the values
-     * of the elements that meet there; zero on bodies that are not part of the solution. Points of
-     * the elements are extrapolated to the nodes by the functions through them.
-     */
+    /** See the function of this name. */
     std::vector<Stress> compute_node_stresses(const StaticResult &result) const;
 
   private:
@@ -68,6 +64,15 @@ namespace vfife
     const Communicator &communicator_;
     Discretization      discretization_;
   };
+
+  /**
+   * Stresses at the model's nodes (xx yy zz xy yz zx, fixed frame [MPa]) under displacements of all
+   * points (3 a point), averages of the values of the elements that meet there; zero on bodies that
+   * are not part of the discretization. Points of the elements are extrapolated to the nodes by the
+   * functions through them.
+   */
+  std::vector<Stress> compute_node_stresses(const Discretization      &discretization,
+                                            const std::vector<double> &displacements);
 } // namespace vfife
 
 #endif

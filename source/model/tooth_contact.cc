@@ -1,0 +1,24 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/model/tooth_contact.h>
+
+namespace vfife
+{
+  ToothContact
+  make_tooth_contact(const Model &model, const ContactPair &pair, const GroupPairResult &result)
+  {
+    const Axis  &axis  = model.bodies[pair.master_body].axis;
+    const double sense = model.transmission ? model.transmission->driven_sense : 1.;
+    ToothContact tooth;
+    tooth.side         = pair.side;
+    tooth.slave_group  = result.slave_group;
+    tooth.master_group = result.master_group;
+    tooth.force        = result.force;
+    // Reaction on the master, about a point of its axis.
+    tooth.torque = -sense * axis.direction.dot(result.moment - axis.point.cross(result.force));
+    tooth.normal_force     = result.normal_force;
+    tooth.area             = result.area;
+    tooth.largest_pressure = result.largest_pressure;
+    tooth.penetration      = result.largest_penetration;
+    return tooth;
+  }
+} // namespace vfife
