@@ -6,6 +6,7 @@
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/study/benchmark_study.h>
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/mesh_study.h>
 #include <vfife/study/modal_study.h>
@@ -45,6 +46,7 @@ namespace vfife
       {"tooth contact analysis", &make<ToothContactStudy>},
       {"mesh", &make<MeshStudy>},
       {"modal", &make<ModalStudy>},
+      {"benchmark", &make<BenchmarkStudy>},
     };
 
     struct StudyOptions
