@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-# The element kernels are compiled once per instruction set and chosen at start-up. Only these leaf
+# The kernels of elements and of the nodal update are compiled once per instruction set and chosen at start-up. Only these leaf
 # files, which include neither Eigen nor deal.II nor the standard library, get such flags: inline
 # functions shared with other files would otherwise need the newest processor everywhere.
 
@@ -11,11 +11,13 @@ set(kernel_flags_avx2 -march=haswell)
 set(kernel_flags_avx512 -march=skylake-avx512 -mprefer-vector-width=512)
 
 foreach(set generic sse2 avx2 avx512)
-  set(kernel ${PROJECT_SOURCE_DIR}/source/element/kernels_${set}.cc)
-  if(NOT set STREQUAL "generic" AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-    list(REMOVE_ITEM sources ${kernel})
-  elseif(EXISTS ${kernel})
-    set_property(SOURCE ${kernel} APPEND PROPERTY COMPILE_OPTIONS ${kernel_flags_${set}}
-                                                  ${kernel_flags})
-  endif()
+  foreach(kernel element/kernels dynamics/update)
+    set(kernel ${PROJECT_SOURCE_DIR}/source/${kernel}_${set}.cc)
+    if(NOT set STREQUAL "generic" AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+      list(REMOVE_ITEM sources ${kernel})
+    elseif(EXISTS ${kernel})
+      set_property(SOURCE ${kernel} APPEND PROPERTY COMPILE_OPTIONS ${kernel_flags_${set}}
+                                                    ${kernel_flags})
+    endif()
+  endforeach()
 endforeach()

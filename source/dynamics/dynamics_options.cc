@@ -11,6 +11,8 @@ namespace vfife
     const Choices<DampingRate> damping_rates = {{"momentum", DampingRate::momentum},
                                                 {"mean speed", DampingRate::mean_speed}};
 
+    const Choices<bool> precisions = {{"double", false}, {"single", true}};
+
     const Choices<Start> starts = {{"static preload", Start::static_preload},
                                    {"ramp", Start::ramp},
                                    {"undeformed", Start::undeformed}};
@@ -51,6 +53,12 @@ namespace vfife
     declare_choice(
       prm, "frame", frame, frame_choices(), "Rigid rotation that is removed from each element");
     declare_choice(prm, "stiffness", stiffness, stiffness_choices(), "Stiffness of the hexahedron");
+    declare_choice(prm,
+                   "stiffness data",
+                   single_stiffness,
+                   precisions,
+                   "Precision in which the hourglass stiffness of elements without congruent "
+                   "copies is stored; everything else, and all arithmetic, is double");
     declare_number(prm,
                    "safety",
                    safety,

@@ -13,6 +13,16 @@
 
 namespace vfife
 {
+  namespace
+  {
+    OperatorLayout layout_for(const DynamicsOptions &options)
+    {
+      OperatorLayout layout;
+      layout.single_hourglass = options.single_stiffness;
+      return layout;
+    }
+  } // namespace
+
   ExplicitSolver::ExplicitSolver(const Model           &model,
                                  const DynamicsOptions &options,
                                  const Communicator    &communicator,
@@ -23,7 +33,7 @@ namespace vfife
     , communicator_(communicator)
     , log_(log)
     , timers_(timers)
-    , operator_(model, options.frame, options.stiffness, communicator)
+    , operator_(model, options.frame, options.stiffness, communicator, layout_for(options))
     , contact_(model, operator_.partition(), communicator)
     , constraints_(model, operator_.partition(), communicator)
     , torques_(model, operator_.partition())

@@ -1,11 +1,48 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
 #include <vfife/dynamics/nodal_update.h>
+#include <vfife/dynamics/update_kernels.h>
 
 #include <Eigen/LU>
 
 namespace vfife
 {
+  namespace generic
+  {
+    void update_kernel(const UpdateCoefficients &,
+                       std::size_t,
+                       std::size_t,
+                       const unsigned char *,
+                       const double *,
+                       double *,
+                       double *,
+                       double *);
+  }
+#ifdef __x86_64__
+  namespace avx2
+  {
+    void update_kernel(const UpdateCoefficients &,
+                       std::size_t,
+                       std::size_t,
+                       const unsigned char *,
+                       const double *,
+                       double *,
+                       double *,
+                       double *);
+  }
+  namespace avx512
+  {
+    void update_kernel(const UpdateCoefficients &,
+                       std::size_t,
+                       std::size_t,
+                       const unsigned char *,
+                       const double *,
+                       double *,
+                       double *,
+                       double *);
+  }
+#endif
+
   void UpdateSums::operator+=(const UpdateSums &other)
   {
     kinetic += other.kinetic;
@@ -22,63 +59,41 @@ namespace vfife
 
   namespace
   {
-    template <bool use_axis>
-    UpdateSums update(const std::size_t    first,
-                      const std::size_t    last,
-                      const double         dt,
-                      const BodyDamping   &damping,
-                      const UpdateAxis    &axis,
-                      const unsigned char *owned,
-                      const double        *forces,
-                      double              *positions,
-                      double              *velocities)
+    UpdateKernel select_update(const InstructionSet instruction_set)
     {
-      const double  a = 0.5 * damping.zeta * dt, inverse = 1. / (1. + a);
-      const Vector3 e_0   = -axis.direction.cross(axis.point);
-      const bool    slips = !damping.mesh.omega.isZero(0.) || !damping.mesh.velocity.isZero(0.);
-      UpdateSums    sums;
-      for (std::size_t i = 4 * first; i < 4 * last; i += 4)
-        {
-          const Vector3 x(positions[i], positions[i + 1], positions[i + 2]);
-          const Vector3 f(forces[i], forces[i + 1], forces[i + 2]);
-          const Vector3 v_old(velocities[i], velocities[i + 1], velocities[i + 2]);
-          const Vector3 u    = damping.rigid.at(x);
-          const Vector3 slip = slips ? damping.mesh.at(x) : Vector3(Vector3::Zero());
+#ifdef __x86_64__
+      if (instruction_set == InstructionSet::avx512)
+        return &avx512::update_kernel;
+      if (instruction_set == InstructionSet::avx2)
+        return &avx2::update_kernel;
+#endif
+      // Two lanes would gain nothing over plain numbers: the loop waits for memory.
+      (void)instruction_set;
+      return &generic::update_kernel;
+    }
 
-          const Vector3 v_new =
-            inverse * ((1. - a) * v_old + dt * (positions[i + 3] * f - slip) + (2. * a) * u);
-          const Vector3 x_new = x + dt * v_new;
+    void copy(const Vector3 &vector, double (&out)[3])
+    {
+      Eigen::Map<Vector3>(out, 3) = vector;
+    }
 
-          const double  m        = owned[i / 4] ? velocities[i + 3] : 0.;
-          const Vector3 v        = 0.5 * (v_old + v_new);
-          const Vector3 relative = v - u;
-          sums.kinetic += 0.5 * m * v_old.dot(v_new);
-          sums.damping_power += m * relative.dot(v);
-          sums.mesh_power += m * slip.dot(v);
-          if (use_axis)
-            {
-              const Vector3 e     = e_0 + axis.direction.cross(x);
-              const Vector3 e_new = e_0 + axis.direction.cross(x_new);
-              sums.damping_torque -= m * e.dot(relative);
-              sums.axial_momentum += m * e_new.dot(v_new);
-              sums.axial_inertia += m * e_new.squaredNorm();
-            }
-          else
-            {
-              sums.momentum += m * v_new;
-              sums.first_moment += m * x_new;
-              sums.angular_momentum += m * x_new.cross(v_new);
-              sums.second_moment += m * x_new * x_new.transpose();
-            }
-          for (int c = 0; c < 3; ++c)
-            {
-              positions[i + c]  = x_new[c];
-              velocities[i + c] = v_new[c];
-            }
-        }
-      sums.damping_power *= damping.zeta;
-      sums.damping_torque *= damping.zeta;
-      return sums;
+    UpdateCoefficients
+    make_coefficients(const double dt, const BodyDamping &damping, const UpdateAxis &axis)
+    {
+      const double       a = 0.5 * damping.zeta * dt, inverse = 1. / (1. + a);
+      UpdateCoefficients result;
+      result.old_velocity = inverse * (1. - a);
+      result.acceleration = inverse * dt;
+      result.rigid        = inverse * 2. * a;
+      result.dt           = dt;
+      result.use_axis     = axis.use_axis;
+      copy(damping.rigid.velocity, result.velocity);
+      copy(damping.rigid.omega, result.omega);
+      copy(damping.mesh.velocity, result.slip);
+      copy(damping.mesh.omega, result.slip_omega);
+      copy(axis.direction, result.direction);
+      copy(-axis.direction.cross(axis.point), result.lever);
+      return result;
     }
   } // namespace
 
@@ -90,11 +105,39 @@ namespace vfife
                           const unsigned char *owned,
                           const double        *forces,
                           double              *positions,
-                          double              *velocities)
+                          double              *velocities,
+                          const InstructionSet instruction_set)
   {
-    return axis.use_axis
-             ? update<true>(first, last, dt, damping, axis, owned, forces, positions, velocities)
-             : update<false>(first, last, dt, damping, axis, owned, forces, positions, velocities);
+    double found[n_update_sums] = {};
+    select_update(instruction_set)(make_coefficients(dt, damping, axis),
+                                   first,
+                                   last,
+                                   owned,
+                                   forces,
+                                   positions,
+                                   velocities,
+                                   found);
+    UpdateSums sums;
+    sums.kinetic        = found[sum_of_kinetic];
+    sums.damping_power  = damping.zeta * found[sum_of_damping_power];
+    sums.mesh_power     = found[sum_of_mesh_power];
+    sums.damping_torque = damping.zeta * found[sum_of_damping_torque];
+    if (axis.use_axis)
+      {
+        sums.axial_momentum = found[sum_of_axial_momentum];
+        sums.axial_inertia  = found[sum_of_axial_inertia];
+        return sums;
+      }
+    sums.momentum         = Eigen::Map<const Vector3>(found + sum_of_momentum);
+    sums.first_moment     = Eigen::Map<const Vector3>(found + sum_of_first_moment);
+    sums.angular_momentum = Eigen::Map<const Vector3>(found + sum_of_angular_momentum);
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        const unsigned int j     = (i + 1) % 3;
+        sums.second_moment(i, i) = found[sum_of_second_moment + i];
+        sums.second_moment(i, j) = sums.second_moment(j, i) = found[sum_of_second_moment + 3 + i];
+      }
+    return sums;
   }
 
   void add_node_moments(

@@ -22,7 +22,7 @@ namespace vfife
       packs.insert(packs.end(), n_lanes - n, Partition::absent);
     }
 
-    void fill_packs(BodyPacks &body)
+    void fill_packs(BodyPacks &body, const bool share_constants)
     {
       std::vector<std::vector<std::uint32_t>> members(body.classes.size.size());
       for (std::uint32_t row = 0; row < body.elements.size(); ++row)
@@ -35,7 +35,7 @@ namespace vfife
       std::vector<Pack>          shared;
       std::vector<std::uint32_t> own;
       for (std::uint32_t c = 0; c < members.size(); ++c)
-        if (members[c].size() >= least_shared_size)
+        if (share_constants && members[c].size() >= least_shared_size)
           for (std::uint32_t i = 0; i < members[c].size(); i += n_lanes)
             shared.push_back(
               {members[c][i], c, i, std::min<std::uint32_t>(n_lanes, members[c].size() - i)});
@@ -81,7 +81,8 @@ namespace vfife
 
   std::vector<BodyPacks> make_packs(const Model                      &model,
                                     const std::vector<std::uint32_t> &rank_of_element,
-                                    const unsigned int                rank)
+                                    const unsigned int                rank,
+                                    const bool                        share_constants)
   {
     std::vector<BodyPacks> packs(model.bodies.size());
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
@@ -91,7 +92,7 @@ namespace vfife
           if (rank_of_element[body.first_element + e] == rank)
             packs[b].elements.push_back(e);
         packs[b].classes = find_congruence_classes(body, packs[b].elements);
-        fill_packs(packs[b]);
+        fill_packs(packs[b], share_constants);
       }
     return packs;
   }

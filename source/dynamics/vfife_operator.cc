@@ -7,21 +7,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace vfife
 {
-  VfifeOperator::VfifeOperator(const Model        &model,
-                               const FrameKind     frame,
-                               const StiffnessKind stiffness,
-                               const Communicator &communicator)
+  VfifeOperator::VfifeOperator(const Model         &model,
+                               const FrameKind      frame,
+                               const StiffnessKind  stiffness,
+                               const Communicator  &communicator,
+                               const OperatorLayout layout)
     : communicator_(communicator)
     , frame_(frame)
     , stiffness_(stiffness)
+    , layout_(layout)
     , rank_of_element_(assign_elements(model, communicator.size()))
-    , body_packs_(make_packs(model, rank_of_element_, communicator.rank()))
+    , body_packs_(make_packs(model, rank_of_element_, communicator.rank(), layout.share_constants))
     , partition_(make_partition(model, body_packs_, rank_of_element_, communicator.rank()))
     , halo_(model, partition_, rank_of_element_, communicator)
-    , kernels_(select_kernels(frame, best_instruction_set()))
+    , kernels_(&select_kernels(frame, layout.instruction_set))
   {
     compute_class_data(model);
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
@@ -33,7 +36,8 @@ namespace vfife
       group.packs = {group.element.size() / n_lanes,
                      group.nodes.data(),
                      group.constants.data(),
-                     group.constants_row.empty() ? nullptr : group.constants_row.data()};
+                     group.constants_row.empty() ? nullptr : group.constants_row.data(),
+                     group.hourglass.empty() ? nullptr : group.hourglass.data()};
 
     masses_.reserve(partition_.n_local());
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
@@ -96,8 +100,6 @@ namespace vfife
     const ClassData    &data  = class_data_[b];
     Group               group;
     group.nodes.resize(8 * rows.size());
-    if (!shared)
-      group.constants.assign(rows.size() * n_element_constants, 0.);
     for (std::size_t slot = 0; slot < rows.size(); ++slot)
       {
         const std::size_t pack = slot / n_lanes, lane = slot % n_lanes;
@@ -107,19 +109,45 @@ namespace vfife
         for (unsigned int i = 0; i < 8; ++i)
           group.nodes[(pack * 8 + i) * n_lanes + lane] =
             used ? local_elements_[b][rows[slot]][i] : dummy;
-        if (!shared && used)
-          for (unsigned int k = 0; k < n_element_constants; ++k)
-            group.constants[(pack * n_element_constants + k) * n_lanes + lane] =
-              data.constants[static_cast<std::size_t>(packs.classes.class_of[rows[slot]]) *
-                               n_element_constants +
-                             k];
       }
     if (shared)
       {
         group.constants     = data.constants;
         group.constants_row = packs.shared_class;
       }
+    else
+      copy_own_constants(data.constants, packs, group);
     groups_.push_back(std::move(group));
+  }
+
+  void VfifeOperator::copy_own_constants(const std::vector<double> &class_constants,
+                                         const BodyPacks           &packs,
+                                         Group                     &group) const
+  {
+    const std::vector<std::uint32_t> &rows = packs.own_packs;
+    const unsigned int                n_kept =
+      n_element_constants - (layout_.single_hourglass ? n_hourglass_constants : 0);
+    group.constants.assign(rows.size() * n_kept, 0.);
+    if (layout_.single_hourglass)
+      group.hourglass.assign(rows.size() * n_hourglass_constants, 0.f);
+    for (std::size_t slot = 0; slot < rows.size(); ++slot)
+      {
+        if (rows[slot] == Partition::absent)
+          continue;
+        const std::size_t pack = slot / n_lanes, lane = slot % n_lanes;
+        const double     *from =
+          class_constants.data() +
+          static_cast<std::size_t>(packs.classes.class_of[rows[slot]]) * n_element_constants;
+        unsigned int kept = 0;
+        for (unsigned int k = 0; k < n_element_constants; ++k)
+          if (layout_.single_hourglass && k >= start_of_hourglass_constants &&
+              k < start_of_hourglass_constants + n_hourglass_constants)
+            group.hourglass[(pack * n_hourglass_constants + k - start_of_hourglass_constants) *
+                              n_lanes +
+                            lane] = from[k];
+          else
+            group.constants[(pack * n_kept + kept++) * n_lanes + lane] = from[k];
+      }
   }
 
   void VfifeOperator::find_limiting_element(const Model &model)
@@ -152,11 +180,33 @@ namespace vfife
         }
   }
 
+  double VfifeOperator::stable_step_without(const unsigned int n) const
+  {
+    std::vector<double> worst;
+    for (unsigned int b = 0; b < class_data_.size(); ++b)
+      for (std::size_t c = 0; c < class_data_[b].frequency.size(); ++c)
+        worst.insert(worst.end(),
+                     std::min(body_packs_[b].classes.size[c], n + 1),
+                     class_data_[b].frequency[c]);
+    const auto keep_worst = [n](std::vector<double> &frequencies) {
+      const std::size_t kept = std::min<std::size_t>(frequencies.size(), n + 1);
+      std::partial_sort(frequencies.begin(),
+                        frequencies.begin() + kept,
+                        frequencies.end(),
+                        std::greater<double>());
+      frequencies.resize(kept);
+    };
+    keep_worst(worst);
+    worst = communicator_.all_gather(worst);
+    keep_worst(worst);
+    return 2. / worst.back();
+  }
+
   void VfifeOperator::compute_internal_forces(const double *positions, double *forces)
   {
     std::fill_n(forces, array_size(), 0.);
     for (const Group &group : groups_)
-      kernels_.add_internal_forces(group.packs, 0, group.packs.n_packs, positions, forces);
+      kernels_->add_internal_forces(group.packs, 0, group.packs.n_packs, positions, forces);
     halo_.add_over_ranks(forces);
   }
 
@@ -165,12 +215,12 @@ namespace vfife
     double sum = 0;
     for (const Group &group : groups_)
       {
-        kernels_.add_internal_forces_and_energies(group.packs,
-                                                  0,
-                                                  group.packs.n_packs,
-                                                  positions,
-                                                  energy_forces_.data(),
-                                                  element_energies_.data());
+        kernels_->add_internal_forces_and_energies(group.packs,
+                                                   0,
+                                                   group.packs.n_packs,
+                                                   positions,
+                                                   energy_forces_.data(),
+                                                   element_energies_.data());
         for (std::size_t slot = 0; slot < group.element.size(); ++slot)
           if (group.element[slot] != Partition::absent)
             sum += element_energies_[slot];
@@ -261,6 +311,34 @@ namespace vfife
 
   const char *VfifeOperator::instruction_set() const
   {
-    return name_of(best_instruction_set());
+    return name_of(layout_.instruction_set);
+  }
+
+  void VfifeOperator::use_kernels(const FrameKind frame, const InstructionSet instruction_set)
+  {
+    kernels_                = &select_kernels(frame, instruction_set);
+    frame_                  = frame;
+    layout_.instruction_set = instruction_set;
+  }
+
+  std::size_t VfifeOperator::n_own_elements() const
+  {
+    std::size_t n = 0;
+    for (const BodyPacks &packs : body_packs_)
+      for (const std::uint32_t row : packs.own_packs)
+        n += row != Partition::absent;
+    return n;
+  }
+
+  std::size_t VfifeOperator::n_shared_elements() const
+  {
+    return n_local_elements() - n_own_elements();
+  }
+
+  unsigned int VfifeOperator::own_bytes() const
+  {
+    const unsigned int triad = frame_ == FrameKind::polar ? 9 : 0;
+    return sizeof(double) * (n_element_constants - triad - n_hourglass_constants) +
+           (layout_.single_hourglass ? sizeof(float) : sizeof(double)) * n_hourglass_constants;
   }
 } // namespace vfife

@@ -3,6 +3,7 @@
  * The element loop on vectors of VFIFE_KERNEL_WIDTH lanes, included once by each file compiled for
  * an instruction set, which defines that and VFIFE_SIMD_NAMESPACE. Derivation: doc/element.md.
  */
+#include "kernel_constants.h"
 #include "kernel_frames.h"
 #include "kernel_records.h"
 
@@ -10,62 +11,12 @@ namespace vfife
 {
   inline namespace VFIFE_SIMD_NAMESPACE
   {
-    constexpr unsigned int width = VFIFE_KERNEL_WIDTH;
-    using V                      = Vec<double, width>;
-
-    /** Where each group of numbers starts in the constants (see n_element_constants). */
-    constexpr unsigned int start_of_gradients = 0;
-    constexpr unsigned int start_of_patterns  = 21;
-    constexpr unsigned int start_of_moduli    = 33;
-    constexpr unsigned int start_of_hourglass = 35;
-    constexpr unsigned int start_of_triad     = 113;
-    static_assert(start_of_triad + 9 == n_element_constants, "layout of write_constants()");
-
-    /** Constants that all lanes share. */
-    struct SharedConstants
-    {
-      const double *memory;
-
-      VFIFE_INLINE V operator[](const unsigned int i) const
-      {
-        return memory[i];
-      }
-    };
-
-    /** Constants lane by lane; the memory starts at the first lane wanted. */
-    struct OwnConstants
-    {
-      const double *memory;
-
-      VFIFE_INLINE V operator[](const unsigned int i) const
-      {
-        // Hardware prefetching stops at pages, and a pack has two of them.
-        if constexpr (width > 1)
-          __builtin_prefetch(memory + n_lanes * (n_element_constants + i));
-        return V::load(memory + n_lanes * i);
-      }
-    };
-
-    /** b_j(a): mean derivative of the shape function of node a = 1..7 to X_j. */
-    template <typename Constants>
-    VFIFE_INLINE V gradient(const Constants &constants, const unsigned int a, const unsigned int j)
-    {
-      return constants[start_of_gradients + 3 * (a - 1) + j];
-    }
-
-    /** sum_a h_k(a) X_j(a): what the hourglass sum k = 0..3 owes to the linear field X_j. */
-    template <typename Constants>
-    VFIFE_INLINE V pattern(const Constants &constants, const unsigned int k, const unsigned int j)
-    {
-      return constants[start_of_patterns + 3 * k + j];
-    }
-
 
     /** out += H q from the upper triangle. */
     template <unsigned int row, unsigned int column, unsigned int entry, typename Constants>
     VFIFE_INLINE void add_hourglass_product(const Constants &constants, const V *q, V *out)
     {
-      const V h = constants[start_of_hourglass + entry];
+      const V h = constants.hourglass(entry);
       out[row] += h * q[column];
       if constexpr (row != column)
         out[column] += h * q[row];
@@ -327,6 +278,15 @@ namespace vfife
               add_lanes<frame_kind, with_energy>(
                 SharedConstants{packs.constants +
                                 n_element_constants * std::size_t(packs.constants_row[pack])},
+                nodes,
+                positions,
+                forces,
+                energies);
+            else if (packs.hourglass != nullptr)
+              add_lanes<frame_kind, with_energy>(
+                OwnConstantsSingle{packs.constants + OwnConstantsSingle::n_kept * n_lanes * pack +
+                                     lane,
+                                   packs.hourglass + n_hourglass_constants * n_lanes * pack + lane},
                 nodes,
                 positions,
                 forces,

@@ -76,13 +76,16 @@ namespace vfife
              " ns, ",
              std::lround(1. / (gear_case_.mesh_frequency() * dt)),
              " steps a tooth mesh");
+    const VfifeOperator &vfife   = solver.vfife_operator();
+    const auto           without = [&](const int n) { return 1e9 * vfife.stable_step_without(n); };
+    log.line("without the 10 worst ", without(10), " ns, the 100 worst ", without(100), " ns");
     const auto penalties = solver.contact().penalties();
     for (std::size_t i = 0; i < penalties.size(); ++i)
       log.line(
         "contact penalty of the ", model.contacts[i].side, " side ", penalties[i], " N/mm^3");
-    log.line(solver.vfife_operator().n_congruence_classes(),
+    log.line(vfife.n_congruence_classes(),
              " classes of congruent elements on this rank, kernels for ",
-             solver.vfife_operator().instruction_set());
+             vfife.instruction_set());
   }
 
   double

@@ -6,6 +6,7 @@
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/study/benchmark_study.h>
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/loaded_contact_study.h>
 #include <vfife/study/mesh_study.h>
@@ -47,6 +48,7 @@ namespace vfife
       {"mesh", &make<MeshStudy>},
       {"modal", &make<ModalStudy>},
       {"loaded tooth contact analysis", &make<LoadedContactStudy>},
+      {"benchmark", &make<BenchmarkStudy>},
     };
 
     struct StudyOptions

@@ -45,15 +45,17 @@ namespace vfife
   /** Section Dynamics. */
   struct DynamicsOptions
   {
-    FrameKind         frame         = FrameKind::polar;
-    StiffnessKind     stiffness     = StiffnessKind::incompatible_modes;
-    double            safety        = 0.9;   ///< step over the stable step of the worst element
-    double            damping       = 1000.; ///< zeta [1/s]
-    double            mesh_damping  = 2000.; ///< zeta_k [1/s]
-    DampingRate       damping_rate  = DampingRate::momentum;
-    Start             start         = Start::static_preload;
-    double            energy_limit  = 0.5; ///< energy error at which a run is given up [-]
-    unsigned int      largest_steps = 0;   ///< a run ends in good order after so many, 0: no limit
+    FrameKind     frame     = FrameKind::polar;
+    StiffnessKind stiffness = StiffnessKind::incompatible_modes;
+    /** Hourglass blocks of elements without congruent copies in single precision. */
+    bool              single_stiffness = false;
+    double            safety           = 0.9;   ///< step over the stable step of the worst element
+    double            damping          = 1000.; ///< zeta [1/s]
+    double            mesh_damping     = 2000.; ///< zeta_k [1/s]
+    DampingRate       damping_rate     = DampingRate::momentum;
+    Start             start            = Start::static_preload;
+    double            energy_limit     = 0.5; ///< energy error at which a run is given up [-]
+    unsigned int      largest_steps    = 0; ///< a run ends in good order after so many, 0: no limit
     RelaxationOptions relaxation;
 
     void declare(dealii::ParameterHandler &prm);

@@ -3,6 +3,7 @@
 #define vfife_dynamics_nodal_update_h
 
 #include <vfife/base/types.h>
+#include <vfife/element/kernels.h>
 
 #include <cstddef>
 #include <vector>
@@ -66,7 +67,7 @@ namespace vfife
    * which centres the damping force at the old time. Arrays of records as in State; mass and
    * inverse mass of constrained nodes are zero there, so that they add nothing; whoever constrains
    * them sets them afterwards.
-   * @p owned: 1 where a node counts in the sums.
+   * @p owned: 1 where a node counts in the sums. Instruction sets differ by round-off.
    */
   UpdateSums update_nodes(std::size_t          first,
                           std::size_t          last,
@@ -76,7 +77,8 @@ namespace vfife
                           const unsigned char *owned,
                           const double        *forces,
                           double              *positions,
-                          double              *velocities);
+                          double              *velocities,
+                          InstructionSet       instruction_set = best_instruction_set());
 
   /** Adds the sums of the new state for one more node (constrained ones). */
   void add_node_moments(

@@ -33,11 +33,12 @@ namespace vfife
   /**
    * Congruent elements into packs. Packs are sorted by their first element: for a gear that is
    * chunk of eight teeth by chunk, template element by template element, so that the lanes' nodes
-   * lie side by side.
+   * lie side by side. @p share_constants false: all elements have constants of their own.
    */
   std::vector<BodyPacks> make_packs(const Model                      &model,
                                     const std::vector<std::uint32_t> &rank_of_element,
-                                    unsigned int                      rank);
+                                    unsigned int                      rank,
+                                    bool                              share_constants = true);
 
   /** Numbers this rank's nodes in the order in which the packs first touch them, body by body;
    * owned: the lowest rank that touches the node. */

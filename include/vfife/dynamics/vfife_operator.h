@@ -31,6 +31,17 @@ namespace vfife
     }
   };
 
+  /** How the elements are stored and computed; nothing here changes results but by round-off,
+   * except single precision. */
+  struct OperatorLayout
+  {
+    bool share_constants = true; ///< of congruent elements; else each element has its own
+    /** Hourglass blocks H of elements with constants of their own are stored in single precision
+     * (computed with in double): relative error 6e-8 of H alone, mean strains stay exact. */
+    bool           single_hourglass = false;
+    InstructionSet instruction_set  = best_instruction_set();
+  };
+
   /**
    * The internal forces of massless hexahedra between mass points (VFIFE): partition over ranks,
    * packed layout, congruence classes, kernels of the best instruction set. Built once for a model.
@@ -41,7 +52,8 @@ namespace vfife
     VfifeOperator(const Model        &model,
                   FrameKind           frame,
                   StiffnessKind       stiffness,
-                  const Communicator &communicator);
+                  const Communicator &communicator,
+                  OperatorLayout      layout = {});
 
     VfifeOperator(const VfifeOperator &)            = delete;
     VfifeOperator &operator=(const VfifeOperator &) = delete;
@@ -49,6 +61,9 @@ namespace vfife
     const Partition &partition() const;
     FrameKind        frame() const;
     StiffnessKind    stiffness() const;
+
+    /** Goes on with other kernels: what is stored is the same for all. */
+    void use_kernels(FrameKind frame, InstructionSet instruction_set);
 
     /** Length of nodal arrays: 4 doubles a local node and one node that unused lanes write to. */
     std::size_t array_size() const;
@@ -62,6 +77,9 @@ namespace vfife
 
     /** The worst element over all ranks. */
     const LimitingElement &limiting_element() const;
+
+    /** Stable step of the elements if the @p n worst ones were not there [s]. Collective. */
+    double stable_step_without(unsigned int n) const;
 
     /** Lumped masses of the local nodes [t]. */
     const std::vector<double> &masses() const;
@@ -80,6 +98,12 @@ namespace vfife
     std::size_t n_congruence_classes() const;
     const char *instruction_set() const;
 
+    /** Numbers of elements with shared constants and with their own, on this rank. */
+    std::size_t n_shared_elements() const;
+    std::size_t n_own_elements() const;
+    /** What one element with its own constants reads of them [bytes]. */
+    unsigned int own_bytes() const;
+
     /** Sums nodal records over ranks, see HaloExchange. */
     void add_over_ranks(double *values);
 
@@ -88,23 +112,28 @@ namespace vfife
     {
       std::vector<std::uint32_t> nodes;
       std::vector<double>        constants;
+      std::vector<float>         hourglass;
       std::vector<std::uint32_t> constants_row;
       std::vector<std::uint32_t> element; ///< of the model, or absent
       ElementPacks               packs;
     };
 
     void add_group(const Model &model, unsigned int body, bool shared);
+    void copy_own_constants(const std::vector<double> &class_constants,
+                            const BodyPacks           &packs,
+                            Group                     &group) const;
     void compute_class_data(const Model &model);
     void find_limiting_element(const Model &model);
 
     const Communicator        &communicator_;
     FrameKind                  frame_;
     StiffnessKind              stiffness_;
+    OperatorLayout             layout_;
     std::vector<std::uint32_t> rank_of_element_;
     std::vector<BodyPacks>     body_packs_;
     Partition                  partition_;
     HaloExchange               halo_;
-    const ElementKernels      &kernels_;
+    const ElementKernels      *kernels_;
     std::vector<Group>         groups_;
     std::vector<double>        masses_;
     LimitingElement            limiting_element_;

@@ -21,6 +21,9 @@ namespace vfife
    */
   constexpr unsigned int n_element_constants = 122;
 
+  /** Where H stands among them. */
+  constexpr unsigned int start_of_hourglass_constants = 35, n_hourglass_constants = 78;
+
   /**
    * Hexahedra in packs of eight. Empty lanes of the last pack have all eight nodes at one node
    * whose force and energy nobody reads, and constants of any element (or zeros).
@@ -35,6 +38,9 @@ namespace vfife
      */
     const double        *constants     = nullptr;
     const std::uint32_t *constants_row = nullptr; ///< [pack], or nullptr for own constants
+    /** Own constants only: H in single precision, [pack][n_hourglass_constants][lane]; @p constants
+     * are then without H. */
+    const float *hourglass = nullptr;
   };
 
   /** The element loops compiled for one instruction set and one frame. */

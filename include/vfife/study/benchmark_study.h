@@ -1,0 +1,41 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_benchmark_study_h
+#define vfife_study_benchmark_study_h
+
+#include <vfife/study/gear_case.h>
+#include <vfife/study/study_kind.h>
+
+namespace vfife
+{
+  struct BenchmarkOptions
+  {
+    unsigned int repeats = 7;  ///< measurements of each variant, medians are reported
+    unsigned int steps   = 3;  ///< time steps a measurement
+    unsigned int cells   = 52; ///< of the general mesh along each side
+    unsigned int plain_elements =
+      20000; ///< part of a mesh on which the plain implementation is measured
+
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * Study kind `benchmark`: element-steps per second of processor time, of whole time steps
+   * (internal forces and nodal update, no contact) on the gear pair and on a mesh without two equal
+   * elements, by frame, stiffness, layout and instruction set, beside what the core can do at that
+   * moment and beside a plain implementation. benchmark.csv, benchmark.json.
+   */
+  class BenchmarkStudy : public StudyKind
+  {
+  public:
+    void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
+    void check() const override;
+    void inspect(Communicator &communicator, Log &log) override;
+    void run(OutputFolder &folder, Log &log) override;
+
+  private:
+    GearCase         gear_case_;
+    BenchmarkOptions benchmark_;
+  };
+} // namespace vfife
+
+#endif
