@@ -2,6 +2,7 @@
 #ifndef vfife_output_pattern_writer_h
 #define vfife_output_pattern_writer_h
 
+#include <vfife/base/types.h>
 #include <vfife/model/observer.h>
 
 #include <cstdint>
