@@ -16,6 +16,9 @@ namespace vfife
     const Choices<Start> starts = {{"static preload", Start::static_preload},
                                    {"ramp", Start::ramp},
                                    {"undeformed", Start::undeformed}};
+
+    const Choices<StartSolver> start_solvers = {{"factorization", StartSolver::factorization},
+                                                {"relaxation", StartSolver::relaxation}};
   } // namespace
 
   void RelaxationOptions::declare(dealii::ParameterHandler &prm)
@@ -84,6 +87,12 @@ namespace vfife
                    damping_rates,
                    "Angular velocity omega of the body in the damping force");
     declare_choice(prm, "start", start, starts, "How a turning gear pair takes up its load");
+    declare_choice(prm,
+                   "start solver",
+                   start_solver,
+                   start_solvers,
+                   "What finds the equilibrium of a gear pair before the start; a factorization is "
+                   "fast and takes some 45 kB of memory a node");
     declare_number(
       prm,
       "energy limit",

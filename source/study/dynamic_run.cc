@@ -16,10 +16,13 @@
 #include <vfife/output/teeth_writer.h>
 #include <vfife/study/contact_figures.h>
 #include <vfife/study/dynamic_run.h>
+#include <vfife/study/pair_start.h>
 #include <vfife/study/run_checks.h>
 
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <sstream>
 
 namespace vfife
 {
@@ -144,10 +147,42 @@ namespace vfife
 
   namespace
   {
+    std::string describe(const RelaxationReport &report)
+    {
+      std::ostringstream text;
+      text << report.steps << " relaxation steps, residual " << report.residual;
+      return text.str();
+    }
+
     /** The pattern changes its own forces of inertia by (n Omega/omega_n)^2, n waves around a body
      * of frequency omega_n: a few per cent. */
     constexpr unsigned int pattern_rounds = 2;
   } // namespace
+
+  void DynamicRun::log_preload(const Model &model, const Preload &preload, Log &log) const
+  {
+    const DeflectionParts &parts = preload.parts;
+    log.line("transmission error under load ",
+             parts.total / arcsecond,
+             " arcsec: centrifugal shift ",
+             parts.centrifugal / arcsecond,
+             ", web windup ",
+             parts.web_windup / arcsecond,
+             ", rim tilt and shift ",
+             parts.rim_tilt / arcsecond,
+             ", teeth and rest ",
+             parts.teeth / arcsecond);
+    log_contact_figures(model, gear_case_.hertz_contact(), preload.penalty_lag, log);
+    log.line("the gear swings at about ",
+             preload.swing.frequency(),
+             " Hz, ",
+             gear_case_.mesh_frequency() / preload.swing.frequency(),
+             " tooth meshes a period: stiffness ",
+             1e-3 * preload.swing.stiffness,
+             " N m/rad, inertia of the shape ",
+             1e3 * preload.swing.inertia,
+             " kg mm^2");
+  }
 
   DynamicRun::Preload DynamicRun::preload(const Model        &model,
                                           ExplicitSolver     &solver,
@@ -166,9 +201,15 @@ namespace vfife
     DeflectionProbe probe(model, communicator);
     const double    torque = gear_case_.operation().torque;
     log.line("equilibrium before the start:");
+    std::optional<PairStart> factors;
+    if (dynamics_.start_solver == StartSolver::factorization)
+      factors.emplace(
+        model, dynamics_, relaxation, solver.contact().penalties(), communicator, log);
     const auto relax = [&](const char *name, const Relaxation::Loads &loads) {
-      const RelaxationReport report = relaxation.solve(state, loads);
-      log.line("  ", name, ": ", report.steps, " steps, residual ", report.residual);
+      log.line("  ",
+               name,
+               ": ",
+               factors ? factors->solve(state, loads) : describe(relaxation.solve(state, loads)));
     };
 
     Relaxation::Loads spinning;
@@ -209,27 +250,7 @@ namespace vfife
     solver.set_rigid_velocities(state);
     pattern.add_velocities(state.velocity);
 
-    const DeflectionParts &parts = result.parts;
-    log.line("transmission error under load ",
-             parts.total / arcsecond,
-             " arcsec: centrifugal shift ",
-             parts.centrifugal / arcsecond,
-             ", web windup ",
-             parts.web_windup / arcsecond,
-             ", rim tilt and shift ",
-             parts.rim_tilt / arcsecond,
-             ", teeth and rest ",
-             parts.teeth / arcsecond);
-    log_contact_figures(model, gear_case_.hertz_contact(), result.penalty_lag, log);
-    log.line("the gear swings at about ",
-             result.swing.frequency(),
-             " Hz, ",
-             gear_case_.mesh_frequency() / result.swing.frequency(),
-             " tooth meshes a period: stiffness ",
-             1e-3 * result.swing.stiffness,
-             " N m/rad, inertia of the shape ",
-             1e3 * result.swing.inertia,
-             " kg mm^2");
+    log_preload(model, result, log);
     return result;
   }
 

@@ -44,6 +44,10 @@ namespace vfife
      * the state; nodes of a rigid hub share their mean. Collective. */
     void read(const State &state, MotionFrame frame);
 
+    /** Turns the mean rigid motion of bodies with a free rotation, in the rotating frame, to the
+     * mean angle of the nodes that turn freely. Collective. */
+    void turn_bodies(const Model &model, State &state) const;
+
     /** In the rotating frame: what part of the prescribed displacements and angles is taken,
      * instead of their histories at time zero. */
     void set_part(double part);
@@ -108,6 +112,11 @@ namespace vfife
       Axis              axis;
       double            rate;
       std::vector<Node> nodes;
+
+      bool turns_freely() const
+      {
+        return kind == ConstraintKind::free_rotation || kind == ConstraintKind::rigid_hub;
+      }
     };
 
     void share_rotation(Group &group) const;

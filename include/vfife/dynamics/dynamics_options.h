@@ -29,6 +29,14 @@ namespace vfife
     undeformed      ///< the undeformed bodies with their initial velocities
   };
 
+  /** What finds the equilibrium of a gear pair before the start. */
+  enum class StartSolver
+  {
+    factorization, ///< rounds with the factors of the conventional stiffness matrix: fast, some
+                   ///< 45 kB a node
+    relaxation     ///< dynamic relaxation alone: slow, needs no memory
+  };
+
   /** How the equilibrium before the start is found (dynamic relaxation). */
   struct RelaxationOptions
   {
@@ -54,6 +62,7 @@ namespace vfife
     double            mesh_damping     = 2000.; ///< zeta_k [1/s]
     DampingRate       damping_rate     = DampingRate::momentum;
     Start             start            = Start::static_preload;
+    StartSolver       start_solver     = StartSolver::factorization;
     double            energy_limit     = 0.5; ///< energy error at which a run is given up [-]
     unsigned int      largest_steps    = 0; ///< a run ends in good order after so many, 0: no limit
     RelaxationOptions relaxation;

@@ -54,6 +54,14 @@ namespace vfife
      * residuals. */
     PairEquilibriumResult solve(double driver_turn, double part);
 
+    /**
+     * Where the pair comes to rest when its bodies would have the displacements @p free (3 a point)
+     * if they did not touch and @p torque acts on the driven body [N mm]; starts from the last
+     * equilibrium found by this function. Of the result, turns, displacements, iterations and
+     * residual are set. Throws NumericalError as solve().
+     */
+    PairEquilibriumResult press(double driver_turn, const std::vector<double> &free, double torque);
+
     /** Turn of the driven body beyond its kinematic turn at which the flanks of the spun bodies
      * touch [rad]. */
     double find_touch(double driver_turn);
@@ -76,18 +84,21 @@ namespace vfife
     Trial               evaluate(const Eigen::VectorXd &u, double turn);
     Tangent             linearize();
     double              find_touch(const Eigen::VectorXd &base);
-    double              press_rigid(const Eigen::VectorXd &base, double turn, double load);
+    Iterate             press_rigid(const Eigen::VectorXd &base, double load);
     Eigen::VectorXd     at_watched(const std::vector<double> &u) const;
     Eigen::VectorXd     apply_compliance(const Eigen::VectorXd &force);
     std::vector<double> spread(const Eigen::VectorXd &force) const;
     double              load(double part) const;
     void search_line(const Eigen::VectorXd &base, double load, const Iterate &full, Iterate &now);
-    void report(const Iterate &now, double part, PairEquilibriumResult &result);
+    void
+    balance(const Eigen::VectorXd &base, double load, Iterate &now, PairEquilibriumResult &result);
+    void              report(const Iterate &now, double part, PairEquilibriumResult &result);
     [[noreturn]] void fail(const std::string &what, const std::string &history) const;
 
     const Model                       &model_;
     Compliance                        &compliance_;
     std::vector<std::unique_ptr<Pair>> pairs_;
+    std::unique_ptr<Iterate>           pressed_;   ///< where press() has ended
     std::vector<Matrix3>               rotations_; ///< of the bodies since time zero
     double                             driver_turn_ = 0;
   };

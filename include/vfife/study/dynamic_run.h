@@ -47,6 +47,7 @@ namespace vfife
                        State              &state,
                        const Communicator &communicator,
                        Log                &log) const;
+    void       log_preload(const Model &model, const Preload &preload, Log &log) const;
     RunSummary start_summary(const Model        &model,
                              ExplicitSolver     &solver,
                              double              dt,
