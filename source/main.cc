@@ -3,6 +3,7 @@
 #include <vfife/base/failure.h>
 #include <vfife/base/log.h>
 #include <vfife/base/mpi_session.h>
+#include <vfife/study/parameter_reference.h>
 #include <vfife/study/study.h>
 
 #include <exception>
@@ -18,6 +19,12 @@ namespace
       {
         if (world.is_root())
           std::cout << (line.help ? vfife::help_text() : vfife::version_text()) << std::flush;
+        return;
+      }
+    if (line.parameter_reference)
+      {
+        if (world.is_root())
+          vfife::write_parameter_reference(std::cout);
         return;
       }
     vfife::Log log(std::cout, world.is_root());

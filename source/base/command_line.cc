@@ -33,7 +33,10 @@ namespace vfife
         ("check", options::bool_switch(&line.check), "checks the input and computes nothing") //
         ("print-parameters",
          options::bool_switch(&line.print_parameters),
-         "prints all parameters in force with their descriptions and computes nothing")  //
+         "prints all parameters in force with their descriptions and computes nothing") //
+        ("parameter-reference",
+         options::bool_switch(&line.parameter_reference),
+         "prints all parameters of all kinds of studies as a page of Markdown")          //
         ("version", options::bool_switch(&line.version), "prints the version and stops") //
         ("help,h", options::bool_switch(&line.help), "prints this text and stops");
       return description;
@@ -87,7 +90,7 @@ namespace vfife
     if (files.size() > 1)
       throw InputError("one parameter file is expected, but there are " +
                        std::to_string(files.size()) + ": " + list_of(files, true));
-    if (files.empty() && !line.help && !line.version)
+    if (files.empty() && !line.help && !line.version && !line.parameter_reference)
       throw InputError(std::string("no parameter file; ") + usage);
     if (!files.empty())
       line.parameter_file = files[0];

@@ -4,16 +4,9 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/base/parameter_file.h>
-#include <vfife/base/parameters.h>
 #include <vfife/output/output_folder.h>
-#include <vfife/study/benchmark_study.h>
-#include <vfife/study/dynamic_run.h>
-#include <vfife/study/loaded_contact_study.h>
-#include <vfife/study/mesh_study.h>
-#include <vfife/study/modal_study.h>
-#include <vfife/study/model_run.h>
 #include <vfife/study/study.h>
-#include <vfife/study/tooth_contact_study.h>
+#include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -24,49 +17,6 @@ namespace vfife
 {
   namespace
   {
-    using MakeStudy = std::unique_ptr<StudyKind> (*)(const ParameterFile &);
-
-    template <typename Kind>
-    std::unique_ptr<StudyKind> make(const ParameterFile &)
-    {
-      return std::make_unique<Kind>();
-    }
-
-    /** A file with a section Model and no Gear pair is a general model. */
-    std::unique_ptr<StudyKind> make_run(const ParameterFile &file)
-    {
-      if (file.contains("Model") && !file.contains("Gear pair"))
-        return std::make_unique<ModelRun>();
-      return std::make_unique<DynamicRun>();
-    }
-
-    /** All kinds of studies. */
-    const Choices<MakeStudy> study_kinds = {
-      {"run", &make_run},
-      {"static", &make<StaticRun>},
-      {"tooth contact analysis", &make<ToothContactStudy>},
-      {"mesh", &make<MeshStudy>},
-      {"modal", &make<ModalStudy>},
-      {"loaded tooth contact analysis", &make<LoadedContactStudy>},
-      {"benchmark", &make<BenchmarkStudy>},
-    };
-
-    struct StudyOptions
-    {
-      MakeStudy   kind          = study_kinds.front().second;
-      std::string output_folder = "results";
-
-      void declare(dealii::ParameterHandler &prm)
-      {
-        Subsection section(prm, "Study");
-        declare_choice(prm, "kind", kind, study_kinds, "What is done");
-        declare_text(prm,
-                     "output folder",
-                     output_folder,
-                     "Folder of the results, made where it is missing");
-      }
-    };
-
     void read_and_run(const CommandLine   &command_line,
                       const ParameterFile &file,
                       Communicator        &communicator,

@@ -15,6 +15,7 @@ namespace vfife
     std::vector<std::string> overrides;     ///< "Section/Sub/name=value"
     bool                     check = false; ///< read and check everything, compute nothing
     bool print_parameters          = false; ///< print the parameters in force, compute nothing
+    bool parameter_reference       = false; ///< print all parameters of all kinds of studies
     bool version                   = false;
     bool help                      = false;
   };
