@@ -11,6 +11,7 @@
 
 namespace vfife
 {
+  class ByteStream;
   class Communicator;
 
   /** Frame in which a solver moves the nodes. */
@@ -43,6 +44,10 @@ namespace vfife
     /** Takes over angles and angular velocities of free rotations from positions and velocities of
      * the state; nodes of a rigid hub share their mean. Collective. */
     void read(const State &state, MotionFrame frame);
+
+    /** For checkpoints: angles and angular velocities of free rotations by node of the model, for
+     * any number of ranks. Collective. */
+    void exchange(ByteStream &stream, const Partition &partition);
 
     /** In the rotating frame: what part of the prescribed displacements and angles is taken,
      * instead of their histories at time zero. */
