@@ -32,7 +32,8 @@ namespace
   }
 } // namespace
 
-/** Exit codes: 0 done, 1 the input cannot be used, 2 the computation failed. */
+/** Exit codes: 0 done, 1 the input cannot be used, 2 the computation failed, 3 stopped by a signal.
+ */
 int main(int argc, char **argv)
 {
   vfife::MpiSession session(argc, argv);

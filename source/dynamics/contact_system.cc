@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/contact/contact.h>
@@ -34,12 +35,12 @@ namespace vfife
    * surface node. */
   struct ContactSystem::Side
   {
-    unsigned int               body;
-    const FacetSurface        *surface;
-    std::vector<std::uint32_t> local; ///< local node of each surface node, or absent
-    std::vector<double>        mass;  ///< [t]
-    std::vector<double>        positions, velocities, forces;
-    std::vector<unsigned int>  active; ///< surface nodes
+    unsigned int                     body;
+    const FacetSurface              *surface;
+    std::vector<std::uint32_t>       local; ///< local node of each surface node, or absent
+    std::vector<double>              mass;  ///< [t]
+    std::vector<double>              positions, velocities, forces;
+    const std::vector<unsigned int> *active = nullptr; ///< surface nodes
 
     Side(const unsigned int body_index,
          const Body        &b,
@@ -73,6 +74,8 @@ namespace vfife
       , contact(*slave.surface, *master.surface, pair.options)
       , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
     {
+      slave.active  = &contact.active_slave_nodes();
+      master.active = &contact.active_master_nodes();
     }
 
     /** Penetration at which a run is given up [mm]. */
@@ -183,23 +186,27 @@ namespace vfife
         pair->contact.find_candidates(body_motion[pair->slave.body],
                                       body_motion[pair->master.body],
                                       margin + pair->contact.search_skin());
-        pair->slave.active  = pair->contact.active_slave_nodes();
-        pair->master.active = pair->contact.active_master_nodes();
       }
+  }
+
+  void ContactSystem::exchange(ByteStream &stream)
+  {
+    for (const auto &pair : pairs_)
+      pair->contact.exchange(stream);
   }
 
   void ContactSystem::gather(const double *positions, const double *velocities)
   {
     std::size_t n = 0;
     for (const auto &pair : pairs_)
-      n += pair->slave.active.size() + pair->master.active.size();
+      n += pair->slave.active->size() + pair->master.active->size();
     buffer_.assign(6 * n, 0.);
 
     // The owner of a node writes it, all others add zero: sums are exact copies.
     double *record = buffer_.data();
     for (const auto &pair : pairs_)
       for (const Side *side : pair->sides())
-        for (const unsigned int i : side->active)
+        for (const unsigned int i : *side->active)
           {
             const std::uint32_t local = side->local[i];
             if (local != Partition::absent && partition_.owned[local])
@@ -214,7 +221,7 @@ namespace vfife
     record = buffer_.data();
     for (const auto &pair : pairs_)
       for (Side *side : pair->sides())
-        for (const unsigned int i : side->active)
+        for (const unsigned int i : *side->active)
           {
             std::copy_n(record, 3, side->positions.data() + 3 * i);
             std::copy_n(record + 3, 3, side->velocities.data() + 3 * i);
@@ -254,14 +261,14 @@ namespace vfife
             if (result.largest_penetration > pair->penetration_limit())
               too_deep = 1;
           }
-        n += s.active.size() + m.active.size();
+        n += s.active->size() + m.active->size();
       }
 
     buffer_.resize(3 * n + 3);
     double *record = buffer_.data();
     for (const auto &pair : pairs_)
       for (const Side *side : pair->sides())
-        for (const unsigned int i : side->active)
+        for (const unsigned int i : *side->active)
           {
             std::copy_n(side->forces.data() + 3 * i, 3, record);
             record += 3;
@@ -274,7 +281,7 @@ namespace vfife
     record = buffer_.data();
     for (const auto &pair : pairs_)
       for (const Side *side : pair->sides())
-        for (const unsigned int i : side->active)
+        for (const unsigned int i : *side->active)
           {
             if (side->local[i] != Partition::absent)
               for (unsigned int c = 0; c < 3; ++c)

@@ -158,9 +158,19 @@ namespace vfife
     rigid_  = compute_rigid_rates(state);
     ledger_ = EnergyLedger();
     powers_ = StepPowers();
-    audit_.assign(model_.bodies.size(), DampingAudit());
+    allocate();
+    rates_at_start_ = rigid_;
+    first_step_     = state.step;
+    start_time_     = state.time;
     audited_steps_ = audited_samples_ = 0;
     contact_watch_.reset();
+  }
+
+  void ExplicitSolver::allocate()
+  {
+    rigid_.resize(model_.bodies.size());
+    rates_at_start_.resize(model_.bodies.size());
+    audit_.assign(model_.bodies.size(), DampingAudit());
     sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
     damping_.assign(model_.bodies.size(), BodyDamping());
   }
@@ -173,8 +183,9 @@ namespace vfife
     }
     {
       const auto scope = timers_.time(timers_.section("contact"));
-      if (state.step % search_interval == 0)
+      if (state.step % search_interval == 0 || search_now_)
         contact_.search(state.body_motion, rigid_, state.position.data(), search_interval * dt_);
+      search_now_ = false;
       if (keep_contact_forces)
         state.contact_force = forces_;
       contact_.add_forces(
@@ -303,19 +314,26 @@ namespace vfife
                            ", Dynamics/energy limit): the integration is unstable");
   }
 
-  void ExplicitSolver::run(State &state, const double end_time, Observers &observers)
+  void ExplicitSolver::run(State            &state,
+                           const double      end_time,
+                           Observers        &observers,
+                           const BeforeStep &before_step)
   {
-    begin_run(state);
-    const std::uint64_t first_step = state.step;
-    const std::uint64_t n_steps    = std::llround((end_time - state.time) / dt_);
-    const double        start      = state.time;
-    const auto          rates      = rigid_;
+    if (!goes_on_)
+      begin_run(state);
+    goes_on_                      = false;
+    const std::uint64_t last_step = first_step_ + std::llround((end_time - start_time_) / dt_);
+    if (state.step > last_step)
+      throw InputError("the run has come to step " + std::to_string(state.step) +
+                       " and cannot end at step " + std::to_string(last_step));
     try
       {
         for (;;)
           {
-            const bool first = state.step == first_step;
-            const bool last  = state.step == first_step + n_steps;
+            if (before_step)
+              before_step(state);
+            const bool first = state.step == first_step_;
+            const bool last  = state.step == last_step;
             const bool due =
               first || last ||
               std::any_of(observers.begin(), observers.end(), [&](const auto &observer) {
@@ -340,19 +358,19 @@ namespace vfife
               break;
             advance_bodies(state);
             ++state.step;
-            state.time = start + (state.step - first_step) * dt_;
+            state.time = start_time_ + (state.step - first_step_) * dt_;
           }
       }
     catch (const NumericalError &)
       {
         state = observed_;
-        finish_audit(rates);
+        finish_audit();
         for (const auto &observer : observers)
           observer->finish(model_, observed_);
         throw;
       }
     state = observed_;
-    finish_audit(rates);
+    finish_audit();
     for (const auto &observer : observers)
       observer->finish(model_, observed_);
   }

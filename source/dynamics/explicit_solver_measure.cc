@@ -88,7 +88,7 @@ namespace vfife
       }
   }
 
-  void ExplicitSolver::finish_audit(const std::vector<RigidVelocity> &rates_at_start)
+  void ExplicitSolver::finish_audit()
   {
     for (unsigned int b = 0; b < audit_.size(); ++b)
       {
@@ -97,7 +97,7 @@ namespace vfife
         audit_[b].rate_difference /= std::max(1U, audited_samples_);
         audit_[b].body = model_.bodies[b].name();
         audit_[b].spin_drift =
-          (rigid_[b].omega - rates_at_start[b].omega).dot(model_.bodies[b].axis.direction);
+          (rigid_[b].omega - rates_at_start_[b].omega).dot(model_.bodies[b].axis.direction);
       }
   }
 

@@ -41,21 +41,14 @@ namespace vfife
     return summary;
   }
 
-  void DynamicRun::finish_summary(const Model    &model,
-                                  ExplicitSolver &solver,
-                                  const State    &state,
-                                  const Table    &history,
-                                  const Preload  &preload,
-                                  RunSummary     &summary,
-                                  Log            &log) const
+  void DynamicRun::complete_summary(const Model   &model,
+                                    const Table   &history,
+                                    const Preload &preload,
+                                    RunSummary    &summary,
+                                    Log           &log) const
   {
-    summary.time           = state.time;
-    summary.steps          = state.step;
-    summary.energy         = state.measured.energy;
-    summary.damping        = solver.damping_audit();
-    summary.contact_losses = solver.contact_losses();
-    for (const Log::Warning &warning : log.warnings())
-      summary.warnings.push_back(warning.text);
+    if (preload.swing.frequency() > 0)
+      add_preload(preload, summary);
     if (history.n_rows() < 2 || !(preload.swing.frequency() > 0))
       return;
 

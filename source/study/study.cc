@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/command_line.h>
 #include <vfife/base/communicator.h>
+#include <vfife/base/declared_section.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/base/parameter_file.h>
@@ -12,29 +13,42 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace vfife
 {
   namespace
   {
+    /** A parameter file that has been read. */
+    struct Case
+    {
+      StudyOptions               options;
+      std::unique_ptr<StudyKind> study;
+      dealii::ParameterHandler   prm;
+
+      explicit Case(const ParameterFile &file)
+      {
+        {
+          // The kind decides what else may stand in the file.
+          dealii::ParameterHandler first;
+          options.declare(first);
+          file.read_known(first);
+        }
+        study = options.kind(file);
+        options.declare(prm);
+        study->declare(prm, file);
+        file.read(prm);
+      }
+    };
+
     void read_and_run(const CommandLine   &command_line,
                       const ParameterFile &file,
                       Communicator        &communicator,
                       Log                 &log)
     {
-      StudyOptions options;
-      {
-        // The kind decides what else may stand in the file.
-        dealii::ParameterHandler first;
-        options.declare(first);
-        file.read_known(first);
-      }
-      const std::unique_ptr<StudyKind> study = options.kind(file);
-
-      dealii::ParameterHandler prm;
-      options.declare(prm);
-      study->declare(prm, file);
-      file.read(prm);
+      Case       read(file);
+      auto      &prm   = read.prm;
+      const auto study = std::move(read.study);
       if (command_line.print_parameters)
         {
           if (communicator.is_root())
@@ -47,15 +61,33 @@ namespace vfife
           study->inspect(communicator, log);
           return;
         }
-      OutputFolder folder(command_line.output_folder.empty() ? options.output_folder
-                                                             : command_line.output_folder,
-                          communicator);
-      folder.attach_log(log);
+      const std::string path = command_line.output_folder.empty() ? read.options.output_folder
+                                                                  : command_line.output_folder;
+      std::optional<std::size_t> log_size;
+      if (command_line.restart)
+        log_size = study->go_on(path, find_declared(prm).list_values(), communicator, log);
+      OutputFolder folder(path, communicator);
+      folder.attach_log(log, log_size);
       folder.write_parameters(prm);
       log.line("vfife: ", file.path(), ", results in ", folder.path());
       study->run(folder, log);
     }
   } // namespace
+
+  EntryValues read_case(const CommandLine &command_line)
+  {
+    const ParameterFile file(command_line.parameter_file, command_line.overrides);
+    try
+      {
+        const Case read(file);
+        read.study->check();
+        return find_declared(read.prm).list_values();
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(file.explain(error));
+      }
+  }
 
   void run_study(const CommandLine &command_line, Communicator &communicator, Log &log)
   {

@@ -7,6 +7,7 @@
 #include <vfife/study/modal_study.h>
 #include <vfife/study/model_run.h>
 #include <vfife/study/study_kinds.h>
+#include <vfife/study/sweep_study.h>
 #include <vfife/study/tooth_contact_study.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -41,6 +42,7 @@ namespace vfife
       {"modal", &make<ModalStudy>},
       {"loaded tooth contact analysis", &make<LoadedContactStudy>},
       {"benchmark", &make<BenchmarkStudy>},
+      {"sweep", &make<SweepStudy>},
     };
     return kinds;
   }

@@ -11,6 +11,7 @@
 
 namespace vfife
 {
+  class ByteStream;
   class Communicator;
 
   /** Frame in which a solver moves the nodes. */
@@ -47,6 +48,10 @@ namespace vfife
     /** Turns the mean rigid motion of bodies with a free rotation, in the rotating frame, to the
      * mean angle of the nodes that turn freely. Collective. */
     void turn_bodies(const Model &model, State &state) const;
+
+    /** For checkpoints: angles and angular velocities of free rotations by node of the model, for
+     * any number of ranks. Collective. */
+    void exchange(ByteStream &stream, const Partition &partition);
 
     /** In the rotating frame: what part of the prescribed displacements and angles is taken,
      * instead of their histories at time zero. */

@@ -12,8 +12,11 @@
 #include <vfife/dynamics/vfife_operator.h>
 #include <vfife/model/observer.h>
 
+#include <functional>
+
 namespace vfife
 {
+  class ByteStream;
   class Log;
   class Timers;
 
@@ -49,11 +52,26 @@ namespace vfife
      * (after a preload). */
     void set_rigid_velocities(State &state) const;
 
+    /** Called with the state before each step; may throw to end a run there. All ranks. */
+    using BeforeStep = std::function<void(State &)>;
+
     /**
-     * Integrates from state.time to @p end_time. Throws NumericalError (non-finite or runaway
+     * Integrates from state.time (after exchange() with a reading stream: goes on) to @p end_time,
+     * counted from where the run began. Throws NumericalError (non-finite or runaway
      * energy, runaway penetration, inverted element) after observers have seen the last state.
      */
-    void run(State &state, double end_time, Observers &observers);
+    void run(State            &state,
+             double            end_time,
+             Observers        &observers,
+             const BeforeStep &before_step = nullptr);
+
+    /**
+     * Passes all that a run needs to go on to the last digit, from BeforeStep or to a state that
+     * start() has set up. @p common does not depend on the ranks and is equal on all of them;
+     * @p own is this rank's, and of use to the same number of ranks only: nullptr when reading for
+     * another one, where the run agrees to round-off. Collective.
+     */
+    void exchange(ByteStream &common, ByteStream *own, State &state);
 
     /** Fills State::measured of a state at rest (no energies of motion, no work). Collective. */
     void measure_at_rest(State &state);
@@ -77,6 +95,7 @@ namespace vfife
     };
 
     void begin_run(State &state);
+    void allocate();
     void compute_forces(State &state, bool keep_contact_forces);
     void set_damping(const State &state);
     void update_nodes(State &state);
@@ -91,7 +110,7 @@ namespace vfife
     void   check(const State &state, bool measured) const;
     void   add_audit();
     void   add_rate_difference(const State &state);
-    void   finish_audit(const std::vector<RigidVelocity> &rates_at_start);
+    void   finish_audit();
 
     const Model           &model_;
     const DynamicsOptions &options_;
@@ -117,6 +136,11 @@ namespace vfife
     unsigned int                        audited_steps_ = 0, audited_samples_ = 0;
     ContactWatch                        contact_watch_;
     State                               observed_;
+    std::uint64_t                       first_step_ = 0; ///< of the run
+    double                              start_time_ = 0; ///< of the run [s]
+    std::vector<RigidVelocity>          rates_at_start_;
+    bool                                goes_on_    = false; ///< from a checkpoint
+    bool                                search_now_ = false; ///< whatever the step
   };
 } // namespace vfife
 
