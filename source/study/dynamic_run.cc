@@ -13,6 +13,7 @@
 #include <vfife/output/pictures.h>
 #include <vfife/output/probe_writer.h>
 #include <vfife/output/progress_line.h>
+#include <vfife/output/rim_writer.h>
 #include <vfife/output/teeth_writer.h>
 #include <vfife/study/contact_figures.h>
 #include <vfife/study/dynamic_run.h>
@@ -280,6 +281,7 @@ namespace vfife
     observers.push_back(std::make_unique<PatternWriter>(
       folder, model, end_time - 1. / t.mesh_frequency(), history_steps));
     observers.push_back(std::make_unique<ProbeWriter>(folder, history_steps));
+    observers.push_back(std::make_unique<RimWriter>(folder, model, history_steps));
     if (output_.fields_every > 0)
       observers.push_back(std::make_unique<FieldWriter>(
         folder, model, output_.compute_field_steps(&t, dt), dynamics_.stiffness, dynamics_.frame));
