@@ -36,6 +36,16 @@ namespace vfife
       return std::chrono::duration<double>(Clock::now() - start).count();
     }
 
+    /** Seconds by section. */
+    NamedFigures list_times(const Table &report)
+    {
+      NamedFigures times;
+      for (std::size_t i = 0; i < report.n_rows(); ++i)
+        times.emplace_back(report.column("section").texts[i],
+                           Figure{report.numbers("time")[i], "s"});
+      return times;
+    }
+
     /** Wall time of one evaluation of the internal forces [s], which is most of a step. */
     double time_forces(VfifeOperator &vfife, const State &state)
     {
@@ -318,10 +328,7 @@ namespace vfife
       }
     finish_summary(model, solver, state, history, equilibrium, summary, log);
     add_contact_figures(model, hertz, equilibrium.penalty_lag, teeth, history.n_rows(), summary);
-    const Table times = timers.report(communicator);
-    for (std::size_t i = 0; i < times.n_rows(); ++i)
-      summary.timers.emplace_back(times.column("section").texts[i],
-                                  Figure{times.numbers("time")[i], "s"});
+    summary.timers = list_times(timers.report(communicator));
     write_summary(folder, summary);
     if (end_time < whole_time)
       log.line("ended after Dynamics/largest number of steps, ",
