@@ -12,6 +12,7 @@
 #include <vfife/output/pictures.h>
 #include <vfife/output/probe_writer.h>
 #include <vfife/output/progress_line.h>
+#include <vfife/output/rim_writer.h>
 #include <vfife/output/teeth_writer.h>
 #include <vfife/study/contact_figures.h>
 #include <vfife/study/dynamic_run.h>
@@ -33,6 +34,16 @@ namespace vfife
     double seconds_since(const Clock::time_point start)
     {
       return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    /** Seconds by section. */
+    NamedFigures list_times(const Table &report)
+    {
+      NamedFigures times;
+      for (std::size_t i = 0; i < report.n_rows(); ++i)
+        times.emplace_back(report.column("section").texts[i],
+                           Figure{report.numbers("time")[i], "s"});
+      return times;
     }
 
     /** Wall time of one evaluation of the internal forces [s], which is most of a step. */
@@ -287,6 +298,7 @@ namespace vfife
     const Table &teeth         = stepping.add<TeethWriter>(model, history_steps, hertz).table();
     stepping.add<PatternWriter>(model, end_time - 1. / t.mesh_frequency(), history_steps);
     stepping.add<ProbeWriter>(history_steps);
+    stepping.add<RimWriter>(model, history_steps);
     stepping.add_fields(output_.compute_field_steps(&t, dt), dynamics_);
     report_contradictions(model,
                           solver,
@@ -308,10 +320,7 @@ namespace vfife
       if (summary.status == "failed")
         return;
       add_contact_figures(model, hertz, equilibrium.penalty_lag, teeth, history.n_rows(), summary);
-      const Table times = timers.report(communicator);
-      for (std::size_t i = 0; i < times.n_rows(); ++i)
-        summary.timers.emplace_back(times.column("section").texts[i],
-                                    Figure{times.numbers("time")[i], "s"});
+      summary.timers = list_times(timers.report(communicator));
       if (end_time < whole_time)
         log.line("ended after Dynamics/largest number of steps, ",
                  end_time * t.mesh_frequency(),
