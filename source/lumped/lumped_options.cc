@@ -221,7 +221,14 @@ namespace vfife
     pair.damping_without_contact = damping_without_contact;
     pair.speed_damping           = speed_damping;
     if (source == MeshSource::loaded_contact)
-      pair.law = MeshLaw::from_table(read_parameter_table(table), table, load_law);
+      try
+        {
+          pair.law = MeshLaw::from_table(read_parameter_table(table), table, load_law);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Lumped/table", error.what());
+        }
     else
       {
         std::vector<double> cosines = parse_list("stiffness cosines", stiffness_cosines, "-");
