@@ -104,9 +104,9 @@ namespace
         if (wave.frequency < 100 || wave.frequency > 2000 || d.nodal_diameter > 2)
           continue;
         // Waves with the spin are faster in space.
-        const double sense = d.nodal_diameter == 0 ? 0. : (d.forward > .5) == (rate > 0) ? 1. : -1.;
-        const double in_space = wave.frequency + (rate > 0 ? sense : sense) * d.nodal_diameter *
-                                                   std::abs(rate) / (2 * pi);
+        const double sense = d.nodal_diameter == 0 ? 0. : d.forward > .5 ? 1. : -1.;
+        const double in_space =
+          wave.frequency + sense * d.nodal_diameter * std::abs(rate) / (2 * pi);
         double nearest = 1;
         for (const CoupledMode &mode : modes.standing)
           nearest = std::min(nearest, std::abs(mode.frequency / in_space - 1));
