@@ -176,6 +176,13 @@ namespace vfife
     const auto            change  = tangent.solve(at_watched(compliance_.twisted()), load(1.));
     const Eigen::VectorXd slope   = tangent.spread(change.first, now.force.size());
     result.turn_slope             = change.second;
+    for (std::size_t i = 0; i < tangent.springs.size(); ++i)
+      {
+        ContactTie tie{tangent.springs[i], 1. / tangent.inverse_stiffness[i]};
+        for (auto &point : tie.points)
+          point.first = compliance_.watched()[point.first];
+        result.ties.push_back(tie);
+      }
 
     result.displacements      = compliance_.solve(spread(now.force));
     result.displacement_slope = compliance_.solve(spread(slope));

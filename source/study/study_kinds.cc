@@ -3,6 +3,7 @@
 #include <vfife/study/benchmark_study.h>
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/loaded_contact_study.h>
+#include <vfife/study/lumped_study.h>
 #include <vfife/study/mesh_study.h>
 #include <vfife/study/modal_study.h>
 #include <vfife/study/model_run.h>
@@ -41,6 +42,7 @@ namespace vfife
       {"mesh", &make<MeshStudy>},
       {"modal", &make<ModalStudy>},
       {"loaded tooth contact analysis", &make<LoadedContactStudy>},
+      {"lumped", &make<LumpedStudy>},
       {"benchmark", &make<BenchmarkStudy>},
       {"sweep", &make<SweepStudy>},
     };

@@ -5,12 +5,21 @@
 #include <vfife/fem/compliance.h>
 #include <vfife/model/state.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace vfife
 {
+  /** A contact point under pressure, for small motions u of points of the discretization: the
+   * energy stiffness/2 (sum of direction . u)^2. */
+  struct ContactTie
+  {
+    std::array<std::pair<unsigned int, Vector3>, 8> points; ///< and directions, axes of time zero
+    double                                          stiffness = 0; ///< [N/mm]
+  };
+
   /** A loaded gear pair at rest in its turning axes. */
   struct PairEquilibriumResult
   {
@@ -24,6 +33,7 @@ namespace vfife
     std::vector<double> displacement_slope; ///< change of displacements per part of the torque [mm]
 
     std::vector<ToothContact> teeth;
+    std::vector<ContactTie>   ties;               ///< the linearized contact
     double                    contact_torque = 0; ///< on the driven body, resists the load [N mm]
     unsigned int              iterations     = 0;
     double                    residual       = 0; ///< unbalanced over contact forces
