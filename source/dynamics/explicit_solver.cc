@@ -40,6 +40,7 @@ namespace vfife
     , loads_(model, operator_, communicator)
     , walls_(model, operator_.partition(), communicator)
     , forces_(operator_.array_size())
+    , approach_(model)
     , contact_watch_(log)
   {
   }
@@ -164,6 +165,8 @@ namespace vfife
     start_time_     = state.time;
     audited_steps_ = audited_samples_ = 0;
     contact_watch_.reset();
+    largest_approach_ = 0;
+    has_touched_      = false;
   }
 
   void ExplicitSolver::allocate()
@@ -341,6 +344,7 @@ namespace vfife
               });
             compute_forces(state, due);
             contact_watch_.observe(state.time, dt_, contact_.energy() > 0);
+            has_touched_        = has_touched_ || contact_.energy() > 0;
             const double strain = due ? take_measurements(state) : 0.;
             set_damping(state);
             update_nodes(state);

@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_explicit_solver_h
 #define vfife_dynamics_explicit_solver_h
 
+#include <vfife/dynamics/approach_energy.h>
 #include <vfife/dynamics/constraint_motion.h>
 #include <vfife/dynamics/contact_system.h>
 #include <vfife/dynamics/contact_watch.h>
@@ -132,6 +133,9 @@ namespace vfife
     StepPowers                          powers_;
     double                              drive_torque_ = 0;
     EnergyLedger                        ledger_, ledger_at_start_;
+    ApproachEnergy                      approach_;
+    double                              largest_approach_ = 0; ///< at the samples so far [mJ]
+    bool                                has_touched_      = false;
     std::vector<DampingAudit>           audit_;
     unsigned int                        audited_steps_ = 0, audited_samples_ = 0;
     ContactWatch                        contact_watch_;
