@@ -42,6 +42,9 @@ namespace vfife
      * set_step(). */
     double stable_step();
 
+    /** Stable step of the elements by Dynamics/step bound, without safety and contact [s]. */
+    double element_step() const;
+
     /** The step of the run [s], at most stable_step(). Sets the penalties that follow from it. */
     void set_step(double dt);
 
@@ -145,6 +148,7 @@ namespace vfife
     std::vector<RigidVelocity>          rates_at_start_;
     bool                                goes_on_    = false; ///< from a checkpoint
     bool                                search_now_ = false; ///< whatever the step
+    double                              element_step_;       ///< [s]
   };
 } // namespace vfife
 
