@@ -72,14 +72,17 @@ namespace vfife
           largest = std::max(largest, std::abs(entry));
         const double scale = amplitude / communicator.max(largest);
         for (std::size_t i = 0; i < x.size(); ++i)
-          x[i] = x0[i] + scale * v[i];
+          {
+            v[i] *= scale;
+            x[i] = x0[i] + v[i];
+          }
         vfife.compute_internal_forces(x.data(), forces.data());
 
         std::vector<double> sums(3, 0.); // v.M v, v.K v, K v . M^-1 K v
         for (std::size_t i = 0; i < partition.n_local(); ++i)
           for (unsigned int c = 0; c < 3; ++c)
             {
-              const double m = vfife.masses()[i], Kv = -forces[4 * i + c] / scale;
+              const double m = vfife.masses()[i], Kv = -forces[4 * i + c];
               if (partition.owned[i])
                 {
                   sums[0] += m * v[4 * i + c] * v[4 * i + c];
