@@ -5,6 +5,7 @@
 #include "quick_pair.h"
 
 #include <vfife/base/mpi_session.h>
+#include <vfife/base/types.h>
 
 #include <algorithm>
 
