@@ -11,6 +11,9 @@ namespace vfife
     const Choices<DampingRate> damping_rates = {{"momentum", DampingRate::momentum},
                                                 {"mean speed", DampingRate::mean_speed}};
 
+    const Choices<StepBound> step_bounds = {{"element", StepBound::element},
+                                            {"power iteration", StepBound::power_iteration}};
+
     const Choices<bool> precisions = {{"double", false}, {"single", true}};
 
     const Choices<Start> starts = {{"static preload", Start::static_preload},
@@ -62,11 +65,28 @@ namespace vfife
                    precisions,
                    "Precision in which the hourglass stiffness of elements without congruent "
                    "copies is stored; everything else, and all arithmetic, is double");
+    declare_choice(
+      prm,
+      "step bound",
+      step_bound,
+      step_bounds,
+      "Largest frequency that bounds the step: of the worst free element (safe), or of "
+      "the whole model by power iteration (larger steps, an estimate)");
+    declare_number(
+      prm, "safety", safety, "Time step over the largest stable one", Range::between(0.01, 1.));
+    declare_quantity(
+      prm,
+      "mass scaling step",
+      mass_scaling_step,
+      "s",
+      "Stable step, before the safety, that elements with a smaller one get by added "
+      "mass; 0: none",
+      Range::not_negative());
     declare_number(prm,
-                   "safety",
-                   safety,
-                   "Time step over the largest stable one of the worst free element",
-                   Range::between(0.01, 1.));
+                   "largest added mass",
+                   largest_added_mass,
+                   "Share of a body's mass that mass scaling may add; more is refused",
+                   Range::between(0., 1.));
     declare_quantity(
       prm,
       "damping",

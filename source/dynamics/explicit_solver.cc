@@ -7,6 +7,7 @@
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/dynamics/mean_speed.h>
 #include <vfife/dynamics/measurement.h>
+#include <vfife/dynamics/step_bound.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,8 @@ namespace vfife
     OperatorLayout layout_for(const DynamicsOptions &options)
     {
       OperatorLayout layout;
-      layout.single_hourglass = options.single_stiffness;
+      layout.single_hourglass  = options.single_stiffness;
+      layout.mass_scaling_step = options.mass_scaling_step;
       return layout;
     }
   } // namespace
@@ -40,8 +42,23 @@ namespace vfife
     , loads_(model, operator_, communicator)
     , walls_(model, operator_.partition(), communicator)
     , forces_(operator_.array_size())
+    , approach_(model)
     , contact_watch_(log)
+    , element_step_(operator_.limiting_element().stable_step())
   {
+    if (options.step_bound == StepBound::element)
+      return;
+    const AssembledFrequency assembled = iterate_largest_frequency(model, operator_, communicator);
+    element_step_                      = 2. / assembled.frequency;
+    log.line("power iteration: stable step ",
+             1e9 * element_step_,
+             " ns, ",
+             element_step_ / operator_.limiting_element().stable_step(),
+             " of that of the worst element, after ",
+             assembled.iterations,
+             " iterations; an eigenvalue is within ",
+             100 * assembled.deviation / assembled.quotient,
+             " % of the quotient");
   }
 
   VfifeOperator &ExplicitSolver::vfife_operator()
@@ -61,8 +78,13 @@ namespace vfife
 
   double ExplicitSolver::stable_step()
   {
-    const double elements = options_.safety * operator_.limiting_element().stable_step();
-    return walls_.vote_on_step(loads_.vote_on_step(contact_.vote_on_step(elements)));
+    return walls_.vote_on_step(
+      loads_.vote_on_step(contact_.vote_on_step(options_.safety * element_step_)));
+  }
+
+  double ExplicitSolver::element_step() const
+  {
+    return element_step_;
   }
 
   void ExplicitSolver::set_step(const double dt)
@@ -164,6 +186,8 @@ namespace vfife
     start_time_     = state.time;
     audited_steps_ = audited_samples_ = 0;
     contact_watch_.reset();
+    largest_approach_ = 0;
+    has_touched_      = false;
   }
 
   void ExplicitSolver::allocate()
@@ -341,6 +365,7 @@ namespace vfife
               });
             compute_forces(state, due);
             contact_watch_.observe(state.time, dt_, contact_.energy() > 0);
+            has_touched_        = has_touched_ || contact_.energy() > 0;
             const double strain = due ? take_measurements(state) : 0.;
             set_damping(state);
             update_nodes(state);

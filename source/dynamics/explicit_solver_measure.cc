@@ -39,6 +39,11 @@ namespace vfife
         ledger_.scale    = EnergyLedger::scale_floor * ledger_.kinetic;
         ledger_at_start_ = ledger_;
       }
+    has_touched_ = has_touched_ || ledger_.contact > 0;
+    // Bodies that meet may exchange this much; before they do, it is nobody's measure.
+    largest_approach_ = std::max(largest_approach_, approach_.compute(sums_));
+    if (has_touched_)
+      ledger_.scale = std::max(ledger_.scale, largest_approach_);
     ledger_.scale =
       std::max(ledger_.scale,
                std::abs(ledger_.strain - ledger_at_start_.strain) +

@@ -28,6 +28,8 @@ namespace vfife
           json["mass"]               = figure_json(1e3 * body.mass, "kg");
           json["axial inertia"]      = figure_json(1e-3 * body.inertia, "kg m^2");
           json["speed at the start"] = figure_json(body.rate * 30 / pi, "rpm");
+          if (body.added > 0)
+            json["added mass"] = figure_json(1e3 * body.added, "kg");
           bodies.push_back(json);
         }
       Json json;

@@ -4,6 +4,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/dynamics/explicit_solver.h>
+#include <vfife/dynamics/mass_scaling.h>
 #include <vfife/dynamics/relaxation.h>
 #include <vfife/dynamics/standing_pattern.h>
 #include <vfife/output/history_writer.h>
@@ -118,9 +119,9 @@ namespace vfife
                                          Log                      &log) const
   {
     RunPlan plan{gear_case_, dynamics_, output_, model};
-    plan.element_step = dynamics_.safety * solver.vfife_operator().limiting_element().stable_step();
-    plan.stable_step  = solver.stable_step();
-    plan.step         = dt;
+    plan.element_step  = dynamics_.safety * solver.element_step();
+    plan.stable_step   = solver.stable_step();
+    plan.step          = dt;
     plan.expected_time = run_time;
     found              = find_contradictions(plan);
     for (const std::string &sentence : found)
@@ -131,8 +132,9 @@ namespace vfife
 
   void DynamicRun::inspect(Communicator &communicator, Log &log)
   {
-    const auto     start = Clock::now();
-    const Model    model = gear_case_.make_model(dynamics_.start == Start::ramp, log);
+    const auto start = Clock::now();
+    Model      model = gear_case_.make_model(dynamics_.start == Start::ramp, log);
+    scale_masses(dynamics_, model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);
     const double   dt = gear_case_.choose_step(solver.stable_step(), output_.history_every);
@@ -279,9 +281,10 @@ namespace vfife
     log.set_verbosity(output_.verbosity);
     const Communicator &communicator = folder.communicator();
     Model               model        = gear_case_.make_model(dynamics_.start == Start::ramp, log);
-    Timers              timers;
-    ExplicitSolver      solver(model, dynamics_, communicator, log, timers);
-    const double        dt = gear_case_.choose_step(solver.stable_step(), output_.history_every);
+    scale_masses(dynamics_, model, log);
+    Timers         timers;
+    ExplicitSolver solver(model, dynamics_, communicator, log, timers);
+    const double   dt = gear_case_.choose_step(solver.stable_step(), output_.history_every);
     solver.set_step(dt);
     log_step(model, solver, dt, log);
 

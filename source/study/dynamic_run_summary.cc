@@ -26,7 +26,8 @@ namespace vfife
                                 body.n_nodes(),
                                 body.mass(),
                                 body.axial_inertia(),
-                                body.rate});
+                                body.rate,
+                                body.added_mass()});
 
     const Transmission &t      = *model.transmission;
     const double        torque = gear_case_.operation().torque;
@@ -35,8 +36,7 @@ namespace vfife
                                   {"gear torque", {1e-3 * torque, "N m"}},
                                   {"effective arm", {t.arm, "mm"}},
                                   {"torque over effective arm", {torque / t.arm, "N"}},
-                                  {"stable step of the elements",
-                                   {1e9 * solver.vfife_operator().limiting_element().stable_step(), "ns"}},
+                                  {"stable step of the elements", {1e9 * solver.element_step(), "ns"}},
                                   {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
     return summary;
   }

@@ -6,6 +6,7 @@
 #include <vfife/base/revision.h>
 #include <vfife/base/timers.h>
 #include <vfife/dynamics/explicit_solver.h>
+#include <vfife/dynamics/mass_scaling.h>
 #include <vfife/dynamics/relaxation.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/mesh_quality.h>
@@ -89,10 +90,15 @@ namespace vfife
              worst.element,
              " of the ",
              worst.body,
-             "; step ",
+             " at (",
+             worst.centroid.transpose(),
+             ") mm of its body frame; step ",
              1e9 * dt,
-             " ns; ",
-             solver.vfife_operator().n_congruence_classes(),
+             " ns");
+    const VfifeOperator &vfife   = solver.vfife_operator();
+    const auto           without = [&](const int n) { return 1e9 * vfife.stable_step_without(n); };
+    log.line("without the 10 worst ", without(10), " ns, the 100 worst ", without(100), " ns");
+    log.line(solver.vfife_operator().n_congruence_classes(),
              " classes of congruent elements on this rank, kernels for ",
              solver.vfife_operator().instruction_set());
   }
@@ -129,7 +135,8 @@ namespace vfife
                                 body.n_nodes(),
                                 body.mass(),
                                 body.axial_inertia(),
-                                body.rate});
+                                body.rate,
+                                body.added_mass()});
     return summary;
   }
 
@@ -155,7 +162,8 @@ namespace vfife
 
   void ModelRun::inspect(Communicator &communicator, Log &log)
   {
-    const Model model = model_.make_model();
+    Model model = model_.make_model();
+    scale_masses(dynamics_, model, log);
     log_model(model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);
@@ -179,6 +187,7 @@ namespace vfife
     log.set_verbosity(output_.verbosity);
     const Communicator &communicator = folder.communicator();
     Model               model        = model_.make_model();
+    scale_masses(dynamics_, model, log);
     log_model(model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);
@@ -215,7 +224,8 @@ namespace vfife
 
   void StaticRun::inspect(Communicator &communicator, Log &log)
   {
-    const Model model = model_.make_model();
+    Model model = model_.make_model();
+    scale_masses(dynamics_, model, log);
     log_model(model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);
@@ -226,7 +236,8 @@ namespace vfife
   {
     log.set_verbosity(output_.verbosity);
     const Communicator &communicator = folder.communicator();
-    const Model         model        = model_.make_model();
+    Model               model        = model_.make_model();
+    scale_masses(dynamics_, model, log);
     log_model(model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);

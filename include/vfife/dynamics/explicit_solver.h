@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_explicit_solver_h
 #define vfife_dynamics_explicit_solver_h
 
+#include <vfife/dynamics/approach_energy.h>
 #include <vfife/dynamics/constraint_motion.h>
 #include <vfife/dynamics/contact_system.h>
 #include <vfife/dynamics/contact_watch.h>
@@ -40,6 +41,9 @@ namespace vfife
     /** Largest stable step times safety, after the contact's vote [s]; penalties are set for
      * set_step(). */
     double stable_step();
+
+    /** Stable step of the elements by Dynamics/step bound, without safety and contact [s]. */
+    double element_step() const;
 
     /** The step of the run [s], at most stable_step(). Sets the penalties that follow from it. */
     void set_step(double dt);
@@ -132,6 +136,9 @@ namespace vfife
     StepPowers                          powers_;
     double                              drive_torque_ = 0;
     EnergyLedger                        ledger_, ledger_at_start_;
+    ApproachEnergy                      approach_;
+    double                              largest_approach_ = 0; ///< at the samples so far [mJ]
+    bool                                has_touched_      = false;
     std::vector<DampingAudit>           audit_;
     unsigned int                        audited_steps_ = 0, audited_samples_ = 0;
     ContactWatch                        contact_watch_;
@@ -141,6 +148,7 @@ namespace vfife
     std::vector<RigidVelocity>          rates_at_start_;
     bool                                goes_on_    = false; ///< from a checkpoint
     bool                                search_now_ = false; ///< whatever the step
+    double                              element_step_;       ///< [s]
   };
 } // namespace vfife
 
