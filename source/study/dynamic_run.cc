@@ -11,6 +11,7 @@
 #include <vfife/output/pattern_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/output/probe_writer.h>
+#include <vfife/output/rim_writer.h>
 #include <vfife/output/progress_line.h>
 #include <vfife/output/teeth_writer.h>
 #include <vfife/study/contact_figures.h>
@@ -287,6 +288,7 @@ namespace vfife
     const Table &teeth         = stepping.add<TeethWriter>(model, history_steps, hertz).table();
     stepping.add<PatternWriter>(model, end_time - 1. / t.mesh_frequency(), history_steps);
     stepping.add<ProbeWriter>(history_steps);
+    stepping.add<RimWriter>(model, history_steps);
     stepping.add_fields(output_.compute_field_steps(&t, dt), dynamics_);
     report_contradictions(model,
                           solver,
