@@ -9,6 +9,7 @@ import csv
 import sys
 from pathlib import Path
 
+import style
 from style import plt
 
 
@@ -40,11 +41,8 @@ def plot_shares(axes, rows):
     axes.legend()
 
 
-def main():
-    if len(sys.argv) not in (2, 3):
-        sys.exit(__doc__)
-    folder = Path(sys.argv[1])
-    picture = Path(sys.argv[2]) if len(sys.argv) == 3 else folder / "loaded_contact.png"
+def draw(folder):
+    """One tooth mesh from the tables of a folder."""
     rows = read(folder / "loaded_contact.csv")
     figure, axes = plt.subplots(2, 2, figsize=(10, 7))
     plot_columns(
@@ -57,7 +55,15 @@ def main():
         rows,
         ["pinion fillet von mises", "gear fillet von mises", "web von mises"],
         "MPa")
-    figure.savefig(picture)
+    return figure
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    folder = Path(sys.argv[1])
+    picture = Path(sys.argv[2]) if len(sys.argv) == 3 else folder / "loaded_contact.png"
+    style.save(draw(folder), picture)
     print(picture)
 
 
