@@ -1,7 +1,9 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The numbers of a run that reports show and compare: name, value, unit. Means, peak to peak and
 standard deviations are the program's own (summary.json), the others are computed here."""
-from passages import find_engagement, find_passage
+import numpy as np
+
+from passages import find_engagement, find_passage, is_loaded
 from periodicity import measure_periodicity
 
 JUDGED = ("dte", "rim dte", "contact force total")
@@ -42,10 +44,15 @@ def list_tooth_figures(run):
     one = find_engagement(run.teeth, run.history["time"][0], run.history["time"][-1])
     if one is None:
         return
+    loaded = one.rows[is_loaded(run.teeth, one.rows)]
     for name in ("force", "mean pressure", "hertz pressure"):
         if name in run.teeth:
-            value = run.teeth[name][one.rows].max()
+            value = run.teeth[name][loaded].max()
             yield f"one tooth, largest {name}", value, run.teeth.units[name]
+    if "mean pressure" in run.teeth:
+        half = run.teeth["force"][loaded] > 0.5 * run.teeth["force"][loaded].max()
+        yield ("one tooth, median of the mean pressure above half the force",
+               np.median(run.teeth["mean pressure"][loaded[half]]), "MPa")
     frequency = run.figure("mesh frequency")
     if frequency and one.whole:
         time = run.teeth["time"][one.rows]

@@ -21,7 +21,8 @@ a { color: var(--mark); }
 table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; margin: .6rem 0; }
 caption { text-align: left; padding-bottom: .3rem; caption-side: top; }
 th, td { text-align: left; padding: .25rem .9rem .25rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
-td.number, th.number { text-align: right; white-space: nowrap; }
+td.number, th.number { text-align: right; }
+td.number { white-space: nowrap; }
 thead th { border-bottom: 2px solid var(--soft); font-weight: 600; }
 figure { margin: 1.2rem 0; }
 figure img { width: 100%; min-width: 34rem; height: auto; display: block; }
@@ -33,7 +34,7 @@ figure img { width: 100%; min-width: 34rem; height: auto; display: block; }
   @page { size: A4; margin: 16mm 14mm; }
   body { font-size: 10pt; } main { max-width: none; padding: 0; } nav { display: none; }
   figure, tr { break-inside: avoid; } h2, h3 { break-after: avoid; }
-  figure img { min-width: 0; } .wide { overflow: visible; } a { color: inherit; text-decoration: none; }
+  figure img { min-width: 0; width: auto; max-width: 100%; max-height: 225mm; } .wide { overflow: visible; } a { color: inherit; text-decoration: none; }
 }
 """
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 DURATION_LEVEL = 0.1  # of the rise over the steady value
+LEAST_FORCE = 0.05  # of the tooth's largest force
 
 
 @dataclass
@@ -63,3 +64,10 @@ def find_engagement(teeth, start, end):
     if whole:
         return whole[-1]
     return max(found, key=lambda one: len(one.rows), default=None)
+
+
+def is_loaded(teeth, rows):
+    """Rows of one tooth pair at which it carries so much that its mean pressure says something: a
+    single point that barely touches has hardly any area."""
+    force = teeth["force"][rows]
+    return force >= LEAST_FORCE * force.max()

@@ -16,9 +16,10 @@ CAPTIONS = {
                            "sections. Data: pattern.csv.",
     "spectra.svg": "Amplitudes over the whole tooth meshes of the steady part, no window.",
     "probes.svg": "Von Mises stress at the probes.",
-    "rim_content.svg": "Displacement of the rim by nodal diameters, in axes that turn with the gear.",
-    "rim_history.svg": "Axial waves of the rim over time.",
-    "rim_waves.svg": "Spectra of the axial waves of the rim by direction of travel.",
+    "rim_content.svg": "Displacement of the rim by nodal diameters: the pattern that stands in space "
+                       "with the load (0: the mean), and what moves besides.",
+    "rim_history.svg": "Axial waves of the rim that do not stand in space.",
+    "rim_waves.svg": "Spectra of these waves by direction of travel.",
     "energies.svg": "Energy error and energies.",
     "bodies.png": "The bodies with the elements' edges and von Mises stress.",
     "teeth_in_mesh.png": "Teeth in mesh: section and contact pressure.",
@@ -127,9 +128,10 @@ def add_periodicity(page, run):
         if p:
             rows.append([column, run.history.units[column], p.meshes, p.ripple, p.remainder, p.change,
                          p.largest_change, p.trend, 100 * p.periodic_share])
-    page.table(["history", "unit", "meshes", "ripple of the mean mesh", "rest (standard deviation)",
-                "mesh to mesh (rms)", "mesh to mesh (largest)", "trend a mesh", "periodic [%]"], rows,
-               "How far consecutive tooth meshes differ.")
+    page.table(["history", "unit", "meshes", "ripple", "rest", "change, rms", "change, largest",
+                "trend a mesh", "periodic [%]"], rows,
+               "How far tooth meshes differ: ripple (peak to peak) of the mean mesh, standard deviation "
+               "of the rest, change from one mesh to the next.")
 
 
 def add_probes(page, run, figures):

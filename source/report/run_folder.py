@@ -92,11 +92,11 @@ class RunFolder:
         slack = 1e-9 * table["time"][-1]
         return (table["time"] >= start - slack) & (table["time"] <= end + slack)
 
-    def gear_sense(self):
-        """+1 or -1: the sense about its axis in which the driven gear turns."""
+    def gear_rate(self):
+        """Angular velocity of the driven gear about its axis at the start [rad/s]; 0 if unknown."""
         bodies = self.summary.get("mesh", {}).get("bodies", [])
-        speed = bodies[1]["speed at the start"]["value"] if len(bodies) > 1 else -1
-        return 1 if speed > 0 else -1
+        speed = bodies[1].get("speed at the start") if len(bodies) > 1 else None
+        return speed["value"] * np.pi / 30 if speed else 0.0
 
     def body_name(self, index):
         bodies = self.summary.get("mesh", {}).get("bodies", [])

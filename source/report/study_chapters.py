@@ -8,13 +8,14 @@ from words import find_differences
 
 CAPTIONS = {
     "dte.svg": "Dynamic transmission error of all variants: means over a tooth mesh for the whole "
-               "run, and as it is over the last tooth meshes.",
+               "run, and the last tooth meshes as they are.",
     "contact_force.svg": "Total contact force of all variants, in the same way.",
     "dte_spectra.svg": "Spectra of the transmission error, whole tooth meshes of the steady part.",
     "force_spectra.svg": "Spectra of the contact force.",
     "tooth_stress.svg": "Contact stress of one tooth pair from its first to its last touch.",
     "probes.svg": "Von Mises stress at the probes, time from the peak.",
-    "rim_content.svg": "Motion of the rim by nodal diameters in axes that turn with the gear.",
+    "rim_content.svg": "Motion of the rim by nodal diameters: the pattern that stands in space with "
+                       "the load, and what moves besides.",
 }
 
 
@@ -42,9 +43,17 @@ def add_variants(page, folder, variants, figures):
         summary = variant.run.summary
         status = summary.get("failure") or summary.get("status", "no summary")
         rows.append([variant.name, variant.run.path.name]
-                    + [variant.run.parameters.get(name, "") for name in names] + [status])
+                    + [read_parameter(variant.run, name) for name in names] + [status])
     page.table(["variant", "folder"] + [name.split("/")[-1] for name in names] + ["status"], rows)
     page.paragraph("A variant's own report is made by make_report.py with its folder.", "soft")
+
+
+def read_parameter(run, name):
+    """Empty where it is of no meaning: thickness and angle of a web that is not there."""
+    body, _, word = name.rpartition("/")
+    if word.startswith("web ") and run.parameters.get(f"{body}/web") != "conical":
+        return ""
+    return run.parameters.get(name, "")
 
 
 def add_means(page, folder, variants, figures):
@@ -75,8 +84,8 @@ def add_periodicity(page, folder, variants, figures):
         page.section("Periodicity")
         page.paragraph("Consecutive tooth meshes laid over each other: how much of the history "
                        "repeats with the mesh, and how far one mesh differs from the next.")
-        page.table(["history", "variant", "meshes", "ripple of the mean mesh", "mesh to mesh (rms)",
-                    "mesh to mesh (largest)", "periodic [%]", "unit"], rows)
+        page.table(["history", "variant", "meshes", "ripple of the mean mesh",
+                    "change, rms", "change, largest", "periodic [%]", "unit"], rows)
 
 
 def add_figures(title, names):

@@ -37,6 +37,9 @@ plt.rcParams.update({
     "savefig.dpi": 100,
 })
 
+# Of pictures so wide that they are shown smaller than they are.
+WIDE = {"font.size": 15, "axes.titlesize": 15}
+
 
 def save(figure, path):
     """Writes the figure beside its place and renames it, so that nobody meets half a file."""

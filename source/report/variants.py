@@ -9,6 +9,7 @@ from words import name_variants
 
 @dataclass
 class Variant:
+    number: int
     name: str
     run: RunFolder
 
@@ -34,4 +35,4 @@ def find_variants(folder):
     below = sorted(path for path in folder.iterdir() if path.is_dir())
     folders = list(dict.fromkeys([path for path in list_sweep_order(folder) + below if is_run(path)]))
     runs = [RunFolder(path) for path in folders]
-    return [Variant(name, run) for name, run in zip(name_variants(runs), runs)]
+    return [Variant(number, *pair) for number, pair in enumerate(zip(name_variants(runs), runs))]

@@ -20,36 +20,46 @@ def read_wave(rim, component, n):
     return cos + 1j * rim[f"{component} sin {n}"] if n else cos + 0j
 
 
-def compute_wave_spectrum(wave, interval):
-    """Frequencies [Hz] from negative to positive and amplitudes, Hann's window, mean kept out.
+def split_wave(wave, time, n, rate):
+    """The pattern that stands in space (amplitude with phase) and the rest of C(t), in the axes that
+    turn with the gear at `rate` [rad/s, + about its axis].
 
-    A standing wave is two equal lines, one on either side. Waves without nodal diameters have no
-    direction: both sides are added onto the positive one.
+    The load stands in space, so in the turning gear its pattern of n diameters is a wave of
+    frequency -n rate; for n = 0 it is the mean. A gear of equal sectors has no pattern of its own that
+    would stand in the gear.
     """
+    turn = np.exp(1j * n * rate * time)
+    standing = np.mean(wave * turn)
+    return standing, wave - standing / turn
+
+
+def compute_wave_spectrum(wave, interval):
+    """Frequencies [Hz] from negative to positive and amplitudes, Hann's window. A wave that stands
+    in the gear is two equal lines, one on either side."""
     n = len(wave)
-    window = np.hanning(n + 1)[:-1]
-    rest = wave - (wave * window).sum() / window.sum()
-    amplitudes = 2 * np.abs(np.fft.fftshift(np.fft.fft(rest * window))) / n
+    amplitudes = 2 * np.abs(np.fft.fftshift(np.fft.fft(wave * np.hanning(n + 1)[:-1]))) / n
     return np.fft.fftshift(np.fft.fftfreq(n, interval)), amplitudes
 
 
-def measure_waves(rim, rows):
-    """Mean of the amplitude and root mean square of its fluctuation, by component and nodal
+def measure_waves(rim, rows, rate):
+    """Amplitude that stands in space and root mean square of the rest, by component and nodal
     diameters, (3, n + 1) each [um]."""
-    numbers = range(count_diameters(rim) + 1)
-    waves = np.array([[read_wave(rim, c, n)[rows] for n in numbers] for c in COMPONENTS])
-    mean = waves.mean(axis=2)
-    return np.abs(mean), np.sqrt(np.mean(np.abs(waves - mean[..., None])**2, axis=2))
+    shape = (len(COMPONENTS), count_diameters(rim) + 1)
+    standing, moving = np.empty(shape), np.empty(shape)
+    for k, component in enumerate(COMPONENTS):
+        for n in range(shape[1]):
+            wave = read_wave(rim, component, n)[rows]
+            pattern, rest = split_wave(wave, rim["time"][rows], n, rate)
+            standing[k, n], moving[k, n] = np.abs(pattern), np.sqrt(np.mean(np.abs(rest)**2))
+    return standing, moving
 
 
 def draw_rim_content(run):
-    """What stands still in the turning gear, and what moves in it, by nodal diameters."""
-    mean, moving = measure_waves(run.rim, run.steady_rows(run.rim))
+    """What stands in space and what moves, by nodal diameters."""
+    both = measure_waves(run.rim, run.steady_rows(run.rim), run.gear_rate())
     figure, panels = plt.subplots(1, 2, figsize=(9, 4))
-    numbers = np.arange(mean.shape[1])
-    for axes, values, title in zip(panels, (mean, moving), (
-            "mean over the time: standing in the turning gear",
-            "root mean square of the rest: moving in the gear")):
+    numbers = np.arange(both[0].shape[1])
+    for axes, values, title in zip(panels, both, ("standing in space", "rest, root mean square")):
         for k, component in enumerate(COMPONENTS):
             axes.plot(numbers, values[k], "o-", markersize=4, color=COLOURS[k + 1],
                       label=COMPONENTS[component])
@@ -60,15 +70,15 @@ def draw_rim_content(run):
 
 
 def draw_rim_history(run):
-    """Amplitudes of the axial waves over time."""
-    rim = run.rim
-    time = 1e3 * rim["time"]
+    """Amplitudes over time of the axial waves that do not stand in space."""
+    rim, rows = run.rim, run.steady_rows(run.rim)
+    time = rim["time"][rows]
     figure, axes = plt.subplots()
     for n in range(min(5, count_diameters(rim)) + 1):
-        wave = read_wave(rim, "z", n)
-        value = wave.real if n == 0 else np.abs(wave)
-        axes.plot(time, value, color=COLOURS[n % len(COLOURS)], label=f"{n} diameters")
-    axes.set(title="Axial motion of the rim by nodal diameters (0: mean, with its sign)",
+        rest = split_wave(read_wave(rim, "z", n)[rows], time, n, run.gear_rate())[1]
+        axes.plot(1e3 * time, rest.real if n == 0 else np.abs(rest), color=COLOURS[n % len(COLOURS)],
+                  label=f"{n} diameters")
+    axes.set(title="Axial waves of the rim that do not stand in space (0 diameters: with sign)",
              xlabel="time [ms]", ylabel="amplitude [um]")
     axes.margins(x=0)
     axes.legend(frameon=False, ncol=3, fontsize=9)
@@ -76,32 +86,31 @@ def draw_rim_history(run):
 
 
 def draw_rim_waves(run):
-    """Spectra of the axial waves in both directions, a panel a number of nodal diameters."""
-    rim, rows = run.rim, run.steady_rows(run.rim)
-    interval = (rim["time"][-1] - rim["time"][0]) / (rim.n_rows - 1)
+    """Spectra of these waves in both directions, a panel a number of nodal diameters."""
+    rim, rows, rate = run.rim, run.steady_rows(run.rim), run.gear_rate()
+    time = rim["time"][rows]
+    interval = (time[-1] - time[0]) / (len(time) - 1)
     count = min(SHOWN_DIAMETERS, count_diameters(rim)) + 1
     figure, panels = plt.subplots(count, 1, sharex=True, figsize=(8, 1.35 * count + 0.6))
     top = 2.2 * run.figure("mesh frequency")
     # The load, which stands in space, travels against the turning of the gear.
-    directions = (("against the turning of the gear", -run.gear_sense(), "-"),
-                  ("with it", run.gear_sense(), "--"))
+    directions = (("against the turning of the gear", -np.sign(rate), "-", COLOURS[1]),
+                  ("with it", np.sign(rate), "--", COLOURS[2]))
     for n, axes in enumerate(panels):
-        frequency, amplitude = compute_wave_spectrum(read_wave(rim, "z", n)[rows], interval)
-        for direction, sign, style in directions:
-            if n == 0 and style == "--":
-                continue
-            factor = 2 if n == 0 else 1
+        rest = split_wave(read_wave(rim, "z", n)[rows], time, n, rate)[1]
+        frequency, amplitude = compute_wave_spectrum(rest, interval)
+        for direction, sign, dashes, colour in directions[:1] if n == 0 else directions:
             side = (sign * frequency > 0) & (sign * frequency <= top)
-            axes.plot(1e-3 * sign * frequency[side], factor * amplitude[side], style,
-                      color=COLOURS[1] if style == "-" else COLOURS[2],
+            order = np.argsort(sign * frequency[side])
+            values = (2 if n == 0 else 1) * amplitude[side]
+            axes.plot(1e-3 * sign * frequency[side][order], values[order], dashes, color=colour,
                       label=direction)
         axes.set_ylim(bottom=0)
+        axes.set_xlim(0, 1e-3 * top)
         axes.set_title(f"{n} nodal diameters", fontsize=9)
-        axes.margins(x=0)
     panels[-1].legend(frameon=False, fontsize=8, loc="upper right")
     panels[-1].set_xlabel("frequency in the turning gear [kHz]")
     figure.supylabel("amplitude of the axial motion [um]", fontsize=10)
-    spacing = 1 / (interval * np.count_nonzero(rows))
-    figure.suptitle(f"Hann's window, bins {spacing:.0f} Hz apart; 0 nodal diameters have no direction",
-                    x=0.01, ha="left", fontsize=9, color=GREY)
+    figure.suptitle(f"Hann's window, bins {1 / (time[-1] - time[0]):.0f} Hz apart; 0 nodal diameters "
+                    "have no direction", x=0.01, ha="left", fontsize=9, color=GREY)
     return figure
