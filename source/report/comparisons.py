@@ -6,7 +6,7 @@ from histories import compute_mesh_average
 from key_figures import find_passages
 from passages import find_engagement, is_loaded
 from spectra import LARGEST_ORDER, compute_spectrum
-from style import COLOURS, plt
+from style import COLOURS, add_legend, plt
 from tooth_contact import limit_to_most
 from waves import COMPONENTS, measure_waves
 
@@ -40,7 +40,7 @@ def draw_histories(variants, column):
               ylabel=label, xlabel="tooth meshes before the end")
     for axes in (above, below):
         axes.margins(x=0)
-    above.legend(frameon=False, fontsize=9)
+    add_legend(above, fontsize=9)
     return figure
 
 
@@ -86,7 +86,7 @@ def draw_tooth_stress(variants):
               xlabel="tooth meshes since the first touch")
     above.set_ylim(bottom=0)
     limit_to_most(below)
-    above.legend(frameon=False, fontsize=8)
+    add_legend(above, fontsize=8)
     return figure
 
 
@@ -105,7 +105,7 @@ def draw_probes(variants):
     for axes, name in zip(panels[:, 0], names):
         axes.set(title=name, ylabel="von Mises stress [MPa]")
         axes.set_ylim(bottom=0)
-    panels[0, 0].legend(frameon=False, fontsize=9)
+    add_legend(panels[0, 0], fontsize=9)
     panels[-1, 0].set_xlabel("time from the peak [ms]")
     return figure
 
@@ -127,5 +127,5 @@ def draw_rim_content(variants):
         panels[row, 0].set_ylabel("amplitude [um]")
     for axes in panels[1]:
         axes.set_xlabel("nodal diameters")
-    panels[0, 0].legend(frameon=False, fontsize=9)
+    add_legend(panels[0, 0], fontsize=9)
     return figure

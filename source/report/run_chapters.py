@@ -37,6 +37,8 @@ def add_pictures(page, run, figures, names):
 
 
 def add_case(page, run, figures):
+    if not (run.parameters or run.summary):
+        return
     page.section("The case")
     failure = run.summary.get("failure")
     if failure:
@@ -44,7 +46,8 @@ def add_case(page, run, figures):
     for sentence in list_sentences(run):
         page.paragraph(sentence)
     page.table(["", "in force"], list(list_case_rows(run)))
-    page.paragraph("All parameters in force: parameters.prm in the run's folder.", "soft")
+    if run.parameters:
+        page.paragraph("All parameters in force: parameters.prm in the run's folder.", "soft")
     add_pictures(page, run, figures, ["bodies.png"])
 
 

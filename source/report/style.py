@@ -50,6 +50,12 @@ def save(figure, path):
     plt.close(figure)
 
 
+def add_legend(axes, **options):
+    """A frameless legend of the curves that have names, where there are any."""
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(frameon=False, **options)
+
+
 def darken_edges(colour, edge):
     """Colours (n, 3) with those at mesh edges drawn towards the edges' colour."""
     return np.where(edge[:, None], 0.5 * colour + 0.5 * np.array(to_rgb(EDGE)), colour)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from passages import find_engagement, is_loaded
-from style import COLOURS, GREY, PRESSURE_MAP, plt
+from style import COLOURS, GREY, PRESSURE_MAP, add_legend, plt
 
 
 def draw_contact_pattern(run):
@@ -87,7 +87,7 @@ def draw_tooth_engagement(run):
     below.set_title("Contact stress, under a twentieth of the largest force and more")
     below.set_ylabel("contact stress [MPa]")
     below.set_xlabel("tooth meshes since the first touch")
-    below.legend(frameon=False, fontsize=9)
+    add_legend(below, fontsize=9)
     for axes in (above, below):
         axes.set_ylim(bottom=0)
     return figure

@@ -2,7 +2,7 @@
 """Motion of the gear's rim by nodal diameters, from rim.csv (axes that turn with the gear)."""
 import numpy as np
 
-from style import COLOURS, GREY, plt
+from style import COLOURS, GREY, add_legend, plt
 
 COMPONENTS = {"r": "radial", "theta": "tangential", "z": "axial"}
 SHOWN_DIAMETERS = 6
@@ -65,7 +65,7 @@ def draw_rim_content(run):
                       label=COMPONENTS[component])
         axes.set(title=title, xlabel="nodal diameters", ylabel="amplitude [um]", yscale="log")
         axes.set_xticks(numbers)
-    panels[0].legend(frameon=False)
+    add_legend(panels[0])
     return figure
 
 
@@ -81,7 +81,7 @@ def draw_rim_history(run):
     axes.set(title="Axial waves of the rim that do not stand in space (0 diameters: with sign)",
              xlabel="time [ms]", ylabel="amplitude [um]")
     axes.margins(x=0)
-    axes.legend(frameon=False, ncol=3, fontsize=9)
+    add_legend(axes, ncol=3, fontsize=9)
     return figure
 
 
@@ -108,7 +108,7 @@ def draw_rim_waves(run):
         axes.set_ylim(bottom=0)
         axes.set_xlim(0, 1e-3 * top)
         axes.set_title(f"{n} nodal diameters", fontsize=9)
-    panels[-1].legend(frameon=False, fontsize=8, loc="upper right")
+    add_legend(panels[-1], fontsize=8, loc="upper right")
     panels[-1].set_xlabel("frequency in the turning gear [kHz]")
     figure.supylabel("amplitude of the axial motion [um]", fontsize=10)
     figure.suptitle(f"Hann's window, bins {1 / (time[-1] - time[0]):.0f} Hz apart; 0 nodal diameters "
