@@ -52,7 +52,7 @@ namespace vfife
       prm,
       "pictures",
       pictures,
-      "Plots and pictures of the results at the end of the run, in its folder pictures");
+      "Report, plots and pictures of the results at the end of the run, in its folder");
     declare_choice(prm,
                    "verbosity",
                    verbosity,

@@ -70,7 +70,7 @@ def main(arguments):
     except (OSError, ValueError, KeyError) as error:
         # What is no run's folder or was cut off; errors of these scripts show their trace.
         sys.exit(f"report: {error or type(error).__name__}")
-    print(f"{path} with {len(figures)} pictures of {run.path / 'pictures'}")
+    print(f"{len(figures)} pictures in {run.path / 'pictures'}, report {path}")
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ def add_pictures(page, run, figures, names):
 
 
 def add_case(page, run, figures):
-    if not (run.parameters or run.summary):
+    if not (run.parameters or run.summary or figures):
         return
     page.section("The case")
     failure = run.summary.get("failure")
