@@ -3,6 +3,8 @@
 #include <vfife/output/output_folder.h>
 #include <vfife/output/summary.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <nlohmann/json.hpp>
 
 #include <ostream>
@@ -35,6 +37,14 @@ namespace vfife
       return json;
     }
 
+    /** Largest memory of this process so far [MB]. */
+    double largest_memory()
+    {
+      dealii::Utilities::System::MemoryStats stats;
+      dealii::Utilities::System::get_memory_stats(stats);
+      return 1e-3 * static_cast<double>(stats.VmHWM);
+    }
+
     Json run(const RunSummary &summary)
     {
       Json json;
@@ -44,6 +54,7 @@ namespace vfife
       json["run time"]                 = figure_json(summary.run_time, "s");
       json["element-steps per second"] = figure_json(summary.element_steps_per_second(), "1/s");
       json["ranks"]                    = summary.ranks;
+      json["memory of the first rank"] = figure_json(largest_memory(), "MB");
       if (!summary.instruction_set.empty())
         json["instruction set"] = summary.instruction_set;
       if (!summary.timers.empty())

@@ -21,9 +21,13 @@ def list_checks(run):
         yield ("steady part", f"{part['mesh cycles']} tooth meshes" if part["found"] else "none",
                "found", judge(part["found"]))
     if run.history is not None and "energy error" in run.history:
-        largest = 100 * np.abs(run.history["energy error"]).max()
-        yield ("largest energy error", f"{largest:.3g} %", f"below {LARGEST_ENERGY_ERROR} %",
-               judge(largest < LARGEST_ENERGY_ERROR))
+        # At the first touch of an impact the energies that the error is divided by are still tiny.
+        error = 100 * np.abs(run.history["energy error"])
+        rows = run.steady_rows(run.history) if part else slice(-1, None)
+        yield ("largest energy error of the steady part" if part else "energy error at the end",
+               f"{error[rows].max():.3g} %", f"below {LARGEST_ENERGY_ERROR} %",
+               judge(error[rows].max() < LARGEST_ENERGY_ERROR))
+        yield "largest energy error on the way", f"{error.max():.3g} %", "", "not judged"
     yield from check_torque(run)
     losses = summary.get("contact losses")
     if losses and run.figure("mesh frequency"):

@@ -74,11 +74,13 @@ def draw_contact_force(run):
     figure, axes = plt.subplots()
     mark_steady_part(run, axes)
     axes.plot(time, history["contact force total"], color=COLOURS[0], label="total")
+    title = "Contact force"
     if teeth is not None and "pinion tooth" in teeth:
         draw_tooth_pairs(axes, history, teeth)
+        title += " and its share on tooth pairs (pinion tooth/gear tooth)"
     axes.set_ylabel("contact force [N]")
     axes.set_ylim(bottom=0)
-    axes.set_title("Contact force and its share on tooth pairs (pinion tooth/gear tooth)")
+    axes.set_title(title)
     finish_time_axis(run, axes)
     style.label_ends(axes, [(time[-1], history["contact force total"][-1], "total", COLOURS[0])])
     return figure

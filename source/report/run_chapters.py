@@ -3,12 +3,13 @@
 are the names of its pictures that could be drawn."""
 from checks import list_checks
 from key_figures import JUDGED, find_passages, list_key_figures, measure_column
-from periodicity import find_harmonics, find_lines
+from lines import find_harmonics, find_lines
+from waves import list_wave_lines
 from words import list_case_rows, list_sentences
 
 CAPTIONS = {
     "dte.svg": "Dynamic transmission error of hub and rim; a lag of the gear is negative.",
-    "contact_force.svg": "Contact force, sum over all tooth pairs and each pair.",
+    "contact_force.svg": "Contact force: sum, and each tooth pair.",
     "load_sharing.svg": "Share of each tooth pair and its pressures, all pairs laid over each other.",
     "tooth_engagement.svg": "One tooth pair through its engagement. The largest pressure of a point "
                             "depends on mesh and penalty, the mean and Hertz's do not.",
@@ -154,6 +155,9 @@ def add_rim(page, run, figures):
     if any(name in figures for name in names):
         page.section("Motion of the rim")
         add_pictures(page, run, figures, names)
+        page.table(["nodal diameters", "travels", "frequency [Hz]", "amplitude [um]"],
+                   list(list_wave_lines(run)) if "rim_waves.svg" in figures else [],
+                   "Strongest lines of the axial waves, frequencies in the turning gear.")
 
 
 def add_sections(page, run, figures):

@@ -6,7 +6,7 @@ import plot_loaded_contact
 import plot_tca
 from figure_data import write_figure_data
 from ledger import HEADER, list_ledger_rows, read_ledger
-from style import save
+from style import WIDE, plt, save
 
 
 def add_picture(page, folder, name, figure, caption, data):
@@ -35,7 +35,9 @@ def add_ledger(page, run):
 def add_tooth_contact_analysis(page, run):
     if (run.path / "tca.csv").is_file():
         page.section("Unloaded tooth contact")
-        add_picture(page, run.path, "tca", plot_tca.draw(run.path),
+        with plt.rc_context(WIDE):
+            figure = plot_tca.draw(run.path)
+        add_picture(page, run.path, "tca", figure,
                     "Lag of neighbouring tooth pairs, path of contact with ellipses, ease-off.",
                     "tca.csv, path.csv, ease_off.csv")
 

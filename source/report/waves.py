@@ -2,6 +2,7 @@
 """Motion of the gear's rim by nodal diameters, from rim.csv (axes that turn with the gear)."""
 import numpy as np
 
+from lines import find_peaks
 from style import COLOURS, GREY, add_legend, plt
 
 COMPONENTS = {"r": "radial", "theta": "tangential", "z": "axial"}
@@ -85,32 +86,60 @@ def draw_rim_history(run):
     return figure
 
 
-def draw_rim_waves(run):
-    """Spectra of these waves in both directions, a panel a number of nodal diameters."""
+def list_directions(rate):
+    """Name, sign of the frequency, dashes and colour of each direction of travel. The load, which
+    stands in space, travels against the turning of the gear."""
+    return (("against the turning of the gear", -np.sign(rate), "-", COLOURS[1]),
+            ("with it", np.sign(rate), "--", COLOURS[2]))
+
+
+def list_spectra(run, n):
+    """Direction (list_directions), frequencies [Hz] from zero up and amplitudes [um] of the axial
+    waves of n diameters that do not stand in space; one direction only for n = 0, which has none."""
     rim, rows, rate = run.rim, run.steady_rows(run.rim), run.gear_rate()
     time = rim["time"][rows]
-    interval = (time[-1] - time[0]) / (len(time) - 1)
-    count = min(SHOWN_DIAMETERS, count_diameters(rim)) + 1
+    rest = split_wave(read_wave(rim, "z", n)[rows], time, n, rate)[1]
+    frequency, amplitude = compute_wave_spectrum(rest, (time[-1] - time[0]) / (len(time) - 1))
+    for direction in list_directions(rate)[:1] if n == 0 else list_directions(rate):
+        sign = direction[1]
+        side = sign * frequency >= 0
+        order = np.argsort(sign * frequency[side])
+        values = (2 if n == 0 else 1) * amplitude[side][order]
+        yield direction, (sign * frequency[side])[order], values
+
+
+def list_wave_lines(run, least=0.3):
+    """Nodal diameters, direction, frequency [Hz], amplitude [um] of the strongest lines below 2.2
+    times the mesh frequency: two a direction, at least `least` times the strongest of the wave."""
+    top = 2.2 * run.figure("mesh frequency")
+    for n in range(min(SHOWN_DIAMETERS, count_diameters(run.rim)) + 1):
+        found = [(direction[0] if n else "-", line)
+                 for direction, frequency, amplitude in list_spectra(run, n)
+                 for line in sorted((p for p in find_peaks(amplitude, frequency[1])
+                                     if p.frequency < top), key=lambda p: -p.amplitude)[:2]]
+        floor = least * max((line.amplitude for _, line in found), default=0)
+        for direction, line in found:
+            if line.amplitude >= floor:
+                yield str(n), direction, line.frequency, line.amplitude
+
+
+def draw_rim_waves(run):
+    """Spectra of these waves in both directions, a panel a number of nodal diameters."""
+    count = min(SHOWN_DIAMETERS, count_diameters(run.rim)) + 1
     figure, panels = plt.subplots(count, 1, sharex=True, figsize=(8, 1.35 * count + 0.6))
     top = 2.2 * run.figure("mesh frequency")
-    # The load, which stands in space, travels against the turning of the gear.
-    directions = (("against the turning of the gear", -np.sign(rate), "-", COLOURS[1]),
-                  ("with it", np.sign(rate), "--", COLOURS[2]))
     for n, axes in enumerate(panels):
-        rest = split_wave(read_wave(rim, "z", n)[rows], time, n, rate)[1]
-        frequency, amplitude = compute_wave_spectrum(rest, interval)
-        for direction, sign, dashes, colour in directions[:1] if n == 0 else directions:
-            side = (sign * frequency > 0) & (sign * frequency <= top)
-            order = np.argsort(sign * frequency[side])
-            values = (2 if n == 0 else 1) * amplitude[side]
-            axes.plot(1e-3 * sign * frequency[side][order], values[order], dashes, color=colour,
+        for (direction, _, dashes, colour), frequency, amplitude in list_spectra(run, n):
+            shown = (frequency > 0) & (frequency <= top)
+            axes.plot(1e-3 * frequency[shown], amplitude[shown], dashes, color=colour,
                       label=direction)
+            spacing = frequency[1]
         axes.set_ylim(bottom=0)
         axes.set_xlim(0, 1e-3 * top)
         axes.set_title(f"{n} nodal diameters", fontsize=9)
     add_legend(panels[-1], fontsize=8, loc="upper right")
     panels[-1].set_xlabel("frequency in the turning gear [kHz]")
     figure.supylabel("amplitude of the axial motion [um]", fontsize=10)
-    figure.suptitle(f"Hann's window, bins {1 / (time[-1] - time[0]):.0f} Hz apart; 0 nodal diameters "
-                    "have no direction", x=0.01, ha="left", fontsize=9, color=GREY)
+    figure.suptitle(f"Hann's window, bins {spacing:.0f} Hz apart; 0 nodal diameters have no direction",
+                    x=0.01, ha="left", fontsize=9, color=GREY)
     return figure

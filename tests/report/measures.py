@@ -11,11 +11,12 @@ from made_up_run import make_parameters, write_run  # first: ends the test witho
 import numpy as np
 
 from ledger import list_ledger_rows, read_ledger
+from lines import find_harmonics, find_lines
 from parameters import read_parameters
 from passages import find_engagement, find_passage
-from periodicity import find_harmonics, find_lines, fold_meshes, measure_periodicity
+from periodicity import fold_meshes, measure_periodicity
 from run_folder import RunFolder, Table
-from waves import compute_wave_spectrum, read_wave, split_wave
+from waves import compute_wave_spectrum, list_wave_lines, read_wave, split_wave
 from words import make_title, name_variants
 
 SAMPLES = 50.0
@@ -128,6 +129,11 @@ class Waves(unittest.TestCase):
             self.assertAlmostEqual(frequency[top], 9000, places=3)
             self.assertAlmostEqual(amplitude[top], 0.1, places=6)
             self.assertLess(amplitude[frequency < 0].max(), 1e-6)  # travels in the + sense only
+            # The gear turns in the - sense; the steady part is 7.2 periods.
+            lines = [line for line in list_wave_lines(run) if line[0] == "3"]
+            self.assertEqual(lines[0][1], "against the turning of the gear")
+            self.assertAlmostEqual(lines[0][2], 9000, delta=100)
+            self.assertAlmostEqual(lines[0][3], 0.1, delta=0.002)
 
 
 class Texts(unittest.TestCase):
