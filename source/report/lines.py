@@ -25,18 +25,19 @@ def find_peaks(amplitudes, spacing):
     """Maxima of the amplitudes of a record of length T = 1/spacing under Hann's window, bin k at
     k spacing.
 
-    Frequency and amplitude by a parabola through the logarithms of three neighbours (error of the
-    amplitude of a lone line below 1.5 %). Below 1.5/T there is no maximum to be seen, and lines closer
-    than 2/T are one.
+    A lone line d bins from its maximum towards the larger neighbour has the ratio r = (1 + d)/(2 - d)
+    of that neighbour to the maximum, and sin(pi d)/(pi d)/(1 - d^2) of its amplitude there: both are
+    solved for. Below 1.5/T there is no maximum to be seen, and lines closer than 2/T are one.
     """
     peaks = []
     for k in range(2, len(amplitudes) - 1):
         left, centre, right = amplitudes[k - 1:k + 2]
-        if not left < centre >= right or left == 0 or right == 0:
+        if not left < centre >= right:
             continue
-        a, b, c = np.log([left, centre, right])
-        shift = 0.5 * (a - c) / (a - 2 * b + c)
-        peaks.append(Line((k + shift) * spacing, np.exp(b - 0.25 * (a - c) * shift)))
+        ratio = max(left, right) / centre
+        d = (2 * ratio - 1) / (ratio + 1)
+        side = 1 if right > left else -1
+        peaks.append(Line((k + side * d) * spacing, centre * (1 - d**2) / np.sinc(d)))
     return peaks
 
 

@@ -72,12 +72,12 @@ class Periodicity(unittest.TestCase):
                       + 0.5 * np.sin(2 * np.pi * side * time))
             lines = find_lines(values, SAMPLES, 9000, 0, 6000, 3)
             self.assertEqual(len(lines), 1)
-            self.assertAlmostEqual(lines[0].frequency, low, delta=0.1 * 346)
+            self.assertAlmostEqual(lines[0].frequency, low, delta=0.02 * 346)
             # The mean mesh takes what lies at multiples of 9 kHz, little of the line.
-            self.assertAlmostEqual(lines[0].amplitude, 1, delta=0.04)
+            self.assertAlmostEqual(lines[0].amplitude, 1, delta=0.01)
             above = find_lines(values, SAMPLES, 9000, 9000, 31500, 3)
-            self.assertAlmostEqual(above[0].frequency, side, delta=0.1 * 346)
-            self.assertAlmostEqual(above[0].amplitude, 0.5, delta=0.02)
+            self.assertAlmostEqual(above[0].frequency, side, delta=0.02 * 346)
+            self.assertAlmostEqual(above[0].amplitude, 0.5, delta=0.005)
         self.assertEqual(find_lines(np.cos(2 * np.pi * MESHES) * 0, SAMPLES, 9000, 0, 9000, 3), [])
 
 
