@@ -41,7 +41,7 @@ def report_run(run):
         add(page, run, figures)
     for add in table_chapters.CHAPTERS:
         add(page, run)
-    return page, figures
+    return page
 
 
 def report_study(folder, variants):
@@ -54,7 +54,7 @@ def report_study(folder, variants):
         add(page, folder, variants, figures)
     for add in table_chapters.CHAPTERS:
         add(page, RunFolder(folder))
-    return page, figures
+    return page
 
 
 def main(arguments):
@@ -63,14 +63,14 @@ def main(arguments):
     try:
         run = RunFolder(arguments[0])
         variants = find_variants(run.path)
-        page, figures = report_study(run.path, variants) if variants else report_run(run)
+        page = report_study(run.path, variants) if variants else report_run(run)
         if not page.sections:
             sys.exit(f"report: {run.path} has neither results nor folders with results")
         path = write_page(page, run.path)
     except (OSError, ValueError, KeyError) as error:
         # What is no run's folder or was cut off; errors of these scripts show their trace.
         sys.exit(f"report: {error or type(error).__name__}")
-    print(f"{len(figures)} pictures in {run.path / 'pictures'}, report {path}")
+    print(f"{page.n_pictures} pictures in {run.path / 'pictures'}, report {path}")
 
 
 if __name__ == "__main__":

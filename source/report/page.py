@@ -61,7 +61,7 @@ class Page:
 
     def __init__(self, title, subtitle):
         self.title, self.subtitle = title, subtitle
-        self.parts, self.sections = [], []
+        self.parts, self.sections, self.n_pictures = [], [], 0
 
     def section(self, title):
         self.sections.append(title)
@@ -96,6 +96,7 @@ class Page:
 
     def picture(self, path, caption, data=None):
         """A .svg or .png within the page; `data`: name of the file with its numbers."""
+        self.n_pictures += 1
         code = base64.b64encode(path.read_bytes()).decode()
         data = f' Data: <code>{escape(data)}</code>.' if data else ""
         self.parts.append(

@@ -44,14 +44,14 @@ def describe_pair(parameters):
 
 
 def make_title(run):
-    """What a run is, in one line; the folder's name where it is no gear pair."""
+    """What a run or study is, in one line; the folder's name where it is no gear pair."""
     parameters = run.parameters
     parts = [describe_pair(parameters), describe_web(parameters)]
     if "Operation/speed" in parameters:
         parts += [parameters["Operation/speed"], parameters["Operation/torque"]]
-    title = ", ".join(part for part in parts if part)
-    kind = parameters.get("Study/kind", "")
-    return title or f"{run.path.resolve().name}{': ' + kind if kind else ''}"
+    title = ", ".join(part for part in parts if part) or run.path.resolve().name
+    kind = parameters.get("Study/kind", "run")
+    return title if kind == "run" else f"{title}: {kind}"
 
 
 def list_case_rows(run):
