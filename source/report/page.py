@@ -34,7 +34,7 @@ figure img { width: 100%; min-width: 34rem; height: auto; display: block; }
   @page { size: A4; margin: 16mm 14mm; }
   body { font-size: 10pt; } main { max-width: none; padding: 0; } nav { display: none; }
   figure, tr { break-inside: avoid; } h2, h3 { break-after: avoid; }
-  figure img { min-width: 0; width: auto; max-width: 100%; max-height: 225mm; } .wide { overflow: visible; } a { color: inherit; text-decoration: none; }
+  figure img { min-width: 0; width: auto; max-width: 100%; max-height: 125mm; } .wide { overflow: visible; } a { color: inherit; text-decoration: none; }
 }
 """
 

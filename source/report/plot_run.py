@@ -27,7 +27,7 @@ from run_folder import RunFolder
 
 def draw_all(run):
     """Name of the file, what must be there, function that makes the figure."""
-    history = run.history is not None
+    history = run.history is not None and run.history.n_rows > 2
     pair = history and "dte" in run.history
     yield "dte.svg", pair, lambda: histories.draw_transmission_error(run)
     yield "contact_force.svg", history, lambda: histories.draw_contact_force(run)

@@ -3,7 +3,8 @@
 are the names of its pictures that could be drawn."""
 from checks import list_checks
 from key_figures import JUDGED, find_passages, list_key_figures, measure_column
-from lines import find_harmonics, find_lines
+from line_tables import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
+                         list_other_lines)
 from waves import list_wave_lines
 from words import list_case_rows, list_sentences
 
@@ -82,47 +83,12 @@ def add_spectra(page, run, figures):
         return
     page.section("Spectra and periodicity")
     add_pictures(page, run, figures, ["spectra.svg"])
-    frequency, samples = run.figure("mesh frequency"), run.samples_per_mesh()
-    rows, lines = run.steady_rows(run.history), []
-    harmonics = []
-    for column in JUDGED:
-        if column not in run.history:
-            continue
-        values, unit = run.history[column][rows], run.history.units[column]
-        for order, amplitude in enumerate(find_harmonics(values, samples, 5), 1):
-            harmonics.append([column, order, order * frequency, amplitude, unit])
-        lines += list_lines(column, unit, values, samples, frequency)
-    page.table(["history", "order", "frequency [Hz]", "amplitude", "unit"], harmonics,
+    page.table(["history"] + HARMONICS_HEADER, list_harmonics(run, 5),
                "Harmonics of the tooth mesh, of the mean mesh.")
-    page.table(["history", "line", "frequency [Hz]", "amplitude", "unit"], lines,
+    page.table(["history"] + LINES_HEADER, list_other_lines(run),
                "Strongest lines of what does not repeat with the mesh (Hann's window).")
     page.paragraph(describe_resolution(run), "soft")
     add_periodicity(page, run)
-
-
-def list_lines(column, unit, values, samples, frequency):
-    """Low lines, and sidebands by their distance from the nearest harmonic."""
-    for line in find_lines(values, samples, frequency, 0, 0.75 * frequency, 4):
-        yield [column, "low", line.frequency, line.amplitude, unit]
-    for line in find_lines(values, samples, frequency, 0.75 * frequency, 3.5 * frequency, 3):
-        order = max(round(line.frequency / frequency), 1)
-        offset = line.frequency - order * frequency
-        yield [column, f"{order} mesh {offset:+.0f} Hz", line.frequency, line.amplitude, unit]
-
-
-def describe_resolution(run):
-    rows = run.steady_rows(run.history)
-    time = run.history["time"][rows]
-    resolution = 2 / (time[-1] - time[0])
-    bodies = run.summary.get("mesh", {}).get("bodies", [])
-    turns = [abs(body["speed at the start"]["value"]) / 60 for body in bodies]
-    text = f"Lines closer than {resolution:.0f} Hz are one line here."
-    hidden = [f"{body['name']} ({turn:.0f} Hz)" for body, turn in zip(bodies, turns)
-              if turn < resolution]
-    if hidden:
-        text += (" Sidebands at the rotation of " + " and ".join(hidden)
-                 + " cannot be told from the harmonics: the record is too short.")
-    return text
 
 
 def add_periodicity(page, run):

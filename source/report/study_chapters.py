@@ -4,6 +4,8 @@ import csv
 
 import comparisons
 from key_figures import JUDGED, list_key_figures, measure_column, read_statistics
+from line_tables import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
+                         list_other_lines)
 from words import find_differences
 
 CAPTIONS = {
@@ -88,6 +90,21 @@ def add_periodicity(page, folder, variants, figures):
                     "change, rms", "change, largest", "periodic [%]", "unit"], rows)
 
 
+def add_lines(page, folder, variants, figures):
+    pairs = [v for v in variants if v.run.history is not None and list_harmonics(v.run, 1)]
+    rows = [[row[0], v.name] + row[1:] for v in pairs for row in list_harmonics(v.run, 3)]
+    if not rows:
+        return
+    page.section("Lines")
+    page.table(["history", "variant"] + HARMONICS_HEADER, sorted(rows, key=lambda row: row[0]),
+               "Harmonics of the tooth mesh, of the mean mesh.")
+    rows = [[row[0], v.name] + row[1:] for v in pairs for row in list_other_lines(v.run, 3, 2)]
+    page.table(["history", "variant"] + LINES_HEADER, sorted(rows, key=lambda row: row[0]),
+               "Strongest lines of what does not repeat with the mesh (Hann's window).")
+    for variant in pairs:
+        page.paragraph(f"{variant.name}: {describe_resolution(variant.run)}", "soft")
+
+
 def add_figures(title, names):
     def add(page, folder, variants, figures):
         present = [name for name in names if name in figures]
@@ -137,7 +154,7 @@ def add_computation(page, folder, variants, figures):
 CHAPTERS = (add_variants, add_means,
             add_figures("Transmission error", ["dte.svg", "dte_spectra.svg"]),
             add_figures("Contact force", ["contact_force.svg", "force_spectra.svg"]),
-            add_periodicity,
+            add_periodicity, add_lines,
             add_figures("Stresses", ["tooth_stress.svg", "probes.svg"]),
             add_figures("Motion of the rim", ["rim_content.svg"]),
             add_numbers, add_computation)
