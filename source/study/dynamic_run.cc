@@ -11,8 +11,8 @@
 #include <vfife/output/pattern_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/output/probe_writer.h>
-#include <vfife/output/rim_writer.h>
 #include <vfife/output/progress_line.h>
+#include <vfife/output/rim_writer.h>
 #include <vfife/output/teeth_writer.h>
 #include <vfife/study/contact_figures.h>
 #include <vfife/study/dynamic_run.h>
