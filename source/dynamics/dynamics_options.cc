@@ -117,7 +117,8 @@ namespace vfife
       prm,
       "energy limit",
       energy_limit,
-      "Energy error (residual of the ledger over its scale) at which the run stops as failed",
+      "Energy error (residual of the ledger over its scale) at which the run stops as failed; "
+      "from two fifths of it there is a warning",
       Range::positive());
     declare_integer(prm,
                     "largest number of steps",

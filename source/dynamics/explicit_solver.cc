@@ -312,32 +312,6 @@ namespace vfife
       }
   }
 
-  void ExplicitSolver::check(const State &state, const bool measured) const
-  {
-    const auto where = [&] {
-      return " at time " + std::to_string(1e3 * state.time) + " ms, step " +
-             std::to_string(state.step);
-    };
-    double kinetic = 0;
-    for (const auto &s : sums_)
-      kinetic += s.update.kinetic;
-    if (!std::isfinite(kinetic))
-      throw NumericalError("the motion is no longer finite" + where() + ": " +
-                           find_broken_element(model_, observed_, state) +
-                           "; a smaller Dynamics/safety or a softer contact may help");
-    if (contact_.is_too_deep())
-      throw NumericalError("runaway penetration" + where() + ": " +
-                           contact_.describe_deepest_point());
-    const std::string inverted =
-      measured ? find_inverted_element(model_, observed_, communicator_) : "";
-    if (!inverted.empty())
-      throw NumericalError("an element is inverted" + where() + ": " + inverted);
-    if (measured && !(std::abs(ledger_.error()) < options_.energy_limit))
-      throw NumericalError("the energy error is " + std::to_string(ledger_.error()) + where() +
-                           " (limit " + std::to_string(options_.energy_limit) +
-                           ", Dynamics/energy limit): the integration is unstable");
-  }
-
   void ExplicitSolver::run(State            &state,
                            const double      end_time,
                            Observers        &observers,

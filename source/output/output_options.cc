@@ -48,12 +48,11 @@ namespace vfife
       "Wall time from checkpoint to checkpoint, the first after the equilibrium before the "
       "start and one at the end, 0 for none",
       Range::not_negative());
-    declare_switch(prm,
-                   "pictures",
-                   pictures,
-                   "Report of the results at the end of the run, report.html, with its plots and "
-                   "pictures in the "
-                   "folder pictures");
+    declare_switch(
+      prm,
+      "pictures",
+      pictures,
+      "Report, plots and pictures of the results at the end of the run, in its folder");
     declare_choice(prm,
                    "verbosity",
                    verbosity,

@@ -71,8 +71,8 @@ namespace vfife
     DampingRate  damping_rate     = DampingRate::momentum;
     Start        start            = Start::static_preload;
     StartSolver  start_solver     = StartSolver::factorization;
-    double       energy_limit     = 0.5; ///< energy error at which a run is given up [-]
-    unsigned int largest_steps    = 0;   ///< a run ends in good order after so many, 0: no limit
+    double       energy_limit     = 0.05; ///< energy error at which a run is given up [-]
+    unsigned int largest_steps    = 0;    ///< a run ends in good order after so many, 0: no limit
     /** Stable step of every element by added mass, before the safety [s]; 0: no mass is added. */
     double            mass_scaling_step  = 0;
     double            largest_added_mass = 0.02; ///< of a body's mass [-]

@@ -111,7 +111,7 @@ namespace vfife
     double take_measurements(const State &state);
     void   show(Observers &observers, bool last);
     void   measure_contact();
-    void   check(const State &state, bool measured) const;
+    void   check(const State &state, bool measured);
     void   add_audit();
     void   add_rate_difference(const State &state);
     void   finish_audit();
@@ -146,9 +146,10 @@ namespace vfife
     std::uint64_t                       first_step_ = 0; ///< of the run
     double                              start_time_ = 0; ///< of the run [s]
     std::vector<RigidVelocity>          rates_at_start_;
-    bool                                goes_on_    = false; ///< from a checkpoint
-    bool                                search_now_ = false; ///< whatever the step
-    double                              element_step_;       ///< [s]
+    bool                                goes_on_       = false; ///< from a checkpoint
+    bool                                energy_warned_ = false;
+    bool                                search_now_    = false; ///< whatever the step
+    double                              element_step_;          ///< [s]
   };
 } // namespace vfife
 
