@@ -52,8 +52,8 @@ int main(int argc, char **argv)
       check(std::string(name) + ": same digits",
             whole.size() > 1000 && whole == read_text("parts/" + std::string(name)));
     }
-  auto whole = Json::parse(read_text("whole/summary.json")),
-       parts = Json::parse(read_text("parts/summary.json"));
+  auto whole = nlohmann::ordered_json::parse(read_text("whole/summary.json")),
+       parts = nlohmann::ordered_json::parse(read_text("parts/summary.json"));
   for (const char *section : {"transmission error",
                               "figures",
                               "steady part",
