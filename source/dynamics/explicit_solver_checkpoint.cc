@@ -60,6 +60,15 @@ namespace vfife
       }
   }
 
+  void ExplicitSolver::allocate()
+  {
+    rigid_.resize(model_.bodies.size());
+    rates_at_start_.resize(model_.bodies.size());
+    audit_.assign(model_.bodies.size(), DampingAudit());
+    sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
+    damping_.assign(model_.bodies.size(), BodyDamping());
+  }
+
   void ExplicitSolver::exchange(ByteStream &common, ByteStream *own, State &state)
   {
     common.pass(state.time, state.step, state.dt, first_step_, start_time_, state.body_motion);
