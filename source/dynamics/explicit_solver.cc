@@ -190,15 +190,6 @@ namespace vfife
     has_touched_      = false;
   }
 
-  void ExplicitSolver::allocate()
-  {
-    rigid_.resize(model_.bodies.size());
-    rates_at_start_.resize(model_.bodies.size());
-    audit_.assign(model_.bodies.size(), DampingAudit());
-    sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
-    damping_.assign(model_.bodies.size(), BodyDamping());
-  }
-
   void ExplicitSolver::compute_forces(State &state, const bool keep_contact_forces)
   {
     {

@@ -60,6 +60,15 @@ namespace vfife
       }
   }
 
+  void ExplicitSolver::allocate()
+  {
+    rigid_.resize(model_.bodies.size());
+    rates_at_start_.resize(model_.bodies.size());
+    audit_.assign(model_.bodies.size(), DampingAudit());
+    sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
+    damping_.assign(model_.bodies.size(), BodyDamping());
+  }
+
   void ExplicitSolver::exchange(ByteStream &common, ByteStream *own, State &state)
   {
     common.pass(state.time, state.step, state.dt, first_step_, start_time_, state.body_motion);
@@ -67,6 +76,7 @@ namespace vfife
     pass_records(common, state.partition, communicator_, state.velocity);
     constraints_.exchange(common, state.partition);
     common.pass(ledger_, ledger_at_start_, audited_steps_, audited_samples_);
+    common.pass(largest_approach_, has_touched_);
     if (common.reads())
       allocate();
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)

@@ -299,7 +299,9 @@ namespace vfife
     summary                    = start_summary(model, solver, dt, communicator);
     const Table &history       = stepping.add<HistoryWriter>(model, history_steps).table();
     const Table &teeth         = stepping.add<TeethWriter>(model, history_steps, hertz).table();
-    stepping.add<PatternWriter>(model, end_time - 1. / t.mesh_frequency(), history_steps);
+    stepping.add<PatternWriter>(model,
+                                std::max(0., end_time - 1. / t.mesh_frequency()),
+                                history_steps);
     stepping.add<ProbeWriter>(history_steps);
     stepping.add<RimWriter>(model, history_steps);
     stepping.add_fields(output_.compute_field_steps(&t, dt), dynamics_);

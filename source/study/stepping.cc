@@ -190,14 +190,14 @@ namespace vfife
     observers_.push_back(
       std::make_unique<ProgressLine>(log_, communicator_, 0., end_time, whole_time, sample_steps_));
     exchange_parts_ = parts.exchange;
-    // A run that has not come to its end must not look as if it had.
-    folder_.remove_file("summary.json");
-    begin_ = Clock::now();
+    begin_          = Clock::now();
     try
       {
         if (checkpoint != nullptr)
           restore(*checkpoint);
-        else
+        // A run that has not come to its end must not look as if it had.
+        folder_.remove_file("summary.json");
+        if (checkpoint == nullptr)
           parts.prepare(state_);
         begin_ = last_checkpoint_     = Clock::now();
         const std::uint64_t last_step = std::llround(end_time / state_.dt);

@@ -46,9 +46,9 @@ namespace vfife
                       Communicator        &communicator,
                       Log                 &log)
     {
-      Case       read(file);
-      auto      &prm   = read.prm;
-      const auto study = std::move(read.study);
+      Case        read(file);
+      auto       &prm   = read.prm;
+      const auto &study = read.study;
       if (command_line.print_parameters)
         {
           if (communicator.is_root())

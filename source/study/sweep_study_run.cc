@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 
@@ -117,32 +118,45 @@ namespace vfife
   {
     if (!folder.is_writer())
       return;
+    std::vector<RunFigures> all;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      all.push_back(read_run_figures(folder.file(folder_of_run(i))));
+    // Figures that no run has are left out.
+    std::vector<std::size_t> known;
+    for (std::size_t f = 0; f < all.front().figures.size(); ++f)
+      if (std::any_of(all.begin(), all.end(), [f](const RunFigures &run) {
+            return std::isfinite(run.figures[f].second.value);
+          }))
+        known.push_back(f);
+
     Table table;
     table.add_text_column("run");
     for (const Parameter &parameter : parameters_)
       table.add_text_column(parameter.name);
     table.add_text_column("status");
+    for (const std::size_t f : known)
+      table.add_column(all.front().figures[f].first, all.front().figures[f].second.unit);
     Json json = Json::array();
     for (std::size_t i = 0; i < runs.size(); ++i)
       {
-        const RunFigures run = read_run_figures(folder.file(folder_of_run(i)));
-        if (i == 0)
-          for (const auto &[name, figure] : run.figures)
-            table.add_column(name, figure.unit);
+        const std::string        word = word_for(reports[i].outcome);
         std::vector<Table::Cell> row  = {folder_of_run(i)};
         Json                     one  = {{"run", folder_of_run(i)}};
-        const std::string        word = word_for(reports[i].outcome);
+        NamedFigures             figures;
         for (std::size_t p = 0; p < parameters_.size(); ++p)
           {
             row.emplace_back(runs[i][p]);
             one["values"][parameters_[p].entry] = runs[i][p];
           }
         row.emplace_back(word);
+        for (const std::size_t f : known)
+          {
+            row.emplace_back(all[i].figures[f].second.value);
+            figures.push_back(all[i].figures[f]);
+          }
         one["status"]  = word;
         one["message"] = reports[i].message;
-        one["figures"] = figures_json(run.figures);
-        for (const auto &figure : run.figures)
-          row.emplace_back(figure.second.value);
+        one["figures"] = figures_json(figures);
         table.add_row(row);
         json.push_back(one);
       }
@@ -192,5 +206,11 @@ namespace vfife
       }
     if (stops)
       throw Interrupted("the sweep is stopped; to go on: the same command with --restart");
+    const auto n_failed = std::count_if(reports.begin(), reports.end(), [](const Report &report) {
+      return report.outcome == Outcome::failed;
+    });
+    if (n_failed > 0)
+      throw NumericalError(std::to_string(n_failed) + " of " + std::to_string(runs.size()) +
+                           " runs have failed; \"" + folder.file("sweep.json") + "\" says why");
   }
 } // namespace vfife

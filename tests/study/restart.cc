@@ -35,6 +35,13 @@ namespace
     return words;
   }
 
+  /** deal.II writes the date into a comment. */
+  std::string without_date(std::string text)
+  {
+    const std::size_t begin = text.find("<!--"), end = text.find("-->");
+    return end == std::string::npos ? text : text.erase(begin, end - begin);
+  }
+
   bool same_files(const std::string &one, const std::string &two)
   {
     const auto history = [](const std::string &folder) {
@@ -49,7 +56,8 @@ namespace
           return false;
       }
     return n > 2 && history(one).size() > 1000 && history(one) == history(two) &&
-           read_text(one + "/fields.pvd") == read_text(two + "/fields.pvd");
+           without_date(read_text(one + "/fields.pvd")) ==
+             without_date(read_text(two + "/fields.pvd"));
   }
 
   /** Whether the run in that folder has passed a part of its way. */
@@ -74,14 +82,14 @@ namespace
   {
     // The end of a short run is a stop at a step that is known.
     const std::string steps = "Dynamics/largest number of steps=";
-    check("short run", run_program(command("parts", {"--set", steps + "137"})).exit_code == 0);
+    check("short run", run_program(command("parts", {"--set", steps + "57"})).exit_code == 0);
     check("longer",
-          run_program(command("parts", {"--restart", "--set", steps + "260"})).exit_code == 0);
+          run_program(command("parts", {"--restart", "--set", steps + "131"})).exit_code == 0);
     check("to the end", run_program(command("parts", {"--restart"})).exit_code == 0);
     check("three parts have the digits of one run", same_files("whole", "parts"));
     const std::string log = read_text("parts/run.log");
     check("the log has all parts",
-          log.find("step 137") != std::string::npos && log.find("step 260") != std::string::npos);
+          log.find("step 57") != std::string::npos && log.find("step 131") != std::string::npos);
   }
 
   void go_on_after_signals()
@@ -95,7 +103,7 @@ namespace
     ending = run_program(command("stopped"), when_written("stopped", third), SIGTERM);
     check("stopped: exit code", ending.exit_code == 3);
     check("stopped: message",
-          ending.text.rfind("vfife: stopped by SIGTERM at time ", 0) == 0 &&
+          ending.text.find("\nvfife: stopped by SIGTERM at time ") != std::string::npos &&
             ending.text.find("after a checkpoint; to go on: vfife --restart \"stopped\"") !=
               std::string::npos);
     check("goes on", run_program(command("stopped", {"--restart"})).exit_code == 0);
@@ -111,7 +119,7 @@ namespace
   /** Half of the run on one rank, the rest on two. */
   void go_on_with_more_ranks()
   {
-    run_program(command("ranks", {"--set", "Dynamics/largest number of steps=250"}));
+    run_program(command("ranks", {"--set", "Dynamics/largest number of steps=100"}));
     std::vector<std::string> words = command("ranks", {"--restart"});
     words.insert(words.begin(), {"mpirun", "-np", "2"});
     check("two ranks go on", run_program(words).exit_code == 0);
