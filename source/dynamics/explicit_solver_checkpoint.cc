@@ -67,6 +67,7 @@ namespace vfife
     pass_records(common, state.partition, communicator_, state.velocity);
     constraints_.exchange(common, state.partition);
     common.pass(ledger_, ledger_at_start_, audited_steps_, audited_samples_);
+    common.pass(largest_approach_, has_touched_);
     if (common.reads())
       allocate();
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
