@@ -44,21 +44,8 @@ namespace vfife
     , forces_(operator_.array_size())
     , approach_(model)
     , contact_watch_(log)
-    , element_step_(operator_.limiting_element().stable_step())
+    , element_step_(find_element_step(model, options.step_bound, operator_, communicator, log))
   {
-    if (options.step_bound == StepBound::element)
-      return;
-    const AssembledFrequency assembled = iterate_largest_frequency(model, operator_, communicator);
-    element_step_                      = 2. / assembled.frequency;
-    log.line("power iteration: stable step ",
-             1e9 * element_step_,
-             " ns, ",
-             element_step_ / operator_.limiting_element().stable_step(),
-             " of that of the worst element, after ",
-             assembled.iterations,
-             " iterations; an eigenvalue is within ",
-             100 * assembled.deviation / assembled.quotient,
-             " % of the quotient");
   }
 
   VfifeOperator &ExplicitSolver::vfife_operator()

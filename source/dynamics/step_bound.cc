@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
+#include <vfife/base/log.h>
 #include <vfife/dynamics/step_bound.h>
 #include <vfife/dynamics/vfife_operator.h>
 #include <vfife/model/model.h>
@@ -102,5 +103,29 @@ namespace vfife
     result.frequency =
       std::min(std::sqrt(result.quotient + result.deviation), vfife.limiting_element().frequency);
     return result;
+  }
+
+
+  double find_element_step(const Model        &model,
+                           const StepBound     bound,
+                           VfifeOperator      &vfife,
+                           const Communicator &communicator,
+                           Log                &log)
+  {
+    const double worst = vfife.limiting_element().stable_step();
+    if (bound == StepBound::element)
+      return worst;
+    const AssembledFrequency assembled = iterate_largest_frequency(model, vfife, communicator);
+    const double             step      = 2. / assembled.frequency;
+    log.line("power iteration: stable step ",
+             1e9 * step,
+             " ns, ",
+             step / worst,
+             " of that of the worst element, after ",
+             assembled.iterations,
+             " iterations; an eigenvalue is within ",
+             100 * assembled.deviation / assembled.quotient,
+             " % of the quotient");
+    return step;
   }
 } // namespace vfife

@@ -2,9 +2,12 @@
 #ifndef vfife_dynamics_step_bound_h
 #define vfife_dynamics_step_bound_h
 
+#include <vfife/dynamics/dynamics_options.h>
+
 namespace vfife
 {
   class Communicator;
+  class Log;
   class VfifeOperator;
   struct Model;
 
@@ -29,6 +32,14 @@ namespace vfife
   AssembledFrequency iterate_largest_frequency(const Model        &model,
                                                VfifeOperator      &vfife,
                                                const Communicator &communicator);
+
+  /** Stable step of the elements by that bound [s]; says what a power iteration found. Collective.
+   */
+  double find_element_step(const Model        &model,
+                           StepBound           bound,
+                           VfifeOperator      &vfife,
+                           const Communicator &communicator,
+                           Log                &log);
 } // namespace vfife
 
 #endif
