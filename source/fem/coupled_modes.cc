@@ -203,7 +203,11 @@ namespace vfife
   {
     const Discretization &d       = compliance.discretization();
     FemOptions            options = fem_options;
-    options.eigen_solver          = EigenSolverKind::shift_invert;
+    if (centrifugal && options.element == FemElement::quadratic)
+      throw InputError("Fem/element",
+                       "coupled modes of a spinning pair stand in space, which is computed for "
+                       "elements of eight nodes only; take incompatible modes or centrifugal = no");
+    options.eigen_solver = EigenSolverKind::shift_invert;
     // Shapes that stand in space are made of more than as many turning ones.
     options.n_modes = 2 * n + 10;
     const Assembly        assembly(d, Unknowns::Options(), communicator, make_links(ties));
