@@ -4,8 +4,9 @@
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
 #include <vfife/gear/tooth_contact.h>
-#include <vfife/mesh/mesh_quality.h>
+#include <vfife/mesh/gear_meridian.h>
 #include <vfife/mesh/node_set_names.h>
+#include <vfife/study/body_figures.h>
 #include <vfife/study/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -225,7 +226,8 @@ namespace vfife
     add_hub(model, torque_is_ramped);
     add_contacts(pair, model);
     add_probes(model);
-    log_bodies(model, log);
+    for (const BodyFigures &figures : measure_bodies(model))
+      figures.write_to(log);
     return model;
   }
 
@@ -279,26 +281,19 @@ namespace vfife
         model.probes.push_back({set, model.transmission->driven, gear.node_set(set)[tooth]});
   }
 
-  void GearCase::log_bodies(const Model &model, Log &log) const
+  std::vector<BodyFigures> GearCase::measure_bodies(const Model &model) const
   {
-    for (const Body &body : model.bodies)
-      {
-        const MeshQuality quality = compute_mesh_quality(body.mesh().triangulation);
-        log.line(body.name(),
-                 ": ",
-                 quality.cells,
-                 " elements, ",
-                 quality.nodes,
-                 " nodes, mass ",
-                 1e3 * body.mass(),
-                 " kg, inertia ",
-                 1e3 * body.axial_inertia(),
-                 " kg mm^2, least scaled Jacobian ",
-                 quality.least_scaled_jacobian,
-                 ", least edge ",
-                 quality.least_edge,
-                 " mm, largest aspect ratio ",
-                 quality.largest_aspect_ratio);
-      }
+    const GearPair pair(pair_);
+    return {BodyFigures(model.bodies[0], pair.pinion(), pinion_body_),
+            BodyFigures(model.bodies[1], pair.gear(), gear_body_)};
+  }
+
+  Table GearCase::meridian_table() const
+  {
+    const GearPair pair(pair_);
+    Table          table = make_meridian_table();
+    add_meridian_rows(pair.pinion(), pinion_body_, table);
+    add_meridian_rows(pair.gear(), gear_body_, table);
+    return table;
   }
 } // namespace vfife

@@ -2,6 +2,7 @@
 #ifndef vfife_study_gear_case_h
 #define vfife_study_gear_case_h
 
+#include <vfife/base/table.h>
 #include <vfife/contact/contact_options.h>
 #include <vfife/contact/hertz.h>
 #include <vfife/element/material.h>
@@ -14,6 +15,7 @@
 
 namespace vfife
 {
+  struct BodyFigures;
   class Log;
   class ParameterFile;
 
@@ -62,6 +64,12 @@ namespace vfife
      * know about them. */
     Model make_model(bool torque_is_ramped, Log &log) const;
 
+    /** Quality, mass and inertias of the bodies of make_model(), pinion first. */
+    std::vector<BodyFigures> measure_bodies(const Model &model) const;
+
+    /** Outlines of the bodies in the meridian plane: meridian.csv. */
+    Table meridian_table() const;
+
     /** Step of central differences that divides a tooth mesh into a multiple of @p samples steps,
      * at most @p stable_step [s]. */
     double choose_step(double stable_step, unsigned int samples) const;
@@ -83,7 +91,6 @@ namespace vfife
     void            add_contacts(const GearPair &pair, Model &model) const;
     void            add_hub(Model &model, bool torque_is_ramped) const;
     void            add_probes(Model &model) const;
-    void            log_bodies(const Model &model, Log &log) const;
 
     GearPairOptions       pair_;
     GearBodyOptions       pinion_body_, gear_body_;
