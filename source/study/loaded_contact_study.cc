@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/base/timers.h>
 #include <vfife/dynamics/explicit_solver.h>
@@ -103,6 +104,10 @@ namespace vfife
   void LoadedContactStudy::check() const
   {
     gear_case_.check();
+    if (gear_case_.operation().driving != DrivingMember::pinion)
+      throw InputError("Operation/driving member",
+                       "a loaded tooth contact analysis has the pinion driving; the flanks that a "
+                       "driving gear uses carry with direction of rotation = reverse");
     dynamics_.check("Dynamics");
     fem_.check("Fem");
   }

@@ -6,7 +6,7 @@
 #include <vfife/contact/contact_options.h>
 #include <vfife/contact/hertz.h>
 #include <vfife/element/material.h>
-#include <vfife/gear/gear_pair.h>
+#include <vfife/gear/contact_analysis.h>
 #include <vfife/mesh/gear_body.h>
 #include <vfife/model/model.h>
 
@@ -30,10 +30,13 @@ namespace vfife
   struct OperationOptions
   {
     double       speed  = 0;  ///< of the pinion [rad/s]
-    double       torque = 0;  ///< on the gear [N mm]
+    double       torque = 0;  ///< on the driven member [N mm]
     unsigned int meshes = 40; ///< tooth meshes to run
     double       ramp   = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
     HubKind      hub    = HubKind::free_rotation;
+
+    DrivingMember    driving   = DrivingMember::pinion;
+    TurningDirection direction = TurningDirection::forward;
 
     void declare(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
@@ -83,14 +86,20 @@ namespace vfife
     /** Of one tooth pair at the mean contact of the unloaded flanks. */
     HertzContact hertz_contact() const;
 
+    /** The flanks that carry the load. */
+    MeshSide working_side() const;
+
     /** Gear tooth (sector) at the pitch point after @p meshes tooth meshes. */
     unsigned int gear_tooth_in_mesh(unsigned int meshes) const;
 
   private:
     const Material &material(const std::string &name) const;
-    void            add_contacts(const GearPair &pair, Model &model) const;
-    void            add_hub(Model &model, bool torque_is_ramped) const;
-    void            add_probes(Model &model) const;
+    Transmission    make_transmission(const GearPair &pair) const;
+    /** Node set by which a body (0 pinion, 1 gear) is driven or held. */
+    const char *held_set(unsigned int body) const;
+    void        add_contacts(const GearPair &pair, Model &model) const;
+    void        add_hub(Model &model, bool torque_is_ramped) const;
+    void        add_probes(Model &model) const;
 
     GearPairOptions       pair_;
     GearBodyOptions       pinion_body_, gear_body_;
