@@ -76,6 +76,16 @@ namespace vfife
                        "not stay in contact");
   }
 
+  void OperationOptions::require_driving_pinion(const std::string &section,
+                                                const std::string &study) const
+  {
+    if (driving != DrivingMember::pinion)
+      throw InputError(section + "/driving member",
+                       "the " + study +
+                         " has the pinion driving; the flanks that a driving gear uses carry with "
+                         "direction of rotation = reverse");
+  }
+
   GearCase::GearCase()
     : pinion_body_(pinion_body_defaults())
   {

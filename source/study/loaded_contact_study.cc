@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
-#include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/base/timers.h>
 #include <vfife/dynamics/explicit_solver.h>
@@ -104,10 +103,7 @@ namespace vfife
   void LoadedContactStudy::check() const
   {
     gear_case_.check();
-    if (gear_case_.operation().driving != DrivingMember::pinion)
-      throw InputError("Operation/driving member",
-                       "a loaded tooth contact analysis has the pinion driving; the flanks that a "
-                       "driving gear uses carry with direction of rotation = reverse");
+    gear_case_.operation().require_driving_pinion("Operation", "loaded tooth contact analysis");
     dynamics_.check("Dynamics");
     fem_.check("Fem");
   }

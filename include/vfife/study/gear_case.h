@@ -41,6 +41,9 @@ namespace vfife
     void declare(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
 
+    /** Throws InputError where the gear drives, which @p study (a noun) does not take. */
+    void require_driving_pinion(const std::string &section, const std::string &study) const;
+
     /** Tooth meshes per second [Hz]. */
     double mesh_frequency(unsigned int pinion_teeth) const
     {
