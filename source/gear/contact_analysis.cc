@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vfife
 {
@@ -101,49 +102,76 @@ namespace vfife
     }
 
     /** Where the next pair takes over, and how much the lag changes until then. */
-    void find_hand_over(const UnloadedContact &contact, ContactAnalysis &analysis)
+    void find_hand_over(const PairContact &contact, ContactAnalysis &analysis)
     {
-      const auto lag = [&](const double pitches, const int pair) {
-        return contact.contact(contact.reference() + pitches * contact.pitch(), pair).lag;
+      const auto ahead = [&](const double pitches) {
+        return contact.lag(pitches) - contact.lag(pitches - 1.);
       };
-      const auto ahead = [&](const double pitches) { return lag(pitches, 0) - lag(pitches, -1); };
-      // both pairs are inside between these
-      double low = analysis.ends[0] + 1., high = analysis.ends[1];
-      analysis.hands_over = low < high && ahead(low) < 0. && ahead(high) > 0.;
+      double     low = 0., high = 0.;
+      const auto hands_over = [&](const Vector2 &range) {
+        constexpr double inside = 1e-9; // the last points themselves are on the borders
+        low                     = range[0] + 1. + inside;
+        high                    = range[1] - inside;
+        return low < high && ahead(low) < 0. && ahead(high) > 0.;
+      };
+      // between these both pairs are on their flanks, or at least on edges
+      analysis.hands_over = hands_over(contact.path()) || hands_over(contact.whole());
       if (!analysis.hands_over)
         return;
       for (unsigned int i = 0; i < 50; ++i)
         (ahead((low + high) / 2) < 0. ? low : high) = (low + high) / 2;
       analysis.hand_over     = (low + high) / 2;
-      analysis.hand_over_lag = lag(analysis.hand_over, 0);
+      analysis.hand_over_lag = contact.lag(analysis.hand_over);
+      analysis.over_an_edge =
+        analysis.hand_over > contact.path()[1] || analysis.hand_over - 1. < contact.path()[0];
 
       constexpr unsigned int n     = 40;
-      double                 least = analysis.hand_over_lag;
+      double                 least = analysis.hand_over_lag, most = least;
       for (unsigned int i = 0; i <= n; ++i)
-        least = std::min(least, lag(analysis.hand_over - 1. + i / static_cast<double>(n), 0));
-      analysis.peak_to_peak = analysis.hand_over_lag - least;
+        {
+          const double lag = contact.lag(analysis.hand_over - i / static_cast<double>(n));
+          least            = std::min(least, lag);
+          most             = std::max(most, lag);
+        }
+      analysis.peak_to_peak = most - least;
+    }
+
+    /** What ends the path, and how far the teeth are from carrying there. */
+    void find_ends(const PairContact &contact, ContactAnalysis &analysis)
+    {
+      for (const unsigned int i : {0u, 1u})
+        {
+          PathEnd           &end  = analysis.ends[i];
+          const EdgeContact &edge = contact.edge(i);
+          end.border              = edge.border();
+          end.is_edge             = !edge.points().empty();
+          end.place               = contact.path()[i];
+          end.lag                 = contact.lag(end.place);
+          end.reach               = std::abs(contact.whole()[i] - end.place);
+          double others           = std::numeric_limits<double>::infinity();
+          for (const int k : {-2, -1, 1, 2})
+            others = std::min(others, contact.lag(end.place + k));
+          end.approach = end.lag - others;
+        }
     }
 
     void find_path(const GearPair               &pair,
-                   const UnloadedContact        &contact,
+                   const PairContact            &whole,
                    const ContactAnalysisOptions &options,
                    ContactAnalysis              &analysis)
     {
-      const auto range       = contact.path_range();
-      analysis.ends          = Vector2(range.first, range.second) / contact.pitch();
-      analysis.contact_ratio = analysis.ends[1] - analysis.ends[0];
-      const auto n           = std::max(8u,
+      const UnloadedContact &contact = whole.flanks();
+      const double           start   = whole.path()[0];
+      analysis.contact_ratio         = whole.path()[1] - start;
+      const auto n                   = std::max(8u,
                               static_cast<unsigned int>(
                                 std::ceil(analysis.contact_ratio * options.points_per_pitch)));
       for (unsigned int i = 0; i <= n; ++i)
         analysis.path.push_back(make_path_point(pair,
                                                 contact,
                                                 analysis.side,
-                                                analysis.ends[0] + i * analysis.contact_ratio / n,
+                                                start + i * analysis.contact_ratio / n,
                                                 options.marking_thickness));
-      for (const unsigned int i : {0, 1})
-        analysis.borders[i] =
-          contact.nearest_border((i == 0 ? analysis.path.front() : analysis.path.back()).contact);
     }
 
     /** Direction of the path on the gear flank at the mean contact. */
@@ -169,6 +197,13 @@ namespace vfife
                      "Gap between the flanks at the border of the contact ellipses",
                      Range::positive());
     declare_integer(prm, "points per pitch", points_per_pitch, "Points of path and curves", 4);
+    declare_driving(prm, driving, direction);
+  }
+
+  void declare_driving(dealii::ParameterHandler &prm,
+                       DrivingMember            &driving,
+                       TurningDirection         &direction)
+  {
     declare_choice(prm, "driving member", driving, driving_members, "Which member drives");
     declare_choice(prm,
                    "direction of rotation",
@@ -177,11 +212,21 @@ namespace vfife
                    "Forward: the pinion turns counter-clockwise seen from its back");
   }
 
-  MeshSide ContactAnalysisOptions::working_side() const
+  MeshSide working_side(const DrivingMember driving, const TurningDirection direction)
   {
     // a driving gear pushes with the flanks that a driving pinion uses the other way round
     const bool forward = direction == TurningDirection::forward;
     return (driving == DrivingMember::pinion) == forward ? MeshSide::drive : MeshSide::coast;
+  }
+
+  std::string name_of(const DrivingMember member)
+  {
+    return member == DrivingMember::pinion ? "pinion" : "gear";
+  }
+
+  std::string name_of(const TurningDirection direction)
+  {
+    return direction == TurningDirection::forward ? "forward" : "reverse";
   }
 
   std::string side_name(const MeshSide side)
@@ -192,14 +237,16 @@ namespace vfife
   ContactAnalysis
   analyse_contact(const GearPair &pair, const MeshSide side, const ContactAnalysisOptions &options)
   {
-    const UnloadedContact contact(pair, side);
-    ContactAnalysis       analysis;
+    const PairContact      whole(pair, side);
+    const UnloadedContact &contact = whole.flanks();
+    ContactAnalysis        analysis;
     analysis.side = side;
-    find_path(pair, contact, options, analysis);
+    find_path(pair, whole, options, analysis);
+    find_ends(whole, analysis);
     analysis.mean       = make_path_point(pair, contact, side, 0., options.marking_thickness);
     analysis.path_angle = path_angle(pair, contact);
     fit_lag(analysis);
-    find_hand_over(contact, analysis);
+    find_hand_over(whole, analysis);
     analysis.pinion_curvatures = pair.pinion()
                                    .generated_flank(pair.pinion_side(side))
                                    .principal_curvatures(analysis.mean.contact.pinion);
@@ -207,99 +254,5 @@ namespace vfife
                                  .generated_flank(pair.gear_side(side))
                                  .principal_curvatures(analysis.mean.contact.gear);
     return analysis;
-  }
-
-  Table lag_table(const GearPair                     &pair,
-                  const std::vector<ContactAnalysis> &sides,
-                  const ContactAnalysisOptions       &options)
-  {
-    Table table;
-    table.add_text_column("side");
-    table.add_column("pitches", "-");
-    table.add_column("pinion angle", "deg");
-    table.add_column("pair", "-");
-    table.add_column("lag", "arcsec");
-    table.add_column("inside", "-");
-    const int n = static_cast<int>(options.points_per_pitch);
-    for (const ContactAnalysis &analysis : sides)
-      {
-        const UnloadedContact contact(pair, analysis.side);
-        for (const int k : {1, 0, -1})
-          for (int i = -n; i <= n; ++i)
-            {
-              // the equations have solutions beyond the flanks; a little of that shows the curve
-              const double pitches = i / static_cast<double>(n), own = pitches + k;
-              if (own < analysis.ends[0] - 0.1 || own > analysis.ends[1] + 0.1)
-                continue;
-              const double angle = pitches * contact.pitch();
-              const auto   point = contact.contact(contact.reference() + angle, k);
-              table.add_row({side_name(analysis.side),
-                             pitches,
-                             angle * 180. / pi,
-                             k,
-                             point.lag / arcsecond,
-                             point.inside ? 1 : 0});
-            }
-      }
-    return table;
-  }
-
-  Table path_table(const GearPair &pair, const std::vector<ContactAnalysis> &sides)
-  {
-    Table table;
-    table.add_text_column("side");
-    table.add_column("pitches", "-");
-    table.add_column("lag", "arcsec");
-    for (const std::string member : {"pinion", "gear"})
-      {
-        for (const char *coordinate : {" L", " h", " x", " y", " z"})
-          table.add_column(member + coordinate, "mm");
-        for (const char *axis : {" major L", " major h", " minor L", " minor h"})
-          table.add_column(member + axis, "mm");
-      }
-    table.add_column("smaller relative curvature", "1/mm");
-    table.add_column("larger relative curvature", "1/mm");
-    table.add_column("semi-axis a", "mm");
-    table.add_column("semi-axis b", "mm");
-    table.add_column("major axis angle", "deg");
-    for (const ContactAnalysis &analysis : sides)
-      {
-        const double turn1 = pair.pinion().turn(pair.pinion_side(analysis.side));
-        const double turn2 = pair.gear().turn(pair.gear_side(analysis.side));
-        for (const PathPoint &p : analysis.path)
-          {
-            const UnloadedContactPoint &point = p.contact;
-            const Vector3 one = rotation_about(Vector3::UnitZ(), turn1) * point.pinion.position;
-            const Vector3 two = rotation_about(Vector3::UnitZ(), turn2) * point.gear.position;
-            const ContactEllipse &e = p.ellipse;
-            table.add_row({side_name(analysis.side),
-                           p.pitches,
-                           point.lag / arcsecond,
-                           point.pinion_L_h[0],
-                           point.pinion_L_h[1],
-                           one[0],
-                           one[1],
-                           one[2],
-                           p.pinion_major[0],
-                           p.pinion_major[1],
-                           p.pinion_minor[0],
-                           p.pinion_minor[1],
-                           point.gear_L_h[0],
-                           point.gear_L_h[1],
-                           two[0],
-                           two[1],
-                           two[2],
-                           p.gear_major[0],
-                           p.gear_major[1],
-                           p.gear_minor[0],
-                           p.gear_minor[1],
-                           e.relative_curvatures[0],
-                           e.relative_curvatures[1],
-                           e.semi_axes[0],
-                           e.semi_axes[1],
-                           p.major_angle * 180. / pi});
-          }
-      }
-    return table;
   }
 } // namespace vfife

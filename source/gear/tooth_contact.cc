@@ -25,10 +25,29 @@ namespace vfife
                      const SurfacePoint &point,
                      const Vector2      &L_h)
     {
-      return L_h[0] >= blank.inner_cone_distance() && L_h[0] <= blank.outer_cone_distance &&
-             L_h[1] <= blank.addendum(L_h[0]) && point.s >= flank.straight_start();
+      for (const double distance : border_distances(blank, flank, point, L_h))
+        if (distance < 0.)
+          return false;
+      return true;
     }
   } // namespace
+
+  std::array<double, 4> border_distances(const Blank        &blank,
+                                         const Flank        &flank,
+                                         const SurfacePoint &point,
+                                         const Vector2      &L_h)
+  {
+    return {{L_h[0] - blank.inner_cone_distance(),
+             blank.outer_cone_distance - L_h[0],
+             blank.addendum(L_h[0]) - L_h[1],
+             point.s - flank.straight_start()}};
+  }
+
+  std::string PairBorder::name() const
+  {
+    constexpr const char *names[] = {" toe", " heel", " tip", " fillet"};
+    return (on_pinion ? "pinion" : "gear") + std::string(names[static_cast<unsigned int>(border)]);
+  }
 
   UnloadedContact::UnloadedContact(const GearPair &pair, const MeshSide side)
     : side_(side)
@@ -160,29 +179,20 @@ namespace vfife
     return ellipse;
   }
 
-  std::string UnloadedContact::nearest_border(const UnloadedContactPoint &point) const
+  PairBorder UnloadedContact::nearest_border(const UnloadedContactPoint &point) const
   {
-    double      least = std::numeric_limits<double>::infinity();
-    std::string nearest;
-    const auto  offer = [&](const std::string &name, const double distance) {
-      if (distance < least)
-        {
-          least   = distance;
-          nearest = name;
-        }
-    };
-    const auto offer_flank = [&](const std::string  &member,
-                                 const Blank        &blank,
-                                 const Flank        &flank,
-                                 const SurfacePoint &surface,
-                                 const Vector2      &L_h) {
-      offer(member + " toe", L_h[0] - blank.inner_cone_distance());
-      offer(member + " heel", blank.outer_cone_distance - L_h[0]);
-      offer(member + " tip", blank.addendum(L_h[0]) - L_h[1]);
-      offer(member + " fillet", surface.s - flank.straight_start());
-    };
-    offer_flank("pinion", pinion_blank_, contact_.pinion(), point.pinion, point.pinion_L_h);
-    offer_flank("gear", gear_blank_, contact_.gear(), point.gear, point.gear_L_h);
+    const std::array<double, 4> distances[] = {
+      border_distances(gear_blank_, contact_.gear(), point.gear, point.gear_L_h),
+      border_distances(pinion_blank_, contact_.pinion(), point.pinion, point.pinion_L_h)};
+    double     least = std::numeric_limits<double>::infinity();
+    PairBorder nearest;
+    for (const bool on_pinion : {true, false})
+      for (unsigned int i = 0; i < 4; ++i)
+        if (distances[on_pinion ? 1 : 0][i] < least)
+          {
+            least   = distances[on_pinion ? 1 : 0][i];
+            nearest = {on_pinion, static_cast<FlankBorder>(i)};
+          }
     return nearest;
   }
 

@@ -29,6 +29,9 @@ namespace vfife
     /** Least part of the rim's thickness that stays free on either side of the web. */
     constexpr double least_free_part = .08;
 
+    /** Farther than this, the aspect ratio of cells says that other numbers of cells are wanted. */
+    constexpr double largest_grading = 10.;
+
     /** Root radius at cone distance L. */
     Vector2 root_point(const Blank &blank, const double L)
     {
@@ -250,6 +253,24 @@ namespace vfife
                     "Times that every cell is divided into eight, new nodes on the true surfaces",
                     0,
                     3);
+    declare_gradings(prm);
+  }
+
+  void GearBodyOptions::declare_gradings(dealii::ParameterHandler &prm)
+  {
+    declare_number(prm,
+                   "grading towards fillet",
+                   grading_towards_fillet,
+                   "Height of the flank row at the tip over that at the fillet, and of the rim row "
+                   "at the bore or underside over that at the root (not with a web at the toe); "
+                   "1: equal rows",
+                   Range::between(1. / largest_grading, largest_grading));
+    declare_number(prm,
+                   "grading towards flank",
+                   grading_towards_flank,
+                   "Width of the columns in the middle of the tooth over that at the flanks; 1: "
+                   "equal columns",
+                   Range::between(1. / largest_grading, largest_grading));
   }
 
   void GearBodyOptions::check(const std::string &section, const Blank &blank) const

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/mesh/gear_section.h>
+#include <vfife/mesh/grading.h>
 
 #include <cmath>
 #include <sstream>
@@ -26,6 +27,7 @@ namespace vfife
                                          const FlankSide    side,
                                          const double       L,
                                          const unsigned int flank_rows,
+                                         const double       grading,
                                          const double       near_angle)
     {
       const Blank &blank = member.blank();
@@ -47,9 +49,9 @@ namespace vfife
                   << " mm, not below the tip at " << tip_height << " mm";
           throw InputError(message.str());
         }
-      for (unsigned int row = 0; row <= flank_rows; ++row)
+      for (const double part : graded_places(flank_rows, grading))
         {
-          const double  h = start_height + (tip_height - start_height) * row / flank_rows;
+          const double  h = start_height + (tip_height - start_height) * part;
           const Vector3 x = member.flank_point(side, L, h).position;
           profile.emplace_back(h, section_coordinates(blank, x, near_angle)[1]);
         }
@@ -59,7 +61,8 @@ namespace vfife
 
   GearSection compute_gear_section(const GearMember  &member,
                                    const double       cone_distance,
-                                   const unsigned int flank_rows)
+                                   const unsigned int flank_rows,
+                                   const double       grading)
   {
     const double  L = cone_distance;
     const Vector3 start =
@@ -69,8 +72,10 @@ namespace vfife
     GearSection section;
     section.cone_distance = L;
     section.pitch         = member.pitch();
-    section.lower         = compute_profile(member, member.lower_side(), L, flank_rows, near_angle);
-    section.upper         = compute_profile(member, member.upper_side(), L, flank_rows, near_angle);
+    section.lower =
+      compute_profile(member, member.lower_side(), L, flank_rows, grading, near_angle);
+    section.upper =
+      compute_profile(member, member.upper_side(), L, flank_rows, grading, near_angle);
 
     const Vector2 below = section.lower.front(), above = section.upper.front();
     section.root_height = .5 * (below[0] + above[0]);

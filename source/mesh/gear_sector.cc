@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/mesh/gear_sector_builder.h>
+#include <vfife/mesh/grading.h>
 #include <vfife/mesh/node_set_names.h>
 
 #include <Eigen/LU>
@@ -34,7 +35,8 @@ namespace vfife
         sections.push_back(compute_gear_section(member,
                                                 blank.inner_cone_distance() +
                                                   blank.face_width * i / options.cells_lengthwise,
-                                                options.flank_rows));
+                                                options.flank_rows,
+                                                options.grading_towards_fillet));
       return sections;
     }
   } // namespace
@@ -45,6 +47,8 @@ namespace vfife
     , at_toe_(options.web == WebKind::conical && options.web_attachment == WebAttachment::toe)
     , at_underside_(options.web == WebKind::conical && options.web_attachment != WebAttachment::toe)
     , sections_(compute_sections(member, options))
+    , across_(graded_places_from_both_ends(options.cells_across, options.grading_towards_flank))
+    , rim_parts_(graded_places(options.rim_rows, at_toe_ ? 1. : options.grading_towards_fillet))
     , web_(member.blank(), options, sections_.front().root_height, sections_.back().root_height)
   {
   }
@@ -117,7 +121,7 @@ namespace vfife
                                          const unsigned int row,
                                          const unsigned int column) const
   {
-    const double x     = double(column) / options_.cells_across;
+    const double x     = across_[column];
     Vector2      point = (1. - x) * section.lower[row + 1] + x * section.upper[row + 1];
     if (row == 0)
       {
@@ -163,7 +167,7 @@ namespace vfife
   double GearSectorBuilder::rim_depth(const unsigned int i, const unsigned int row) const
   {
     const GearSection &section = sections_[i];
-    const double       part    = double(row) / options_.rim_rows;
+    const double       part    = rim_parts_[row];
     if (options_.web == WebKind::solid)
       {
         const Vector2 root =

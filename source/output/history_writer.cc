@@ -49,15 +49,17 @@ namespace vfife
       table.add_column("time", "s");
       if (model.transmission)
         {
-          table.add_column("pinion angle", "deg");
-          table.add_column("gear angle", "deg");
+          table.add_column(model.bodies[model.transmission->driver].name() + " angle", "deg");
+          table.add_column(model.bodies[model.transmission->driven].name() + " angle", "deg");
           table.add_column("dte", "arcsec");
           table.add_column("rim dte", "arcsec");
         }
       table.add_column("contact force total", "N");
       if (model.transmission)
         {
-          table.add_column("contact torque on the gear", "N m");
+          table.add_column("contact torque on the " +
+                             model.bodies[model.transmission->driven].name(),
+                           "N m");
           table.add_column("teeth in contact", "-");
         }
       table.add_column("largest penetration", "um");

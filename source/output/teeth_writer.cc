@@ -19,8 +19,9 @@ namespace vfife
       Table table;
       table.add_column("time", "s");
       table.add_text_column("side");
-      table.add_column(model.transmission ? "pinion tooth" : "slave group", "-");
-      table.add_column(model.transmission ? "gear tooth" : "master group", "-");
+      const auto &t = model.transmission;
+      table.add_column(t ? model.bodies[t->driver].name() + " tooth" : "slave group", "-");
+      table.add_column(t ? model.bodies[t->driven].name() + " tooth" : "master group", "-");
       table.add_column("force", "N");
       table.add_column("torque", "N m");
       table.add_column("largest pressure", "MPa");

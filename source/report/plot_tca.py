@@ -20,29 +20,59 @@ import style
 from matplotlib import pyplot as plt
 
 
+TEXTS = ("side", "contact")
+
+
 def read(path):
     """Rows of a table as dictionaries by column name without unit; numbers as floats."""
     with open(path, encoding="utf-8") as file:
         rows = list(csv.reader(file))
     names = [name.split(" [")[0] for name in rows[0]]
     return [
-        {n: (v if n == "side" else float(v)) for n, v in zip(names, row)} for row in rows[1:]
+        {n: (v if n in TEXTS else float(v)) for n, v in zip(names, row)} for row in rows[1:]
     ]
 
 
 def plot_lag(axes, rows):
-    for pair in sorted({row["pair"] for row in rows}):
+    """Lag on the flanks (full), on edges (dash-dotted), of flanks that are not there (dotted)."""
+    edges = set()
+    for colour, pair in zip(style.COLOURS[1:], sorted({row["pair"] for row in rows})):
         own = [row for row in rows if row["pair"] == pair]
-        line = axes.plot([r["pitches"] for r in own], [r["lag"] for r in own], "--", lw=0.8)
+        flanks = [row for row in own if row["contact"] == "flanks"]
+        axes.plot([r["pitches"] for r in flanks], [r["lag"] for r in flanks], ":", lw=0.8, color=colour)
         axes.plot(
-            [r["pitches"] if r["inside"] else math.nan for r in own],
-            [r["lag"] for r in own],
-            color=line[0].get_color(),
+            [r["pitches"] if r["inside"] else math.nan for r in flanks],
+            [r["lag"] for r in flanks],
+            color=colour,
             label=f"tooth pair {pair:.0f}",
         )
-    axes.invert_yaxis()
+        for edge in sorted({row["contact"] for row in own} - {"flanks"}):
+            points = [row for row in own if row["contact"] == edge]
+            axes.plot([r["pitches"] for r in points], [r["lag"] for r in points], "-.", color=colour)
+            # its contact with the flank ends here
+            start = min(points, key=lambda r: r["lag"])
+            axes.plot(start["pitches"], start["lag"], "o", ms=4, color=colour)
+            if edge not in edges:
+                axes.annotate(edge, (start["pitches"], start["lag"]), xytext=(5, 5),
+                              textcoords="offset points", fontsize=8, color=colour)
+            edges.add(edge)
+    least, place = least_lag(rows)
+    if place:
+        axes.plot(place, least, "-", lw=3, alpha=0.25, color=style.COLOURS[0], label="touching pair")
+        axes.set_ylim(max(1.5 * max(least), 1.2 * max(r["lag"] for r in rows if r["contact"] == "flanks" and r["inside"])), min(0, min(least)) - 0.3)
     axes.set(xlabel="pinion rotation, pitches", ylabel="lag of the gear, arcsec (down)")
-    axes.legend()
+    axes.legend(fontsize=8)
+
+
+def least_lag(rows):
+    """The least lag at each sampled rotation, over pairs on their flanks."""
+    best = {}
+    for row in rows:
+        if row["contact"] == "flanks" and row["inside"]:
+            key = round(row["pitches"], 9)
+            best[key] = min(best.get(key, math.inf), row["lag"])
+    places = sorted(best)
+    return [best[p] for p in places], places
 
 
 def plot_pattern(axes, rows, border):

@@ -32,8 +32,9 @@ namespace vfife
     const Transmission &t      = *model.transmission;
     const double        torque = gear_case_.operation().torque;
     summary.figures            = {{"mesh frequency", {t.mesh_frequency(), "Hz"}},
-                                  {"pinion speed", {t.driver_rate * 30. / pi, "rpm"}},
-                                  {"gear torque", {1e-3 * torque, "N m"}},
+                                  {model.bodies[t.driver].name() + " speed",
+                                   {t.driver_rate * 30. / pi, "rpm"}},
+                                  {model.bodies[t.driven].name() + " torque", {1e-3 * torque, "N m"}},
                                   {"effective arm", {t.arm, "mm"}},
                                   {"torque over effective arm", {torque / t.arm, "N"}},
                                   {"stable step of the elements", {1e9 * solver.element_step(), "ns"}},

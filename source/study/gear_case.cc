@@ -4,8 +4,9 @@
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
 #include <vfife/gear/tooth_contact.h>
-#include <vfife/mesh/mesh_quality.h>
+#include <vfife/mesh/gear_meridian.h>
 #include <vfife/mesh/node_set_names.h>
+#include <vfife/study/body_figures.h>
 #include <vfife/study/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -38,17 +39,13 @@ namespace vfife
   void OperationOptions::declare(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Operation");
-    declare_quantity(prm,
-                     "speed",
-                     speed,
-                     "rpm",
-                     "Speed of the pinion, in the drive direction",
-                     Range::not_negative());
+    declare_quantity(prm, "speed", speed, "rpm", "Speed of the pinion", Range::not_negative());
     declare_quantity(prm,
                      "torque",
                      torque,
                      "N m",
-                     "Torque on the gear, against the drive direction",
+                     "Torque on the driven member (the gear, if nothing else is said), against its "
+                     "rotation",
                      Range::not_negative());
     declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1);
     declare_number(prm,
@@ -57,13 +54,15 @@ namespace vfife
                    "Tooth meshes over which the torque grows linearly, with Dynamics/start = ramp "
                    "(whole swing periods)",
                    Range::not_negative());
-    declare_choice(prm,
-                   "hub",
-                   hub,
-                   hub_kinds,
-                   "Bore of the gear: each node free to turn about the axis under the constant "
-                   "traction of the torque, or all nodes "
-                   "turning as one; radial and axial displacement held");
+    declare_driving(prm, driving, direction);
+    declare_choice(
+      prm,
+      "hub",
+      hub,
+      hub_kinds,
+      "Bore of the driven member: each node free to turn about the axis under the constant "
+      "traction of the torque, or all nodes "
+      "turning as one; radial and axial displacement held");
   }
 
   void OperationOptions::check(const std::string &section) const
@@ -72,9 +71,19 @@ namespace vfife
       throw InputError(section + "/speed",
                        "the speed of the pinion is missing or zero; a dynamic run needs one");
     if (!(torque > 0))
-      throw InputError(
-        section + "/torque",
-        "the torque on the gear is missing or zero; flanks without load do not stay in contact");
+      throw InputError(section + "/torque",
+                       "the torque on the driven member is missing or zero; flanks without load do "
+                       "not stay in contact");
+  }
+
+  void OperationOptions::require_driving_pinion(const std::string &section,
+                                                const std::string &study) const
+  {
+    if (driving != DrivingMember::pinion)
+      throw InputError(section + "/driving member",
+                       "the " + study +
+                         " has the pinion driving; the flanks that a driving gear uses carry with "
+                         "direction of rotation = reverse");
   }
 
   GearCase::GearCase()
@@ -177,7 +186,7 @@ namespace vfife
 
   HertzContact GearCase::hertz_contact() const
   {
-    const UnloadedContact contact(GearPair(pair_), MeshSide::drive);
+    const UnloadedContact contact(GearPair(pair_), working_side());
     // Curvatures do not depend on the separation of the ellipse that is asked for.
     const Vector2 curvatures =
       contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
@@ -191,8 +200,42 @@ namespace vfife
 
   unsigned int GearCase::gear_tooth_in_mesh(const unsigned int meshes) const
   {
-    // Drive direction of the gear is - about its axis: the next tooth in the + sense comes.
-    return meshes % pair_.completed().gear.blank.teeth;
+    // Forward the gear turns about -: the next tooth in the + sense comes. The coast side's mean
+    // contact is that of tooth 1.
+    const unsigned int teeth = pair_.completed().gear.blank.teeth, passed = meshes % teeth;
+    const unsigned int first   = working_side() == MeshSide::drive ? 0 : 1;
+    const bool         forward = operation_.direction == TurningDirection::forward;
+    return (first + (forward ? passed : teeth - passed)) % teeth;
+  }
+
+  MeshSide GearCase::working_side() const
+  {
+    return vfife::working_side(operation_.driving, operation_.direction);
+  }
+
+  Transmission GearCase::make_transmission(const GearPair &pair) const
+  {
+    const MeanContact &mean          = pair.mean_contact(working_side());
+    const bool         pinion_drives = operation_.driving == DrivingMember::pinion;
+    const double       sense         = operation_.direction == TurningDirection::forward ? 1. : -1.;
+    const unsigned int teeth[]       = {pair.pinion().blank().teeth, pair.gear().blank().teeth};
+    Transmission       t;
+    t.driver                 = pinion_drives ? 0 : 1;
+    t.driven                 = 1 - t.driver;
+    t.driver_teeth           = teeth[t.driver];
+    t.driven_teeth           = teeth[t.driven];
+    t.driver_sense           = pinion_drives ? sense : -sense;
+    t.driven_sense           = -t.driver_sense;
+    t.driver_rate            = operation_.speed * (pinion_drives ? 1. : pair.speed_ratio());
+    t.contact_point          = mean.position;
+    t.contact_normal         = pinion_drives ? mean.normal : Vector3(-mean.normal);
+    const RigidMotion pinion = pair.pinion_placement(0.);
+    t.arm =
+      pinion_drives
+        ? mean.arm
+        : std::abs(
+            (mean.position - pinion.translation).cross(mean.normal).dot(pinion.rotation.col(2)));
+    return t;
   }
 
   Model GearCase::make_model(const bool torque_is_ramped, Log &log) const
@@ -203,41 +246,49 @@ namespace vfife
     Model          model;
 
     Body pinion("pinion", make_gear_body(pair.pinion(), pinion_body_), material(pinion_material_));
-    place(pinion, pair.pinion_placement(pair.rot1_reference()), operation_.speed);
+    // Where the generated flanks of the working side touch, the pinion's turned onto its tooth 0.
+    const MeshSide     side  = working_side();
+    const MeanContact &mean  = pair.mean_contact(side);
+    const double       sense = operation_.direction == TurningDirection::forward ? 1. : -1.;
+    place(pinion,
+          pair.pinion_placement(mean.rot1 - pair.pinion().turn(pair.pinion_side(side))),
+          sense * operation_.speed);
     Body gear("gear", make_gear_body(pair.gear(), gear_body_), material(gear_material_));
-    place(gear, pair.gear_placement(pair.rot2_reference()), -operation_.speed * pair.speed_ratio());
+    place(gear, pair.gear_placement(mean.rot2), -sense * operation_.speed * pair.speed_ratio());
 
-    Transmission t;
-    t.driver           = model.add_body(std::move(pinion));
-    t.driven           = model.add_body(std::move(gear));
-    t.driver_teeth     = pair.pinion().blank().teeth;
-    t.driven_teeth     = pair.gear().blank().teeth;
-    t.driver_rate      = operation_.speed;
-    t.contact_point    = pair.mean_contact(MeshSide::drive).position;
-    t.contact_normal   = pair.mean_contact(MeshSide::drive).normal;
-    t.arm              = pair.mean_contact(MeshSide::drive).arm;
-    t.driven_rim       = model.bodies[t.driven].node_set(node_set::rim);
-    model.transmission = t;
+    model.add_body(std::move(pinion));
+    model.add_body(std::move(gear));
+    Transmission t      = make_transmission(pair);
+    const Body  &driver = model.bodies[t.driver];
+    t.driven_rim        = model.bodies[t.driven].node_set(node_set::rim);
+    model.transmission  = t;
 
-    const auto &bore = model.bodies[t.driver].node_set(node_set::bore);
-    model.constraints.push_back(
-      {"pinion bore", ConstraintKind::prescribed_rotation, t.driver, bore});
+    model.constraints.push_back({driver.name() + " bore",
+                                 ConstraintKind::prescribed_rotation,
+                                 t.driver,
+                                 driver.node_set(held_set(t.driver))});
     add_hub(model, torque_is_ramped);
     add_contacts(pair, model);
     add_probes(model);
-    log_bodies(model, log);
+    for (const BodyFigures &figures : measure_bodies(model))
+      figures.write_to(log);
     return model;
+  }
+
+  const char *GearCase::held_set(const unsigned int body) const
+  {
+    const GearBodyOptions &options = body == 0 ? pinion_body_ : gear_body_;
+    return options.web == WebKind::none ? node_set::rim_underside : node_set::bore;
   }
 
   void GearCase::add_hub(Model &model, const bool torque_is_ramped) const
   {
-    Transmission &t    = *model.transmission;
-    const Body   &gear = model.bodies[t.driven];
-    t.driven_bore =
-      gear.node_set(gear_body_.web == WebKind::none ? node_set::rim_underside : node_set::bore);
+    Transmission &t      = *model.transmission;
+    const Body   &driven = model.bodies[t.driven];
+    t.driven_bore        = driven.node_set(held_set(t.driven));
 
     Constraint hub;
-    hub.name  = "gear hub";
+    hub.name  = driven.name() + " hub";
     hub.kind  = operation_.hub == HubKind::rigid_hub ? ConstraintKind::rigid_hub
                                                      : ConstraintKind::free_rotation;
     hub.body  = t.driven;
@@ -248,7 +299,7 @@ namespace vfife
     load.name      = "load torque";
     load.body      = t.driven;
     load.nodes     = t.driven_bore;
-    load.areas     = compute_nodal_areas(gear, t.driven_bore);
+    load.areas     = compute_nodal_areas(driven, t.driven_bore);
     load.value     = -t.driven_sense * operation_.torque;
     load.ramp_time = torque_is_ramped ? operation_.ramp / mesh_frequency() : 0.;
     model.torques.push_back(load);
@@ -256,15 +307,21 @@ namespace vfife
 
   void GearCase::add_contacts(const GearPair &pair, Model &model) const
   {
-    const Transmission &t = *model.transmission;
-    for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
+    const Transmission &t             = *model.transmission;
+    const bool          pinion_drives = operation_.driving == DrivingMember::pinion;
+    const MeshSide      working       = working_side();
+    // the side that carries comes first, the driver is the slave
+    for (const MeshSide side :
+         {working, working == MeshSide::drive ? MeshSide::coast : MeshSide::drive})
       {
         ContactPair contact;
-        contact.side           = side == MeshSide::drive ? "drive" : "coast";
+        const char *surfaces[] = {surface_of(pair.pinion_side(side)),
+                                  surface_of(pair.gear_side(side))};
+        contact.side           = side_name(side);
         contact.slave_body     = t.driver;
-        contact.slave_surface  = surface_of(pair.pinion_side(side));
+        contact.slave_surface  = surfaces[pinion_drives ? 0 : 1];
         contact.master_body    = t.driven;
-        contact.master_surface = surface_of(pair.gear_side(side));
+        contact.master_surface = surfaces[pinion_drives ? 1 : 0];
         contact.options        = contact_;
         model.contacts.push_back(contact);
       }
@@ -272,33 +329,26 @@ namespace vfife
 
   void GearCase::add_probes(Model &model) const
   {
-    const Body        &gear  = model.bodies[model.transmission->driven];
+    const Body        &gear  = model.bodies[1];
     const unsigned int tooth = gear_tooth_in_mesh(std::lround(0.75 * operation_.meshes));
     for (const char *set : {node_set::node_A_front, node_set::node_A_back})
       if (gear.has_node_set(set) && tooth < gear.node_set(set).size())
-        model.probes.push_back({set, model.transmission->driven, gear.node_set(set)[tooth]});
+        model.probes.push_back({set, 1, gear.node_set(set)[tooth]});
   }
 
-  void GearCase::log_bodies(const Model &model, Log &log) const
+  std::vector<BodyFigures> GearCase::measure_bodies(const Model &model) const
   {
-    for (const Body &body : model.bodies)
-      {
-        const MeshQuality quality = compute_mesh_quality(body.mesh().triangulation);
-        log.line(body.name(),
-                 ": ",
-                 quality.cells,
-                 " elements, ",
-                 quality.nodes,
-                 " nodes, mass ",
-                 1e3 * body.mass(),
-                 " kg, inertia ",
-                 1e3 * body.axial_inertia(),
-                 " kg mm^2, least scaled Jacobian ",
-                 quality.least_scaled_jacobian,
-                 ", least edge ",
-                 quality.least_edge,
-                 " mm, largest aspect ratio ",
-                 quality.largest_aspect_ratio);
-      }
+    const GearPair pair(pair_);
+    return {BodyFigures(model.bodies[0], pair.pinion(), pinion_body_),
+            BodyFigures(model.bodies[1], pair.gear(), gear_body_)};
+  }
+
+  Table GearCase::meridian_table() const
+  {
+    const GearPair pair(pair_);
+    Table          table = make_meridian_table();
+    add_meridian_rows(pair.pinion(), pinion_body_, table);
+    add_meridian_rows(pair.gear(), gear_body_, table);
+    return table;
   }
 } // namespace vfife

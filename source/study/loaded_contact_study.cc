@@ -103,6 +103,7 @@ namespace vfife
   void LoadedContactStudy::check() const
   {
     gear_case_.check();
+    gear_case_.operation().require_driving_pinion("Operation", "loaded tooth contact analysis");
     dynamics_.check("Dynamics");
     fem_.check("Fem");
   }

@@ -139,6 +139,7 @@ namespace vfife
     if (has_pair_)
       gear_case_.check_bodies();
     operation().check("Operation");
+    operation().require_driving_pinion("Operation", "lumped model");
     options_.check();
     sweep_.check("Lumped");
   }

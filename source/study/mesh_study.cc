@@ -6,8 +6,8 @@
 #include <vfife/base/table.h>
 #include <vfife/gear/flank_points.h>
 #include <vfife/mesh/mesh_export.h>
-#include <vfife/mesh/mesh_quality.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/study/body_figures.h>
 #include <vfife/study/mesh_study.h>
 
 #include <algorithm>
@@ -26,38 +26,6 @@ namespace vfife
       result.youngs_modulus = body.material().youngs_modulus;
       result.poissons_ratio = body.material().poissons_ratio;
       return result;
-    }
-
-    Table compute_figures(const Model &model)
-    {
-      Table table;
-      table.add_text_column("body");
-      table.add_column("elements", "-");
-      table.add_column("nodes", "-");
-      table.add_column("least scaled jacobian", "-");
-      table.add_column("largest aspect ratio", "-");
-      table.add_column("least edge", "mm");
-      table.add_column("largest edge", "mm");
-      table.add_column("least height", "mm");
-      table.add_column("volume", "mm^3");
-      table.add_column("mass", "kg");
-      table.add_column("axial inertia", "kg mm^2");
-      for (const Body &body : model.bodies)
-        {
-          const MeshQuality quality = compute_mesh_quality(body.mesh().triangulation);
-          table.add_row({body.name(),
-                         quality.cells,
-                         quality.nodes,
-                         quality.least_scaled_jacobian,
-                         quality.largest_aspect_ratio,
-                         quality.least_edge,
-                         quality.largest_edge,
-                         quality.least_height,
-                         quality.volume,
-                         1e3 * body.mass(),
-                         1e3 * body.axial_inertia()});
-        }
-      return table;
     }
   } // namespace
 
@@ -117,9 +85,11 @@ namespace vfife
     const Model model = gear_case_.make_model(false, log);
     if (!folder.is_writer())
       return;
-    const Table figures = compute_figures(model);
+    const Table figures = body_figures_table(gear_case_.measure_bodies(model));
     folder.write_file("mesh.csv", [&](std::ostream &out) { figures.write_csv(out); });
     folder.write_file("mesh.json", [&](std::ostream &out) { figures.write_json(out); });
+    const Table meridian = gear_case_.meridian_table();
+    folder.write_file("meridian.csv", [&](std::ostream &out) { meridian.write_csv(out); });
 
     const auto write = [&](const std::string &name, const std::vector<ExportedBody> &bodies) {
       for (const std::string &format : export_.formats)

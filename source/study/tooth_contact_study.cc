@@ -41,6 +41,25 @@ namespace vfife
       return figures_json(figures);
     }
 
+    /** Who drives, how the members turn about + their axes, and what that makes of the contact. */
+    Json working_json(const GearPair &pair, const ContactAnalysisOptions &options)
+    {
+      const bool   pinion_drives = options.driving == DrivingMember::pinion;
+      const double sense         = options.direction == TurningDirection::forward ? 1. : -1.;
+      const double ratio         = pinion_drives ? pair.speed_ratio() : 1. / pair.speed_ratio();
+      // the driver's torque acts with its rotation, the load against that of the driven member
+      const double on_pinion = pinion_drives ? sense : -sense, on_gear = on_pinion;
+      Json         json             = figures_json({{"pinion turns", {sense, "-"}},
+                                                    {"gear turns", {-sense, "-"}},
+                                                    {"torque on the pinion", {on_pinion, "-"}},
+                                                    {"torque on the gear", {on_gear, "-"}},
+                                                    {"driven speed over driver speed", {ratio, "-"}}});
+      json["driving member"]        = name_of(options.driving);
+      json["direction of rotation"] = name_of(options.direction);
+      json["side"]                  = side_name(options.working_side());
+      return json;
+    }
+
     Json side_json(const ContactAnalysis &a, const double gear_pitch)
     {
       const ContactEllipse &ellipse = a.mean.ellipse;
@@ -56,13 +75,25 @@ namespace vfife
          {"semi-axis b", {ellipse.semi_axes[1], "mm"}},
          {"major axis to the lengthwise direction", {a.mean.major_angle / degree, "deg"}}});
       json["path"] =
-        figures_json({{"start", {a.ends[0], "pitches"}},
-                      {"end", {a.ends[1], "pitches"}},
+        figures_json({{"start", {a.ends[0].place, "pitches"}},
+                      {"end", {a.ends[1].place, "pitches"}},
                       {"contact ratio", {a.contact_ratio, "-"}},
                       {"gear L at the start", {a.path.front().contact.gear_L_h[0], "mm"}},
                       {"gear L at the end", {a.path.back().contact.gear_L_h[0], "mm"}},
                       {"angle to the lengthwise direction", {a.path_angle / degree, "deg"}}});
-      json["path"]["ended by"] = {a.borders[0], a.borders[1]};
+      json["path"]["ended by"] = {a.ends[0].border, a.ends[1].border};
+      for (const unsigned int i : {0u, 1u})
+        {
+          const PathEnd &end  = a.ends[i];
+          Json          &part = json[i == 0 ? "beyond the start" : "beyond the end"];
+          part =
+            figures_json({{"edge takes over at", {end.place, "pitches"}},
+                          {"lag", {end.lag / arcsecond, "arcsec"}},
+                          {"edge stays in contact for", {end.reach, "pitches"}},
+                          {"approach before it carries", {end.approach / arcsecond, "arcsec"}}});
+          part["border"]  = end.border;
+          part["is edge"] = end.is_edge;
+        }
 
       NamedFigures lag;
       for (unsigned int i = 0; i < 2; ++i)
@@ -72,7 +103,8 @@ namespace vfife
           {"power " + std::to_string(i + 2), {a.lag_polynomial[i] / arcsecond, "arcsec"}});
       lag.push_back({"largest deviation of the polynomial", {a.fit_error / arcsecond, "arcsec"}});
       json["lag over pitches"]             = figures_json(lag);
-      json["hands over inside the flanks"] = a.hands_over;
+      json["hands over inside the flanks"] = a.hands_over && !a.over_an_edge;
+      json["hands over"]                   = a.hands_over;
       if (a.hands_over)
         json["hand-over"] =
           figures_json({{"place", {a.hand_over, "pitches"}},
@@ -96,13 +128,13 @@ namespace vfife
                fixed(p.gear_L_h[1], 3),
                " mm");
       log.line("  path                ",
-               fixed(a.ends[0], 3),
+               fixed(a.ends[0].place, 3),
                " (",
-               a.borders[0],
+               a.ends[0].border,
                ") to ",
-               fixed(a.ends[1], 3),
+               fixed(a.ends[1].place, 3),
                " (",
-               a.borders[1],
+               a.ends[1].border,
                ") pitches, contact ratio ",
                fixed(a.contact_ratio, 2),
                ", ",
@@ -127,6 +159,11 @@ namespace vfife
                "arcsec (p pitches; within ",
                fixed(a.fit_error / arcsecond, 4),
                ")");
+      log.line("  edges               carry after ",
+               fixed(a.ends[0].approach / arcsecond, 1),
+               " and ",
+               fixed(a.ends[1].approach / arcsecond, 1),
+               " arcsec of approach at these ends");
       if (a.hands_over)
         log.line("  hand-over           at p = ",
                  fixed(a.hand_over, 3),
@@ -137,8 +174,12 @@ namespace vfife
                  " arcsec peak to peak");
       else
         log.warning(side_name(a.side),
-                    " side: the path of contact ends before the next tooth pair takes over; "
-                    "edges touch there, which this analysis leaves out");
+                    " side: neither flanks nor edges carry until the next tooth pair takes over");
+      if (a.over_an_edge)
+        log.warning(
+          side_name(a.side),
+          " side: the path of contact ends before the next tooth pair takes over; an edge "
+          "carries there");
     }
 
     Json form_json(const ToothForms &forms)
@@ -251,7 +292,7 @@ namespace vfife
     log_derived(pair, log);
     Json                         json;
     std::vector<ContactAnalysis> sides;
-    json["working side"]               = side_name(options_.working_side());
+    json["working"]                    = working_json(pair, options_);
     json["marking compound thickness"] = figure_json(1e3 * options_.marking_thickness, "um");
     for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
       {
@@ -268,7 +309,9 @@ namespace vfife
     write_pair(pair, folder);
     const Table ease_off = ease_off_table(pair);
     folder.write_file("ease_off.csv", [&](std::ostream &out) { ease_off.write_csv(out); });
-    const Table lag = lag_table(pair, sides, options_), path = path_table(pair, sides);
+    const Table lag = lag_table(pair, sides, options_), path = path_table(pair, sides),
+                transmission = transmission_table(pair, options_);
+    folder.write_file("transmission.csv", [&](std::ostream &out) { transmission.write_csv(out); });
     folder.write_file("tca.csv", [&](std::ostream &out) { lag.write_csv(out); });
     folder.write_file("path.csv", [&](std::ostream &out) { path.write_csv(out); });
     write_json(folder, "tca.json", json);

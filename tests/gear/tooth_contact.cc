@@ -2,6 +2,7 @@
 // Unloaded tooth contact analysis against the recipe's numbers and against a search for the
 // smallest gap.
 #include "../tests.h"
+#include "gap_search.h"
 #include "paper_pair.h"
 
 #include <vfife/gear/tooth_contact.h>
@@ -9,49 +10,6 @@
 #include <algorithm>
 
 using namespace vfife;
-
-double polar_angle(const Vector3 &position)
-{
-  return std::atan2(position[1], position[0]);
-}
-
-/**
- * Gear rotation at which the generated drive flanks touch at pinion rotation @p rot1, from points
- * alone, without normals and meshing equation: the smallest angle about the gear axis between a
- * point of the pinion and the gear flank at the same (r, z), over a grid about (L, h) that shrinks
- * onto the smallest one.
- */
-double gap_search(const GearPair &pair, const double rot1, Vector2 L_h)
-{
-  const Flank &pinion = pair.pinion().generated_flank(pair.pinion_side(MeshSide::drive));
-  const Flank &gear   = pair.gear().generated_flank(pair.gear_side(MeshSide::drive));
-  const auto   angle  = [&](const Vector2 &x) {
-    const Vector3 P    = pair.pinion_placement(rot1)(pinion.point_at(x[0], x[1]).position);
-    const Vector2 cone = gear.cone_coordinates(P);
-    return polar_angle(P) - polar_angle(gear.point_at(cone[0], cone[1]).position);
-  };
-  double size = 1., best = angle(L_h);
-  for (unsigned int i = 0; i < 60; ++i)
-    {
-      const Vector2 center = L_h;
-      bool          moved  = false;
-      for (int j = -2; j <= 2; ++j)
-        for (int k = -2; k <= 2; ++k)
-          {
-            const Vector2 x     = center + size / 2 * Vector2(j, 0.3 * k);
-            const double  value = angle(x);
-            if (value < best)
-              {
-                best  = value;
-                L_h   = x;
-                moved = true;
-              }
-          }
-      if (!moved)
-        size *= 0.6;
-    }
-  return best;
-}
 
 void check_lag(const GearPair &pair, const UnloadedContact &drive)
 {
@@ -71,8 +29,9 @@ void check_lag(const GearPair &pair, const UnloadedContact &drive)
       if (std::abs(p) < 0.81)
         {
           // start the search well beside the point of contact
-          const double rot2 = gap_search(pair, rot1, point.pinion_L_h + Vector2(0.8, -0.2));
-          worst_search      = std::max(worst_search, std::abs(rot2 - point.rot2) / arcsecond);
+          const double rot2 =
+            gap_search(pair, MeshSide::drive, rot1, point.pinion_L_h + Vector2(0.8, -0.2));
+          worst_search = std::max(worst_search, std::abs(rot2 - point.rot2) / arcsecond);
         }
     }
   check_below("lag against the recipe's polynomial [arcsec]", worst, 0.01);

@@ -4,6 +4,7 @@
 
 #include <vfife/gear/gear_pair.h>
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,31 @@ namespace vfife
     Vector2      pinion_L_h, gear_L_h; ///< cone coordinates [mm]
     Vector3      position, normal; ///< fixed frame [mm]; normal out of the gear, into the pinion
     bool inside = false; ///< on both flanks: between toe and heel, below the tip, above the fillet
+  };
+
+  /** What bounds a flank. */
+  enum class FlankBorder
+  {
+    toe,
+    heel,
+    tip,
+    fillet
+  };
+
+  /** Distances of a point inside a flank from its borders, in the order of FlankBorder; negative
+   * beyond them [mm]. */
+  std::array<double, 4> border_distances(const Blank        &blank,
+                                         const Flank        &flank,
+                                         const SurfacePoint &point,
+                                         const Vector2      &L_h);
+
+  /** A border of one of both flanks. */
+  struct PairBorder
+  {
+    bool        on_pinion = false;
+    FlankBorder border    = FlankBorder::toe;
+
+    std::string name() const; ///< "gear tip", "pinion toe"...
   };
 
   /** Curvatures of the gap between two flanks at their contact point, and the ellipse of a given
@@ -69,9 +95,8 @@ namespace vfife
      */
     std::pair<double, double> path_range() const;
 
-    /** The border of a flank beyond or nearest to which a contact lies: "gear tip", "pinion toe"...
-     */
-    std::string nearest_border(const UnloadedContactPoint &point) const;
+    /** The border of a flank beyond or nearest to which a contact lies. */
+    PairBorder nearest_border(const UnloadedContactPoint &point) const;
 
     /** Length of path_range() in pitches. */
     double contact_ratio() const;

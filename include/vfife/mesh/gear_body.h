@@ -70,6 +70,12 @@ namespace vfife
     unsigned int hub_side_cells = 4;  ///< along the axis on either side of the web
     unsigned int refinements    = 0;  ///< times that every cell is divided into eight
 
+    /** Height of the flank row at the tip over that at the fillet; depth of the rim row at the bore
+     * or underside over that at the root, where the web at the toe does not place the rows. */
+    double grading_towards_fillet = 1.;
+    /** Width of the columns in the middle of the tooth over that at the flanks. */
+    double grading_towards_flank = 1.;
+
     /** Declares the subsections Body and Mesh in the current section. */
     void declare(dealii::ParameterHandler &prm);
 
@@ -95,6 +101,7 @@ namespace vfife
 
   private:
     void declare_counts(dealii::ParameterHandler &prm);
+    void declare_gradings(dealii::ParameterHandler &prm);
   };
 
   /** A pinion of the full mesh: solid down to a bore of 20 mm. */

@@ -22,14 +22,17 @@ namespace vfife
 
     /**
      * Profiles of the two flanks from the root up: fillet bottom, P in the fillet, flank start,
-     * then flank_rows points to the tip in equal steps of h.
+     * then flank_rows points to the tip, steps of h equal or graded.
      */
     std::vector<Vector2> lower, upper;
   };
 
-  /** Throws InputError where the fillets of a slot overlap or the flank starts over the tip. */
-  GearSection
-  compute_gear_section(const GearMember &member, double cone_distance, unsigned int flank_rows);
+  /** @p grading: last over first step of h. Throws InputError where the fillets of a slot overlap
+   * or the flank starts over the tip. */
+  GearSection compute_gear_section(const GearMember &member,
+                                   double            cone_distance,
+                                   unsigned int      flank_rows,
+                                   double            grading = 1.);
 
   /** Position of a point of cone coordinates (L, h) at polar angle @p angle [mm]. */
   Vector3 position_of(const Blank &blank, double L, double h, double angle);

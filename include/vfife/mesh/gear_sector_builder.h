@@ -72,7 +72,8 @@ namespace vfife
     const GearBodyOptions   &options_;
     const bool               at_toe_, at_underside_; ///< where there is a web
     std::vector<GearSection> sections_;
-    ConicalWeb               web_; ///< used where the body has one
+    std::vector<double>      across_, rim_parts_; ///< places of columns, of rim rows where graded
+    ConicalWeb               web_;                ///< used where the body has one
     std::vector<NodeLayer>   tooth_, rim_;
     GearRegion               region_ = GearRegion::tooth; ///< of the cells being added
     GearSector               sector_;

@@ -2,10 +2,11 @@
 #ifndef vfife_study_gear_case_h
 #define vfife_study_gear_case_h
 
+#include <vfife/base/table.h>
 #include <vfife/contact/contact_options.h>
 #include <vfife/contact/hertz.h>
 #include <vfife/element/material.h>
-#include <vfife/gear/gear_pair.h>
+#include <vfife/gear/contact_analysis.h>
 #include <vfife/mesh/gear_body.h>
 #include <vfife/model/model.h>
 
@@ -14,6 +15,7 @@
 
 namespace vfife
 {
+  struct BodyFigures;
   class Log;
   class ParameterFile;
 
@@ -28,13 +30,19 @@ namespace vfife
   struct OperationOptions
   {
     double       speed  = 0;  ///< of the pinion [rad/s]
-    double       torque = 0;  ///< on the gear [N mm]
+    double       torque = 0;  ///< on the driven member [N mm]
     unsigned int meshes = 40; ///< tooth meshes to run
     double       ramp   = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
     HubKind      hub    = HubKind::free_rotation;
 
+    DrivingMember    driving   = DrivingMember::pinion;
+    TurningDirection direction = TurningDirection::forward;
+
     void declare(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
+
+    /** Throws InputError where the gear drives, which @p study (a noun) does not take. */
+    void require_driving_pinion(const std::string &section, const std::string &study) const;
 
     /** Tooth meshes per second [Hz]. */
     double mesh_frequency(unsigned int pinion_teeth) const
@@ -62,6 +70,12 @@ namespace vfife
      * know about them. */
     Model make_model(bool torque_is_ramped, Log &log) const;
 
+    /** Quality, mass and inertias of the bodies of make_model(), pinion first. */
+    std::vector<BodyFigures> measure_bodies(const Model &model) const;
+
+    /** Outlines of the bodies in the meridian plane: meridian.csv. */
+    Table meridian_table() const;
+
     /** Step of central differences that divides a tooth mesh into a multiple of @p samples steps,
      * at most @p stable_step [s]. */
     double choose_step(double stable_step, unsigned int samples) const;
@@ -75,15 +89,20 @@ namespace vfife
     /** Of one tooth pair at the mean contact of the unloaded flanks. */
     HertzContact hertz_contact() const;
 
+    /** The flanks that carry the load. */
+    MeshSide working_side() const;
+
     /** Gear tooth (sector) at the pitch point after @p meshes tooth meshes. */
     unsigned int gear_tooth_in_mesh(unsigned int meshes) const;
 
   private:
     const Material &material(const std::string &name) const;
-    void            add_contacts(const GearPair &pair, Model &model) const;
-    void            add_hub(Model &model, bool torque_is_ramped) const;
-    void            add_probes(Model &model) const;
-    void            log_bodies(const Model &model, Log &log) const;
+    Transmission    make_transmission(const GearPair &pair) const;
+    /** Node set by which a body (0 pinion, 1 gear) is driven or held. */
+    const char *held_set(unsigned int body) const;
+    void        add_contacts(const GearPair &pair, Model &model) const;
+    void        add_hub(Model &model, bool torque_is_ramped) const;
+    void        add_probes(Model &model) const;
 
     GearPairOptions       pair_;
     GearBodyOptions       pinion_body_, gear_body_;
