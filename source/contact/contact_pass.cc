@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/machine_speed.h>
 #include <vfife/contact/broad_search.h>
 #include <vfife/contact/contact_pass.h>
 
@@ -143,6 +144,7 @@ namespace vfife
   {
     ++n_wide_searches_;
     pair.points.clear();
+    pair.touching.clear();
     const auto      &group = master_.group_facets(pair.master_group);
     std::vector<Box> boxes;
     boxes.reserve(group.size());
@@ -181,7 +183,6 @@ namespace vfife
             point.rule_point    = q;
             point.area          = point_areas_[i];
             point.slave_offset  = point_offsets_[i];
-            point.awake_at      = -std::numeric_limits<double>::infinity();
             point.pressure      = 0.;
             point.gap           = std::numeric_limits<double>::infinity();
             if (p.inside)
@@ -194,6 +195,7 @@ namespace vfife
             pair.points.push_back(point);
           }
       }
+    pair.awake_at.assign(pair.points.size(), -std::numeric_limits<double>::infinity());
   }
 
 
@@ -206,6 +208,22 @@ namespace vfife
   }
 
 
+  void ContactPass::list_points(const unsigned int part, const unsigned int n_parts)
+  {
+    for (Pair &pair : pairs_)
+      {
+        const double path =
+          slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
+        if (pair.listed && path - pair.built_at <= skin_)
+          continue;
+        find_points(
+          pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_, part, n_parts);
+        pair.listed   = true;
+        pair.built_at = path;
+      }
+  }
+
+
   void ContactPass::add_forces(const SurfaceMotion &slave,
                                const SurfaceMotion &master,
                                const ContactLaw    &law,
@@ -214,31 +232,39 @@ namespace vfife
                                double              *slave_forces,
                                double              *master_forces)
   {
-    update_paths(slave, master);
     if (part != part_ || n_parts != n_parts_)
       for (Pair &pair : pairs_)
         pair.listed = false;
     part_    = part;
     n_parts_ = n_parts;
 
+    double     last     = times_ != nullptr ? processor_time() : 0.;
+    const auto add_time = [&](double ContactTimes::*part_of_step) {
+      if (times_ == nullptr)
+        return;
+      const double now = processor_time();
+      times_->*part_of_step += now - last;
+      last = now;
+    };
+    update_paths(slave, master);
+    add_time(&ContactTimes::motion);
+    list_points(part, n_parts);
+    add_time(&ContactTimes::wide_search);
+    for (Pair &pair : pairs_)
+      find_gaps(pair);
+    add_time(&ContactTimes::projection);
+
     results_.resize(pairs_.size());
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
-        Pair        &pair = pairs_[i];
-        const double path =
-          slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
-        if (!pair.listed || path - pair.built_at > skin_)
-          {
-            find_points(
-              pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_, part, n_parts);
-            pair.listed   = true;
-            pair.built_at = path;
-          }
+        Pair &pair               = pairs_[i];
         results_[i]              = GroupPairResult();
         results_[i].slave_group  = pair.slave_group;
         results_[i].master_group = pair.master_group;
-        add_pair(pair, law, results_[i], slave_forces, master_forces);
+        for (const unsigned int p : pair.touching)
+          press(pair.points[p], law, results_[i], slave_forces, master_forces);
       }
+    add_time(&ContactTimes::forces);
   }
 
 

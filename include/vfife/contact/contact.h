@@ -129,6 +129,14 @@ namespace vfife
      */
     double depth_limit() const;
 
+    /** From now on adds the processor time of the parts of add_forces() to @p times, which must
+     * outlive the object; nullptr ends it. */
+    void measure_times(ContactTimes *times)
+    {
+      for (ContactPass &pass : passes_)
+        pass.measure_times(times);
+    }
+
     /** Points kept for possible contact, and wide searches so far. */
     std::size_t n_listed_points() const;
     std::size_t n_wide_searches() const;

@@ -5,6 +5,7 @@
 #include <vfife/contact/contact_law.h>
 #include <vfife/contact/contact_results.h>
 #include <vfife/contact/contact_spring.h>
+#include <vfife/contact/contact_times.h>
 #include <vfife/contact/group_path.h>
 #include <vfife/contact/local_search.h>
 
@@ -86,10 +87,15 @@ namespace vfife
       return n_wide_searches_;
     }
 
+    /** From now on adds the processor time of the parts of add_forces(); nullptr ends it. */
+    void measure_times(ContactTimes *times)
+    {
+      times_ = times;
+    }
+
   private:
     struct ListedPoint
     {
-      double       awake_at; ///< path of the pair at which the point must be looked at again [mm]
       unsigned int slave_facet, rule_point;
       Projection   projection;
       double       area, slave_offset;
@@ -135,6 +141,9 @@ namespace vfife
       bool                     listed   = false;
       double                   built_at = 0.; ///< path at the wide search [mm]
       std::vector<ListedPoint> points;
+      /** Path of the pair at which each point must be looked at again [mm]. */
+      std::vector<double>       awake_at;
+      std::vector<unsigned int> touching; ///< points with a gap below zero in this step
     };
 
     /** Smallest gap over a slave facet, from its smallest sample on. */
@@ -143,20 +152,16 @@ namespace vfife
     Vector3      slave_point(unsigned int facet, unsigned int rule_point) const;
     void         find_points(
               Pair &pair, double open_reach, double depth_reach, unsigned int part, unsigned int n_parts);
-    bool   find_closest(const std::vector<unsigned int> &facets,
-                        const Vector3                   &x,
-                        const Vector3                   &slave_normal,
-                        double                           reach,
-                        Projection                      &projection);
-    void   add_pair(Pair             &pair,
-                    const ContactLaw &law,
-                    GroupPairResult  &result,
-                    double           *slave_forces,
-                    double           *master_forces);
-    bool   locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path);
+    bool find_closest(const std::vector<unsigned int> &facets,
+                      const Vector3                   &x,
+                      const Vector3                   &slave_normal,
+                      double                           reach,
+                      Projection                      &projection);
+    void list_points(unsigned int part, unsigned int n_parts);
+    void find_gaps(Pair &pair);
+    bool
+    locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);
     void   press(ListedPoint      &point,
-                 const Vector3    &x,
-                 const Vector3    &normal,
                  const ContactLaw &law,
                  GroupPairResult  &result,
                  double           *slave_forces,
@@ -173,6 +178,7 @@ namespace vfife
     std::vector<GroupPairResult> results_;
     unsigned int                 part_ = 0, n_parts_ = 0;
     std::size_t                  n_wide_searches_ = 0;
+    ContactTimes                *times_           = nullptr;
   };
 } // namespace vfife
 
