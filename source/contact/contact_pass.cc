@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/machine_speed.h>
-#include <vfife/contact/broad_search.h>
 #include <vfife/contact/contact_pass.h>
 
 #include <algorithm>
@@ -96,7 +95,19 @@ namespace vfife
   }
 
 
-  bool ContactPass::find_closest(const std::vector<unsigned int> &facets,
+  std::vector<Box> ContactPass::facet_boxes(const unsigned int group) const
+  {
+    std::vector<Box> boxes;
+    boxes.reserve(master_.group_facets(group).size());
+    for (const unsigned int f : master_.group_facets(group))
+      boxes.push_back(Box::around(current_corners(master_, f), 0.));
+    return boxes;
+  }
+
+
+  bool ContactPass::find_closest(const std::vector<unsigned int> &group,
+                                 const std::vector<Box>          &boxes,
+                                 std::vector<unsigned int>       &near,
                                  const Vector3                   &x,
                                  const Vector3                   &slave_normal,
                                  const double                     reach,
@@ -105,15 +116,16 @@ namespace vfife
     // A point that lies over a facet is preferred to the border of another that is a little nearer.
     constexpr double border_handicap = 1.5;
 
-    double nearest = reach;
-    bool   found   = false;
-    for (const unsigned int facet : facets)
+    double      nearest = reach;
+    std::size_t found   = near.size();
+    for (std::size_t i = 0; i < near.size(); ++i)
       {
-        if (Box::around(current_corners(master_, facet), 0.).distance(x) > nearest)
+        if (boxes[near[i]].square_distance(x) > nearest * nearest)
           continue;
-        const FacetState &state  = master_.state(facet);
-        const Vector3     normal = state.normal(0.5, 0.5);
-        Projection        projection;
+        const unsigned int facet  = group[near[i]];
+        const FacetState  &state  = master_.state(facet);
+        const Vector3      normal = state.normal(0.5, 0.5);
+        Projection         projection;
         projection.facet  = facet;
         projection.lambda = (x - state.position(0.5, 0.5)).dot(normal) / normal.squaredNorm();
         if (!project_on_facet(state, master_.border_sides(facet), x, projection))
@@ -129,10 +141,13 @@ namespace vfife
           {
             nearest = distance;
             best    = projection;
-            found   = true;
+            found   = i;
           }
       }
-    return found;
+    if (found == near.size())
+      return false;
+    std::swap(near.front(), near[found]);
+    return true;
   }
 
 
@@ -145,12 +160,9 @@ namespace vfife
     ++n_wide_searches_;
     pair.points.clear();
     pair.touching.clear();
-    const auto      &group = master_.group_facets(pair.master_group);
-    std::vector<Box> boxes;
-    boxes.reserve(group.size());
-    for (const unsigned int f : group)
-      boxes.push_back(Box::around(current_corners(master_, f), 0.));
-    const BoxTree tree(boxes);
+    const auto            &group = master_.group_facets(pair.master_group);
+    const std::vector<Box> boxes = facet_boxes(pair.master_group);
+    const BoxTree          tree(boxes);
 
     // 1.5: the handicap of border points in find_closest().
     const double reach = 1.5 * (std::max(open_reach, depth_reach) + slave_.largest_offset() +
@@ -163,14 +175,12 @@ namespace vfife
         tree.find(Box::around(current_corners(slave_, facet), reach), near);
         if (near.empty())
           continue;
-        for (unsigned int &f : near)
-          f = group[f];
         const Vector3 slave_normal = slave_.vector_area(facet);
         for (unsigned int q = 0; q < rule_.size(); ++q)
           {
             const Vector3 x = slave_point(facet, q);
             ListedPoint   point;
-            if (!find_closest(near, x, slave_normal, reach, point.projection))
+            if (!find_closest(group, boxes, near, x, slave_normal, reach, point.projection))
               continue;
             // The neighbour decides about points at the very edge of two facets.
             Projection walked = point.projection;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace vfife
 {
@@ -67,8 +67,13 @@ namespace vfife
       {
         // Lost: look through the whole group. Finding nothing means out of reach until the next
         // wide search.
-        const double reach = 1.5 * (depth_limit_ + 3. * skin_);
-        if (!find_closest(master_.group_facets(pair.master_group),
+        const double              reach = 1.5 * (depth_limit_ + 3. * skin_);
+        const auto               &group = master_.group_facets(pair.master_group);
+        std::vector<unsigned int> all(group.size());
+        std::iota(all.begin(), all.end(), 0u);
+        if (!find_closest(group,
+                          facet_boxes(pair.master_group),
+                          all,
                           x,
                           slave_.vector_area(point.slave_facet),
                           reach,

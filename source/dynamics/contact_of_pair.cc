@@ -42,8 +42,7 @@ namespace vfife
       }
   }
 
-  double ContactSide::largest_deformation(const Body        &b,
-                                          const Partition   &partition,
+  double ContactSide::largest_deformation(const Partition   &partition,
                                           const RigidMotion &motion,
                                           const double      *all_positions) const
   {
@@ -53,8 +52,7 @@ namespace vfife
         {
           const Vector3 x =
             Eigen::Map<const Vector3>(all_positions + 4 * static_cast<std::size_t>(local[i]));
-          largest =
-            std::max(largest, (x - motion(b.node_positions()[surface->nodes[i]])).squaredNorm());
+          largest = std::max(largest, (x - motion(surface->positions[i])).squaredNorm());
         }
     return std::sqrt(largest);
   }
@@ -83,9 +81,15 @@ namespace vfife
   void ContactSide::distribute_forces(double *local_forces) const
   {
     for (const unsigned int i : active)
-      if (local[i] != Partition::absent)
+      {
+        // Few active nodes carry force: the others' places in the large array are not touched.
+        const double *f = forces.data() + 3 * static_cast<std::size_t>(i);
+        if (local[i] == Partition::absent || (f[0] == 0. && f[1] == 0. && f[2] == 0.))
+          continue;
+        double *target = local_forces + 4 * static_cast<std::size_t>(local[i]);
         for (unsigned int c = 0; c < 3; ++c)
-          local_forces[4 * static_cast<std::size_t>(local[i]) + c] += forces[3 * i + c];
+          target[c] += f[c];
+      }
   }
 
   ContactOfPair::ContactOfPair(const ContactPair &pair,

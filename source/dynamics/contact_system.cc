@@ -11,6 +11,16 @@ namespace vfife
 {
   namespace
   {
+    /** Where a body is after @p duration, to the second order of the angle. */
+    RigidMotion move_on(const RigidMotion &motion, const RigidVelocity &rate, const double duration)
+    {
+      const double omega = rate.omega.norm();
+      if (!(omega > 0.))
+        return {motion.rotation, motion.translation + duration * rate.velocity};
+      const Matrix3 turn = rotation_about(rate.omega / omega, omega * duration);
+      return {turn * motion.rotation, turn * motion.translation + duration * rate.velocity};
+    }
+
     /** Adds up over the ranks what belongs to the active nodes of all sides, 3 numbers a node: the
      * owner of a node has it, all others zero, so that sums are exact copies. */
     void sum_over_ranks(const std::vector<std::unique_ptr<ContactOfPair>> &pairs,
@@ -51,13 +61,6 @@ namespace vfife
         pairs_.push_back(std::make_unique<ContactOfPair>(pair, model, partition));
         needs_velocities_ = needs_velocities_ || pair.options.damping_ratio > 0. ||
                             pair.options.friction_coefficient > 0.;
-      }
-    for (const Body &body : model.bodies)
-      {
-        double reach = 0;
-        for (const Vector3 &x : body.node_positions())
-          reach = std::max(reach, (body.placement(x) - body.axis.point).norm());
-        reach_.push_back(reach);
       }
   }
 
@@ -107,25 +110,26 @@ namespace vfife
   {
     if (pairs_.empty())
       return;
-    const double start  = times_ != nullptr ? processor_time() : 0.;
-    double       motion = 0.;
+    const double             start = times_ != nullptr ? processor_time() : 0.;
+    std::vector<RigidMotion> later;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      motion += duration * (rates[b].omega.norm() * reach_[b] +
-                            rates[b].at(model_.bodies[b].axis.point).norm());
+      later.push_back(move_on(body_motion[b], rates[b], duration));
     std::vector<double> deformations;
     for (const auto &pair : pairs_)
       for (const ContactSide *side : pair->sides())
-        deformations.push_back(side->largest_deformation(
-          model_.bodies[side->body], partition_, body_motion[side->body], positions));
+        deformations.push_back(
+          side->largest_deformation(partition_, body_motion[side->body], positions));
     communicator_.max(deformations);
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
         // What the rigid motion of the bodies leaves out: deformation of both surfaces (twice, as
-        // it changes), and their way until the next search.
+        // it changes).
         ContactOfPair &pair = *pairs_[i];
         pair.contact.find_candidates(body_motion[pair.slave.body],
                                      body_motion[pair.master.body],
-                                     2. * (deformations[2 * i] + deformations[2 * i + 1]) + motion +
+                                     later[pair.slave.body],
+                                     later[pair.master.body],
+                                     2. * (deformations[2 * i] + deformations[2 * i + 1]) +
                                        pair.contact.search_skin());
         pair.slave.active  = pair.contact.active_slave_nodes();
         pair.master.active = pair.contact.active_master_nodes();

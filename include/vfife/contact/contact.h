@@ -39,6 +39,14 @@ namespace vfife
      */
     void find_candidates(const RigidMotion &slave, const RigidMotion &master, double margin);
 
+    /** The same on the way to where the bodies will be at the next call, which @p margin then need
+     * not cover. */
+    void find_candidates(const RigidMotion &slave,
+                         const RigidMotion &master,
+                         const RigidMotion &slave_later,
+                         const RigidMotion &master_later,
+                         double             margin);
+
     /** Surface nodes whose positions and velocities must be valid in add_forces(), sorted. */
     const std::vector<unsigned int> &active_slave_nodes() const
     {

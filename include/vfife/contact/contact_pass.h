@@ -2,6 +2,7 @@
 #ifndef vfife_contact_contact_pass_h
 #define vfife_contact_contact_pass_h
 
+#include <vfife/contact/broad_search.h>
 #include <vfife/contact/contact_law.h>
 #include <vfife/contact/contact_results.h>
 #include <vfife/contact/contact_spring.h>
@@ -152,7 +153,13 @@ namespace vfife
     Vector3      slave_point(unsigned int facet, unsigned int rule_point) const;
     void         find_points(
               Pair &pair, double open_reach, double depth_reach, unsigned int part, unsigned int n_parts);
-    bool find_closest(const std::vector<unsigned int> &facets,
+    /** Boxes of the master's facets of a group, in their order. */
+    std::vector<Box> facet_boxes(unsigned int group) const;
+    /** The nearest foot on the facets with the numbers @p near in @p group; the facet found goes to
+     * the front of @p near, where the next point's is most likely. */
+    bool find_closest(const std::vector<unsigned int> &group,
+                      const std::vector<Box>          &boxes,
+                      std::vector<unsigned int>       &near,
                       const Vector3                   &x,
                       const Vector3                   &slave_normal,
                       double                           reach,

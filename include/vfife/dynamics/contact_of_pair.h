@@ -33,8 +33,7 @@ namespace vfife
 
     /** Largest distance of a surface node that this rank owns from where the rigid @p motion of the
      * body would put it; @p positions: 4 doubles a local node [mm]. */
-    double largest_deformation(const Body        &body,
-                               const Partition   &partition,
+    double largest_deformation(const Partition   &partition,
                                const RigidMotion &motion,
                                const double      *positions) const;
 

@@ -98,7 +98,6 @@ namespace vfife
     const Communicator                         &communicator_;
     std::vector<std::unique_ptr<ContactOfPair>> pairs_;
     bool                needs_velocities_ = false; ///< a pair has damping or friction
-    std::vector<double> reach_; ///< largest distance of each body's nodes from its axis point [mm]
     std::vector<double> buffer_;
     double              largest_penetration_ = 0;
     /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration

@@ -68,7 +68,7 @@ namespace vfife
     std::vector<RigidVelocity> compute_rigid_rates(const State &state) const;
 
     /** Steps between broad searches of the contact. */
-    static constexpr unsigned int search_interval = 20;
+    static constexpr unsigned int search_interval = 40;
 
   private:
     struct StepPowers
