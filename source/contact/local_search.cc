@@ -17,9 +17,9 @@ namespace vfife
     constexpr double border_tolerance = 1e-3;
 
     /** A step below this leaves an error of its square times the facet's warp and curvature over
-     * its size (a few hundredths): below 1e-13 of a facet along it, and of the gap, which does not
-     * depend on it to the first order, round-off. */
-    constexpr double last_step = 1e-6;
+     * its size: below 1e-12 mm along the facet in the tests, and the gap does not depend on that to
+     * the first order. */
+    constexpr double last_step = 1e-7;
 
     enum class Outcome
     {
