@@ -3,6 +3,7 @@
 #include <vfife/base/failure.h>
 #include <vfife/base/log.h>
 #include <vfife/base/mpi_session.h>
+#include <vfife/study/parameter_reference.h>
 #include <vfife/study/study.h>
 
 #include <exception>
@@ -20,12 +21,19 @@ namespace
           std::cout << (line.help ? vfife::help_text() : vfife::version_text()) << std::flush;
         return;
       }
+    if (line.parameter_reference)
+      {
+        if (world.is_root())
+          vfife::write_parameter_reference(std::cout);
+        return;
+      }
     vfife::Log log(std::cout, world.is_root());
     vfife::run_study(line, world, log);
   }
 } // namespace
 
-/** Exit codes: 0 done, 1 the input cannot be used, 2 the computation failed. */
+/** Exit codes: 0 done, 1 the input cannot be used, 2 the computation failed, 3 stopped by a signal.
+ */
 int main(int argc, char **argv)
 {
   vfife::MpiSession session(argc, argv);

@@ -9,6 +9,8 @@
 
 #include <vfife/base/revision.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace vfife
@@ -29,11 +31,18 @@ namespace vfife
          "folder for results, instead of Study/output folder of the file") //
         ("set",
          options::value(&line.overrides)->composing()->value_name("\"SECTION/SUB/NAME=VALUE\""),
-         "sets an entry, whatever the file says; may be given several times")                 //
+         "sets an entry, whatever the file says; may be given several times") //
+        ("restart",
+         options::bool_switch(&line.restart),
+         "[DIR]  goes on from the last checkpoint in the folder of results, or in DIR; FILE.prm "
+         "may then be left out")                                                              //
         ("check", options::bool_switch(&line.check), "checks the input and computes nothing") //
         ("print-parameters",
          options::bool_switch(&line.print_parameters),
-         "prints all parameters in force with their descriptions and computes nothing")  //
+         "prints all parameters in force with their descriptions and computes nothing") //
+        ("parameter-reference",
+         options::bool_switch(&line.parameter_reference),
+         "prints all parameters of all kinds of studies as a page of Markdown")          //
         ("version", options::bool_switch(&line.version), "prints the version and stops") //
         ("help,h", options::bool_switch(&line.help), "prints this text and stops");
       return description;
@@ -45,6 +54,22 @@ namespace vfife
       for (const auto &option : description.options())
         names.push_back("--" + option->long_name());
       return names;
+    }
+
+    /** Takes the folder to go on in out of the arguments. */
+    void take_folder(std::vector<std::string> &files, CommandLine &line)
+    {
+      const auto folder = std::find_if(files.begin(), files.end(), [](const std::string &file) {
+        std::error_code error;
+        return std::filesystem::is_directory(file, error);
+      });
+      if (folder != files.end())
+        {
+          line.output_folder = *folder;
+          files.erase(folder);
+        }
+      if (files.empty() && !line.output_folder.empty())
+        files.push_back(line.output_folder + "/parameters.prm");
     }
   } // namespace
 
@@ -84,10 +109,12 @@ namespace vfife
         throw InputError(std::string(error.what()) + " (vfife --help lists the options)");
       }
 
+    if (line.restart)
+      take_folder(files, line);
     if (files.size() > 1)
       throw InputError("one parameter file is expected, but there are " +
                        std::to_string(files.size()) + ": " + list_of(files, true));
-    if (files.empty() && !line.help && !line.version)
+    if (files.empty() && !line.help && !line.version && !line.parameter_reference)
       throw InputError(std::string("no parameter file; ") + usage);
     if (!files.empty())
       line.parameter_file = files[0];
@@ -103,7 +130,10 @@ namespace vfife
             "FILE.prm "
          << "says.\nOn several ranks: mpirun -n N vfife FILE.prm [options]\n\n"
          << visible_options(line)
-         << "\nexit code: 0 done, 1 the input cannot be used, 2 the computation failed\n";
+         << "\nexit code: 0 done, 1 the input cannot be used, 2 the computation failed, 3 stopped "
+            "by a "
+            "signal after a checkpoint\nsignals to a run: SIGTERM, SIGINT or SIGUSR2 write a "
+            "checkpoint and stop, SIGUSR1 writes a field file\n";
     return text.str();
   }
 

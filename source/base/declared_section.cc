@@ -73,6 +73,19 @@ namespace vfife
     return names_of(entries);
   }
 
+  std::vector<std::pair<std::string, std::string>>
+  DeclaredSection::list_values(const std::string &path) const
+  {
+    const std::string                                inside = path.empty() ? "" : path + "/";
+    std::vector<std::pair<std::string, std::string>> values;
+    for (const Entry &entry : entries)
+      values.emplace_back(inside + entry.name, entry.value);
+    for (const DeclaredSection &section : sections)
+      for (auto &value : section.list_values(inside + section.name))
+        values.push_back(std::move(value));
+    return values;
+  }
+
   std::vector<std::string> DeclaredSection::section_names() const
   {
     return names_of(sections);

@@ -51,6 +51,10 @@ namespace vfife
       {
         return {1, error.what()};
       }
+    catch (const Interrupted &interruption)
+      {
+        return {3, interruption.what()};
+      }
     catch (const NumericalError &error)
       {
         return {2, error.what()};

@@ -1,7 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/log.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <ostream>
+#include <stdexcept>
 
 namespace vfife
 {
@@ -39,10 +43,18 @@ namespace vfife
     if (level <= verbosity_)
       screen_ << text << std::endl;
     // every line is flushed: the last one before a crash is the one that is needed
-    if (file_ != nullptr)
-      *file_ << text << std::endl;
-    else
-      lines_before_file_.push_back(text);
+    if (file_ == nullptr)
+      {
+        lines_before_file_.push_back(text);
+        return;
+      }
+    *file_ << text << std::endl;
+    if (!*file_)
+      {
+        file_ = nullptr;
+        throw std::runtime_error(std::string("cannot write the log's file: ") +
+                                 std::strerror(errno));
+      }
   }
 
   void Log::add_warning(const std::string &text)
@@ -55,6 +67,20 @@ namespace vfife
         }
     warnings_.push_back({text, 1});
     write_line("warning: " + text, Verbosity::quiet);
+  }
+
+  void Log::take_warnings(std::vector<Warning> earlier)
+  {
+    std::swap(warnings_, earlier);
+    for (const Warning &warning : earlier)
+      {
+        const auto known =
+          std::find_if(warnings_.begin(), warnings_.end(), [&warning](const Warning &other) {
+            return other.text == warning.text;
+          });
+        if (known == warnings_.end())
+          warnings_.push_back(warning);
+      }
   }
 
   unsigned int Log::n_warnings() const

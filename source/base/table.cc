@@ -1,4 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
+#include <vfife/base/errors.h>
 #include <vfife/base/number_text.h>
 #include <vfife/base/table.h>
 
@@ -93,6 +95,17 @@ namespace vfife
   void Table::add_row(const std::initializer_list<Cell> cells)
   {
     add_row(std::vector<Cell>(cells));
+  }
+
+  void Table::exchange_rows(ByteStream &stream)
+  {
+    std::string columns = csv_header();
+    stream.pass(columns, n_rows_);
+    if (columns != csv_header())
+      throw InputError("stored rows have other columns (" + columns + ") than now (" +
+                       csv_header() + ")");
+    for (Column &column : columns_)
+      stream.pass(column.numbers, column.texts);
   }
 
   void Table::clear_rows()

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/errors.h>
 #include <vfife/contact/contact.h>
 
@@ -96,7 +97,12 @@ namespace vfife
         passes_[1].set_pairs(pairs);
       }
     results_.clear();
+    find_active_nodes();
+  }
 
+
+  void Contact::find_active_nodes()
+  {
     active_slave_nodes_.clear();
     active_master_nodes_.clear();
     for (const GroupPair &pair : candidate_pairs_)
@@ -210,6 +216,16 @@ namespace vfife
     for (std::size_t i = 0; i < passes_.size(); ++i)
       passes_[i].append_springs(penalty_, i == 1, springs);
     return springs;
+  }
+
+
+  void Contact::exchange(ByteStream &stream)
+  {
+    stream.pass(candidate_pairs_);
+    for (ContactPass &pass : passes_)
+      pass.exchange(stream);
+    if (stream.reads())
+      find_active_nodes();
   }
 
 

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/machine_speed.h>
 #include <vfife/contact/contact_pass.h>
 
@@ -275,6 +276,23 @@ namespace vfife
           press(pair.points[p], law, results_[i], slave_forces, master_forces);
       }
     add_time(&ContactTimes::forces);
+  }
+
+
+  void ContactPass::exchange(ByteStream &stream)
+  {
+    std::size_t n = pairs_.size();
+    stream.pass(n, part_, n_parts_, n_wide_searches_);
+    pairs_.resize(n);
+    for (Pair &pair : pairs_)
+      stream.pass(pair.slave_group,
+                  pair.master_group,
+                  pair.listed,
+                  pair.built_at,
+                  pair.points,
+                  pair.awake_at);
+    slave_path_.exchange(stream);
+    master_path_.exchange(stream);
   }
 
 

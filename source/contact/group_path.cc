@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/errors.h>
 #include <vfife/contact/group_path.h>
 
@@ -60,5 +61,11 @@ namespace vfife
         if (known)
           lengths_[g] += std::sqrt(largest);
       }
+  }
+
+
+  void GroupPath::exchange(ByteStream &stream)
+  {
+    stream.pass(active_, lengths_, previous_);
   }
 } // namespace vfife

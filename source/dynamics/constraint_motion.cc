@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/dynamics/constraint_motion.h>
@@ -17,11 +18,6 @@ namespace vfife
     void set_record(double *values, const std::uint32_t local, const Vector3 &v)
     {
       Eigen::Map<Vector3>(values + 4 * static_cast<std::size_t>(local)) = v;
-    }
-
-    bool turns_freely(const ConstraintKind kind)
-    {
-      return kind == ConstraintKind::free_rotation || kind == ConstraintKind::rigid_hub;
     }
   } // namespace
 
@@ -159,7 +155,7 @@ namespace vfife
   void ConstraintMotion::read(const State &state, const MotionFrame frame)
   {
     for (Group &group : groups_)
-      if (turns_freely(group.kind))
+      if (group.turns_freely())
         for (Node &node : group.nodes)
           {
             const Vector3 r       = state.node_position(node.local) - group.axis.point;
@@ -181,6 +177,30 @@ namespace vfife
     for (Group &group : groups_)
       if (group.kind == ConstraintKind::rigid_hub)
         share_rotation(group);
+  }
+
+  void ConstraintMotion::turn_bodies(const Model &model, State &state) const
+  {
+    std::vector<double> sums(2 * model.bodies.size(), 0.);
+    for (const Group &group : groups_)
+      if (group.turns_freely())
+        for (const Node &node : group.nodes)
+          if (node.owned)
+            {
+              sums[2 * group.body] += node.angle;
+              sums[2 * group.body + 1] += 1.;
+            }
+    communicator_.sum(sums);
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      if (sums[2 * b + 1] > 0)
+        {
+          const Body   &body = model.bodies[b];
+          const Matrix3 rotation =
+            rotation_about(body.axis.direction, sums[2 * b] / sums[2 * b + 1]);
+          const Vector3 arm                = body.placement.translation - body.axis.point;
+          state.body_motion[b].rotation    = rotation * body.placement.rotation;
+          state.body_motion[b].translation = body.axis.point + rotation * arm;
+        }
   }
 
   void ConstraintMotion::share_rotation(Group &group) const
@@ -256,43 +276,6 @@ namespace vfife
       accelerate(node.rate, torque_and_inertia[0] / torque_and_inertia[1]);
   }
 
-  void ConstraintMotion::add_sums(const Group       &group,
-                                  const Node        &node,
-                                  const double       dt,
-                                  const BodyDamping &damping,
-                                  const Vector3     &force,
-                                  const Vector3     &x,
-                                  const Vector3     &v,
-                                  const UpdateAxis  &axis,
-                                  Sums              &sums)
-  {
-    if (!node.owned)
-      return;
-    const Vector3 mean = 0.5 * (node.old_velocity + v);
-    sums.update.kinetic += 0.5 * node.mass * node.old_velocity.dot(v);
-    add_node_moments(axis, node.mass, x, v, sums.update);
-    if (turns_freely(group.kind) || group.kind == ConstraintKind::directions)
-      {
-        const Vector3 relative = mean - damping.rigid.at(node.old_position);
-        sums.update.damping_power += damping.zeta * node.mass * relative.dot(mean);
-        sums.update.mesh_power += node.mass * damping.mesh.at(node.old_position).dot(mean);
-        sums.update.damping_torque -=
-          damping.zeta * node.mass *
-          group.axis.direction.cross(node.old_position - group.axis.point).dot(relative);
-      }
-    if (group.kind == ConstraintKind::directions)
-      // What the leads have added to the motion under forces and damping.
-      sums.drive_power +=
-        node.mass * (1. + 0.5 * damping.zeta * dt) / dt * (v - node.free_velocity).dot(mean);
-    else if (group.kind == ConstraintKind::prescribed_rotation)
-      {
-        const Vector3 reaction = node.mass / dt * (v - node.old_velocity) - force;
-        sums.drive_power += reaction.dot(mean);
-        sums.drive_torque +=
-          group.axis.direction.dot((node.old_position - group.axis.point).cross(reaction));
-      }
-  }
-
   void ConstraintMotion::apply(const double                    time,
                                const double                    dt,
                                const MotionFrame               frame,
@@ -304,14 +287,14 @@ namespace vfife
   {
     for (Group &group : groups_)
       {
-        if (turns_freely(group.kind))
+        if (group.turns_freely())
           turn_freely(group, dt, damping[group.body], forces);
         const Matrix3 rotation =
           rotation_about(group.axis.direction, turned_angle(group, time + dt, frame));
         for (Node &node : group.nodes)
           {
             Vector3 x;
-            if (turns_freely(group.kind))
+            if (group.turns_freely())
               {
                 node.angle += dt * node.rate;
                 x = turned(group.axis, node.start, node.angle);
@@ -335,18 +318,6 @@ namespace vfife
                      sums[group.body]);
           }
       }
-  }
-
-  void ConstraintMotion::add_moments(const State &state, std::vector<UpdateSums> &sums) const
-  {
-    for (const Group &group : groups_)
-      for (const Node &node : group.nodes)
-        if (node.owned)
-          add_node_moments(axes_[group.body],
-                           node.mass,
-                           state.node_position(node.local),
-                           state.node_velocity(node.local),
-                           sums[group.body]);
   }
 
   void ConstraintMotion::project(const double *positions,

@@ -62,7 +62,7 @@ namespace vfife
                                    const double    *local_velocities,
                                    const bool       with_velocities)
   {
-    for (const unsigned int i : active)
+    for (const unsigned int i : *active)
       {
         const std::uint32_t node  = local[i];
         const bool          owned = node != Partition::absent && partition.owned[node];
@@ -80,7 +80,7 @@ namespace vfife
 
   void ContactSide::distribute_forces(double *local_forces) const
   {
-    for (const unsigned int i : active)
+    for (const unsigned int i : *active)
       {
         // Few active nodes carry force: the others' places in the large array are not touched.
         const double *f = forces.data() + 3 * static_cast<std::size_t>(i);
@@ -101,5 +101,7 @@ namespace vfife
     , contact(*slave.surface, *master.surface, pair.options)
     , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
   {
+    slave.active  = &contact.active_slave_nodes();
+    master.active = &contact.active_master_nodes();
   }
 } // namespace vfife

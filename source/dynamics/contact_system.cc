@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/communicator.h>
 #include <vfife/base/machine_speed.h>
 #include <vfife/dynamics/contact_of_pair.h>
@@ -33,7 +34,7 @@ namespace vfife
       buffer.clear();
       for (const auto &pair : pairs)
         for (const ContactSide *side : pair->sides())
-          for (const unsigned int i : side->active)
+          for (const unsigned int i : *side->active)
             buffer.insert(buffer.end(),
                           (side->*values).begin() + 3 * i,
                           (side->*values).begin() + 3 * i + 3);
@@ -41,7 +42,7 @@ namespace vfife
       const double *record = buffer.data();
       for (const auto &pair : pairs)
         for (ContactSide *side : pair->sides())
-          for (const unsigned int i : side->active)
+          for (const unsigned int i : *side->active)
             {
               std::copy_n(record, 3, (side->*values).data() + 3 * i);
               record += 3;
@@ -131,11 +132,15 @@ namespace vfife
                                      later[pair.master.body],
                                      2. * (deformations[2 * i] + deformations[2 * i + 1]) +
                                        pair.contact.search_skin());
-        pair.slave.active  = pair.contact.active_slave_nodes();
-        pair.master.active = pair.contact.active_master_nodes();
       }
     if (times_ != nullptr)
       times_->broad_search += processor_time() - start;
+  }
+
+  void ContactSystem::exchange(ByteStream &stream)
+  {
+    for (const auto &pair : pairs_)
+      pair->contact.exchange(stream);
   }
 
   void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/log.h>
 #include <vfife/dynamics/contact_watch.h>
 
@@ -37,6 +38,11 @@ namespace vfife
     if (!touching && losses_.count > 0)
       losses_.duration += dt;
     touched_ = touching;
+  }
+
+  void ContactWatch::exchange(ByteStream &stream)
+  {
+    stream.pass(losses_, touched_);
   }
 
   const ContactLosses &ContactWatch::losses() const

@@ -11,11 +11,17 @@ namespace vfife
     const Choices<DampingRate> damping_rates = {{"momentum", DampingRate::momentum},
                                                 {"mean speed", DampingRate::mean_speed}};
 
+    const Choices<StepBound> step_bounds = {{"element", StepBound::element},
+                                            {"power iteration", StepBound::power_iteration}};
+
     const Choices<bool> precisions = {{"double", false}, {"single", true}};
 
     const Choices<Start> starts = {{"static preload", Start::static_preload},
                                    {"ramp", Start::ramp},
                                    {"undeformed", Start::undeformed}};
+
+    const Choices<StartSolver> start_solvers = {{"factorization", StartSolver::factorization},
+                                                {"relaxation", StartSolver::relaxation}};
   } // namespace
 
   void RelaxationOptions::declare(dealii::ParameterHandler &prm)
@@ -59,11 +65,28 @@ namespace vfife
                    precisions,
                    "Precision in which the hourglass stiffness of elements without congruent "
                    "copies is stored; everything else, and all arithmetic, is double");
+    declare_choice(
+      prm,
+      "step bound",
+      step_bound,
+      step_bounds,
+      "Largest frequency that bounds the step: of the worst free element (safe), or of "
+      "the whole model by power iteration (larger steps, an estimate)");
+    declare_number(
+      prm, "safety", safety, "Time step over the largest stable one", Range::between(0.01, 1.));
+    declare_quantity(
+      prm,
+      "mass scaling step",
+      mass_scaling_step,
+      "s",
+      "Stable step, before the safety, that elements with a smaller one get by added "
+      "mass; 0: none",
+      Range::not_negative());
     declare_number(prm,
-                   "safety",
-                   safety,
-                   "Time step over the largest stable one of the worst free element",
-                   Range::between(0.01, 1.));
+                   "largest added mass",
+                   largest_added_mass,
+                   "Share of a body's mass that mass scaling may add; more is refused",
+                   Range::between(0., 1.));
     declare_quantity(
       prm,
       "damping",
@@ -84,11 +107,18 @@ namespace vfife
                    damping_rates,
                    "Angular velocity omega of the body in the damping force");
     declare_choice(prm, "start", start, starts, "How a turning gear pair takes up its load");
+    declare_choice(prm,
+                   "start solver",
+                   start_solver,
+                   start_solvers,
+                   "What finds the equilibrium of a gear pair before the start; a factorization is "
+                   "fast and takes some 45 kB of memory a node");
     declare_number(
       prm,
       "energy limit",
       energy_limit,
-      "Energy error (residual of the ledger over its scale) at which the run stops as failed",
+      "Energy error (residual of the ledger over its scale) at which the run stops as failed; "
+      "from two fifths of it there is a warning",
       Range::positive());
     declare_integer(prm,
                     "largest number of steps",

@@ -7,6 +7,7 @@
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/dynamics/mean_speed.h>
 #include <vfife/dynamics/measurement.h>
+#include <vfife/dynamics/step_bound.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,8 @@ namespace vfife
     OperatorLayout layout_for(const DynamicsOptions &options)
     {
       OperatorLayout layout;
-      layout.single_hourglass = options.single_stiffness;
+      layout.single_hourglass  = options.single_stiffness;
+      layout.mass_scaling_step = options.mass_scaling_step;
       return layout;
     }
   } // namespace
@@ -40,7 +42,9 @@ namespace vfife
     , loads_(model, operator_, communicator)
     , walls_(model, operator_.partition(), communicator)
     , forces_(operator_.array_size())
+    , approach_(model)
     , contact_watch_(log)
+    , element_step_(find_element_step(model, options.step_bound, operator_, communicator, log))
   {
   }
 
@@ -61,8 +65,13 @@ namespace vfife
 
   double ExplicitSolver::stable_step()
   {
-    const double elements = options_.safety * operator_.limiting_element().stable_step();
-    return walls_.vote_on_step(loads_.vote_on_step(contact_.vote_on_step(elements)));
+    return walls_.vote_on_step(
+      loads_.vote_on_step(contact_.vote_on_step(options_.safety * element_step_)));
+  }
+
+  double ExplicitSolver::element_step() const
+  {
+    return element_step_;
   }
 
   void ExplicitSolver::set_step(const double dt)
@@ -158,11 +167,14 @@ namespace vfife
     rigid_  = compute_rigid_rates(state);
     ledger_ = EnergyLedger();
     powers_ = StepPowers();
-    audit_.assign(model_.bodies.size(), DampingAudit());
+    allocate();
+    rates_at_start_ = rigid_;
+    first_step_     = state.step;
+    start_time_     = state.time;
     audited_steps_ = audited_samples_ = 0;
     contact_watch_.reset();
-    sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
-    damping_.assign(model_.bodies.size(), BodyDamping());
+    largest_approach_ = 0;
+    has_touched_      = false;
   }
 
   void ExplicitSolver::compute_forces(State &state, const bool keep_contact_forces)
@@ -173,8 +185,9 @@ namespace vfife
     }
     {
       const auto scope = timers_.time(timers_.section("contact"));
-      if (state.step % search_interval == 0)
+      if (state.step % search_interval == 0 || search_now_)
         contact_.search(state.body_motion, rigid_, state.position.data(), search_interval * dt_);
+      search_now_ = false;
       if (keep_contact_forces)
         state.contact_force = forces_;
       contact_.add_forces(
@@ -277,45 +290,26 @@ namespace vfife
       }
   }
 
-  void ExplicitSolver::check(const State &state, const bool measured) const
+  void ExplicitSolver::run(State            &state,
+                           const double      end_time,
+                           Observers        &observers,
+                           const BeforeStep &before_step)
   {
-    const auto where = [&] {
-      return " at time " + std::to_string(1e3 * state.time) + " ms, step " +
-             std::to_string(state.step);
-    };
-    double kinetic = 0;
-    for (const auto &s : sums_)
-      kinetic += s.update.kinetic;
-    if (!std::isfinite(kinetic))
-      throw NumericalError("the motion is no longer finite" + where() + ": " +
-                           find_broken_element(model_, observed_, state) +
-                           "; a smaller Dynamics/safety or a softer contact may help");
-    if (contact_.is_too_deep())
-      throw NumericalError("runaway penetration" + where() + ": " +
-                           contact_.describe_deepest_point());
-    const std::string inverted =
-      measured ? find_inverted_element(model_, observed_, communicator_) : "";
-    if (!inverted.empty())
-      throw NumericalError("an element is inverted" + where() + ": " + inverted);
-    if (measured && !(std::abs(ledger_.error()) < options_.energy_limit))
-      throw NumericalError("the energy error is " + std::to_string(ledger_.error()) + where() +
-                           " (limit " + std::to_string(options_.energy_limit) +
-                           ", Dynamics/energy limit): the integration is unstable");
-  }
-
-  void ExplicitSolver::run(State &state, const double end_time, Observers &observers)
-  {
-    begin_run(state);
-    const std::uint64_t first_step = state.step;
-    const std::uint64_t n_steps    = std::llround((end_time - state.time) / dt_);
-    const double        start      = state.time;
-    const auto          rates      = rigid_;
+    if (!goes_on_)
+      begin_run(state);
+    goes_on_                      = false;
+    const std::uint64_t last_step = first_step_ + std::llround((end_time - start_time_) / dt_);
+    if (state.step > last_step)
+      throw InputError("the run has come to step " + std::to_string(state.step) +
+                       " and cannot end at step " + std::to_string(last_step));
     try
       {
         for (;;)
           {
-            const bool first = state.step == first_step;
-            const bool last  = state.step == first_step + n_steps;
+            if (before_step)
+              before_step(state);
+            const bool first = state.step == first_step_;
+            const bool last  = state.step == last_step;
             const bool due =
               first || last ||
               std::any_of(observers.begin(), observers.end(), [&](const auto &observer) {
@@ -325,6 +319,7 @@ namespace vfife
             if (first && contact_.energy() > 0.)
               log_.line("deepest point at the start: ", contact_.describe_deepest_point());
             contact_watch_.observe(state.time, dt_, contact_.energy() > 0);
+            has_touched_        = has_touched_ || contact_.energy() > 0;
             const double strain = due ? take_measurements(state) : 0.;
             set_damping(state);
             update_nodes(state);
@@ -342,19 +337,19 @@ namespace vfife
               break;
             advance_bodies(state);
             ++state.step;
-            state.time = start + (state.step - first_step) * dt_;
+            state.time = start_time_ + (state.step - first_step_) * dt_;
           }
       }
     catch (const NumericalError &)
       {
         state = observed_;
-        finish_audit(rates);
+        finish_audit();
         for (const auto &observer : observers)
           observer->finish(model_, observed_);
         throw;
       }
     state = observed_;
-    finish_audit(rates);
+    finish_audit();
     for (const auto &observer : observers)
       observer->finish(model_, observed_);
   }

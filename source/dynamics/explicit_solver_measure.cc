@@ -39,6 +39,11 @@ namespace vfife
         ledger_.scale    = EnergyLedger::scale_floor * ledger_.kinetic;
         ledger_at_start_ = ledger_;
       }
+    has_touched_ = has_touched_ || ledger_.contact > 0;
+    // Bodies that meet may exchange this much; before they do, it is nobody's measure.
+    largest_approach_ = std::max(largest_approach_, approach_.compute(sums_));
+    if (has_touched_)
+      ledger_.scale = std::max(ledger_.scale, largest_approach_);
     ledger_.scale =
       std::max(ledger_.scale,
                std::abs(ledger_.strain - ledger_at_start_.strain) +
@@ -88,7 +93,7 @@ namespace vfife
       }
   }
 
-  void ExplicitSolver::finish_audit(const std::vector<RigidVelocity> &rates_at_start)
+  void ExplicitSolver::finish_audit()
   {
     for (unsigned int b = 0; b < audit_.size(); ++b)
       {
@@ -97,7 +102,7 @@ namespace vfife
         audit_[b].rate_difference /= std::max(1U, audited_samples_);
         audit_[b].body = model_.bodies[b].name();
         audit_[b].spin_drift =
-          (rigid_[b].omega - rates_at_start[b].omega).dot(model_.bodies[b].axis.direction);
+          (rigid_[b].omega - rates_at_start_[b].omega).dot(model_.bodies[b].axis.direction);
       }
   }
 

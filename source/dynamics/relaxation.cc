@@ -137,6 +137,55 @@ namespace vfife
     return masses;
   }
 
+  void Relaxation::add_contact(State &state, const bool search, std::vector<double> &forces)
+  {
+    const std::vector<RigidVelocity> at_rest(model_.bodies.size());
+    if (search)
+      contact_.search(state.body_motion, at_rest, state.position.data(), 0.);
+    contact_.add_forces(
+      state.body_motion, state.position.data(), no_velocity_.data(), state.dt, forces.data());
+    walls_.add_forces(state.position.data(), forces.data());
+  }
+
+  void Relaxation::compute_forces(State &state, const Loads &loads, std::vector<double> &forces)
+  {
+    forces.resize(operator_.array_size());
+    operator_.compute_internal_forces(state.position.data(), forces.data());
+    if (loads.contact)
+      add_contact(state, true, forces);
+    add_applied(state, loads, forces);
+    ConstraintMotion(model_, state.partition, communicator_)
+      .project(state.position.data(), forces.data(), !loads.hold_rotation);
+  }
+
+  double Relaxation::compute_residual(const State               &state,
+                                      const Loads               &loads,
+                                      const std::vector<double> &forces)
+  {
+    std::vector<double> applied(operator_.array_size(), 0.);
+    add_applied(state, loads, applied);
+    return norm(forces, state.partition) / norm(applied, state.partition);
+  }
+
+  void Relaxation::constrain(State &state) const
+  {
+    const std::vector<double>           zero(state.position.size(), 0.);
+    std::vector<double>                 velocity = zero;
+    std::vector<ConstraintMotion::Sums> ignored(model_.bodies.size());
+    ConstraintMotion                    constraints(model_, state.partition, communicator_);
+    constraints.read(state, MotionFrame::rotating);
+    constraints.save(state.position.data(), velocity.data());
+    constraints.apply(0.,
+                      1.,
+                      MotionFrame::rotating,
+                      std::vector<BodyDamping>(model_.bodies.size()),
+                      zero.data(),
+                      state.position.data(),
+                      velocity.data(),
+                      ignored);
+    constraints.turn_bodies(model_, state);
+  }
+
   RelaxationReport Relaxation::solve(State &state, const Loads &loads)
   {
     const std::vector<double> masses = compute_masses(loads, state.dt);
@@ -153,7 +202,6 @@ namespace vfife
     add_applied(state, loads, applied);
     double reference = norm(applied, state.partition);
 
-    const std::vector<RigidVelocity> at_rest(model_.bodies.size());
     std::vector<double> velocity(operator_.array_size(), 0.), previous(operator_.array_size(), 0.);
     const bool          adaptive = !(options_.virtual_damping > 0);
     double              damping  = adaptive ? 1. : options_.virtual_damping * state.dt;
@@ -161,18 +209,12 @@ namespace vfife
     std::string         history;
     for (;; ++report.steps)
       {
+        const bool searches = report.steps % search_interval == 0;
+        if (searches)
+          constraints.turn_bodies(model_, state);
         operator_.compute_internal_forces(state.position.data(), forces_.data());
         if (loads.contact)
-          {
-            if (report.steps % search_interval == 0)
-              contact_.search(state.body_motion, at_rest, state.position.data(), 0.);
-            contact_.add_forces(state.body_motion,
-                                state.position.data(),
-                                no_velocity_.data(),
-                                state.dt,
-                                forces_.data());
-            walls_.add_forces(state.position.data(), forces_.data());
-          }
+          add_contact(state, searches, forces_);
         add_applied(state, loads, forces_);
         // Where nothing is applied but displacements, the reactions are what forces are measured
         // by.

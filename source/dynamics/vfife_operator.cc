@@ -71,11 +71,15 @@ namespace vfife
             write_constants(reduced,
                             body.material(),
                             data.constants.data() + data.constants.size() - n_element_constants);
+            const double frequency =
+              compute_largest_frequency(expand(reduced, body.material()), mass);
+            const double scale =
+              std::max(1., std::pow(0.5 * frequency * layout_.mass_scaling_step, 2));
             std::array<double, 8> masses;
-            std::copy_n(mass.data(), 8, masses.begin());
+            for (unsigned int i = 0; i < 8; ++i)
+              masses[i] = scale * mass[i];
             data.masses.push_back(masses);
-            data.frequency.push_back(
-              compute_largest_frequency(expand(reduced, body.material()), mass));
+            data.frequency.push_back(frequency / std::sqrt(scale));
           }
         class_data_.push_back(std::move(data));
 

@@ -48,6 +48,13 @@ namespace vfife
   }
 
 
+  double hourglass_sign(const unsigned int k, const unsigned int node)
+  {
+    const Vector3 corner = reference_corner(node);
+    return k == 3 ? corner.prod() : corner[(k + 1) % 3] * corner[(k + 2) % 3];
+  }
+
+
   Matrix3 compute_jacobian(const HexahedronNodes &nodes, const Vector3 &xi)
   {
     return nodes * reference_gradients(xi).transpose();

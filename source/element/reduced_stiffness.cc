@@ -53,13 +53,6 @@ namespace vfife
   } // namespace
 
 
-  double hourglass_sign(const unsigned int k, const unsigned int node)
-  {
-    const Vector3 corner = reference_corner(node);
-    return k == 3 ? corner.prod() : corner[(k + 1) % 3] * corner[(k + 2) % 3];
-  }
-
-
   ReducedStiffness compute_reduced_stiffness(const HexahedronNodes &X,
                                              const Material        &material,
                                              const StiffnessKind    kind)

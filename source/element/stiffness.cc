@@ -5,13 +5,16 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include <array>
+
 namespace vfife
 {
   const Choices<StiffnessKind> &stiffness_choices()
   {
     static const Choices<StiffnessKind> choices = {{"incompatible modes",
                                                     StiffnessKind::incompatible_modes},
-                                                   {"full", StiffnessKind::full}};
+                                                   {"full", StiffnessKind::full},
+                                                   {"one point", StiffnessKind::one_point}};
     return choices;
   }
 
@@ -41,31 +44,80 @@ namespace vfife
   }
 
 
+  namespace
+  {
+    /** det J at the Gauss points [mm^3], all positive. */
+    std::array<double, 8> compute_determinants(const HexahedronNodes &X)
+    {
+      std::array<double, 8> determinants;
+      for (unsigned int q = 0; q < 8; ++q)
+        {
+          determinants[q] = compute_jacobian(X, gauss_point(q)).determinant();
+          if (!(determinants[q] > 0.))
+            throw NumericalError("An element is folded: its Jacobian determinant is " +
+                                 std::to_string(determinants[q]) +
+                                 " mm^3 at an integration point.");
+        }
+      return determinants;
+    }
+
+    /**
+     * The gradients of the trilinear functions as if the element were the parallelepiped of its
+     * centre, but for their means, which are exact: b + gamma_k (x) J0^-T dh_k/dxi / 8.
+     */
+    HexahedronNodes compute_parallelepiped_gradients(const HexahedronNodes &X,
+                                                     const HexahedronNodes &mean,
+                                                     const Matrix3 &centre_inverse_transposed,
+                                                     const Vector3 &xi)
+    {
+      // The trilinear function of node a is 1/8 (1 + a . xi + sum_k h_k(a) h_k(xi)).
+      HexahedronNodes gradients = mean;
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          Vector3 slope;
+          for (unsigned int i = 0; i < 3; ++i)
+            slope[i] = k == 3 ? xi[(i + 1) % 3] * xi[(i + 2) % 3] : k == i ? 0. : xi[3 - k - i];
+          Eigen::Matrix<double, 1, 8> h;
+          for (unsigned int a = 0; a < 8; ++a)
+            h[a] = hourglass_sign(k, a);
+          const Eigen::Matrix<double, 1, 8> gamma =
+            h - (h * (X.colwise() - X.col(0).eval()).transpose()) * mean;
+          gradients += centre_inverse_transposed * slope * gamma / 8.;
+        }
+      return gradients;
+    }
+  } // namespace
+
+
   ElementStrains compute_element_strains(const HexahedronNodes &X, const StiffnessKind kind)
   {
-    const Matrix3 centre_jacobian           = compute_jacobian(X, Vector3::Zero());
-    const double  centre_determinant        = centre_jacobian.determinant();
-    const Matrix3 centre_inverse_transposed = centre_jacobian.inverse().transpose();
+    const Matrix3               centre_jacobian           = compute_jacobian(X, Vector3::Zero());
+    const Matrix3               centre_inverse_transposed = centre_jacobian.inverse().transpose();
+    const std::array<double, 8> determinants              = compute_determinants(X);
+    const HexahedronNodes       mean                      = compute_mean_gradients(X);
+    const double                volume                    = compute_volume(X);
 
     ElementStrains strains;
-    strains.has_bubbles = kind == StiffnessKind::incompatible_modes;
+    strains.has_bubbles = kind != StiffnessKind::full;
     for (unsigned int q = 0; q < 8; ++q)
       {
-        const Vector3         xi          = gauss_point(q);
-        const HexahedronNodes gradients   = reference_gradients(xi);
-        const Matrix3         jacobian    = X * gradients.transpose();
-        const double          determinant = jacobian.determinant();
-        if (!(determinant > 0.))
-          throw NumericalError("An element is folded: its Jacobian determinant is " +
-                               std::to_string(determinant) + " mm^3 at an integration point.");
-        strains.weight[q]       = determinant;
+        const Vector3 xi               = gauss_point(q);
+        const Matrix3 bubble_gradients = centre_inverse_transposed * (-2. * xi).asDiagonal();
+        if (kind == StiffnessKind::one_point)
+          {
+            strains.weight[q]       = volume / 8.;
+            strains.displacement[q] = compute_strain_matrix(
+              compute_parallelepiped_gradients(X, mean, centre_inverse_transposed, xi));
+            strains.bubble[q] = compute_strain_matrix(bubble_gradients);
+            continue;
+          }
+        const HexahedronNodes gradients = reference_gradients(xi);
+        const Matrix3         jacobian  = X * gradients.transpose();
+        strains.weight[q]               = determinants[q];
         strains.displacement[q] = compute_strain_matrix(jacobian.inverse().transpose() * gradients);
         if (strains.has_bubbles)
-          {
-            const Matrix3 bubble_gradients = (-2. * xi).asDiagonal();
-            strains.bubble[q] = compute_strain_matrix(centre_determinant / determinant *
-                                                      centre_inverse_transposed * bubble_gradients);
-          }
+          strains.bubble[q] = compute_strain_matrix(centre_jacobian.determinant() /
+                                                    determinants[q] * bubble_gradients);
         else
           strains.bubble[q].setZero();
       }

@@ -8,12 +8,14 @@ namespace vfife
 {
   Assembly::Assembly(const Discretization    &discretization,
                      const Unknowns::Options &options,
-                     const Communicator      &communicator)
+                     const Communicator      &communicator,
+                     Links                    links)
     : discretization_(discretization)
     , communicator_(communicator)
     , unknowns_(discretization, options, communicator.size())
     , first_(unknowns_.first(communicator.rank()))
     , last_(unknowns_.first(communicator.rank() + 1))
+    , links_(std::move(links))
   {
     find_elements();
     make_pattern();
@@ -49,14 +51,13 @@ namespace vfife
       std::sort(row.begin(), row.end());
       row.erase(std::unique(row.begin(), row.end()), row.end());
     };
-    for (const unsigned int e : elements_)
+    const auto couple = [&](const unsigned int *points, const unsigned int n) {
       for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
         {
           std::vector<int> touched;
-          for (unsigned int a = 0; a < n_local; ++a)
+          for (unsigned int a = 0; a < n; ++a)
             {
-              const std::size_t row =
-                k * copy + 3 * std::size_t(discretization_.element_points(e)[a]);
+              const std::size_t row = k * copy + 3 * std::size_t(points[a]);
               for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row + 2); ++t)
                 touched.push_back(t->unknown);
             }
@@ -74,6 +75,11 @@ namespace vfife
                   }
               }
         }
+    };
+    for (const unsigned int e : elements_)
+      couple(discretization_.element_points(e), n_local);
+    for (const std::vector<unsigned int> &link : links_)
+      couple(link.data(), link.size());
     pattern_.n         = unknowns_.n();
     pattern_.first_row = first_;
     pattern_.begin.push_back(0);
@@ -139,6 +145,17 @@ namespace vfife
           const unsigned int index = point.first;
           add(k * copy, &index, point.second, values);
         }
+    return values;
+  }
+
+  SparseValues
+  Assembly::link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const
+  {
+    SparseValues      values(pattern_.columns.size(), 0.);
+    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    for (unsigned int l = 0; l < links_.size(); ++l)
+      for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+        add(k * copy, links_[l].data(), link(l), values);
     return values;
   }
 

@@ -71,6 +71,19 @@ namespace vfife
     double          torque = 0; ///< on the driven body about its axis [N mm]
   };
 
+  /** Where Newton's method is: forces taken for those of the contact, what they do, the turn. */
+  struct PairEquilibrium::Iterate
+  {
+    Eigen::VectorXd force, deflection; ///< at the watched points
+    double          turn = 0;
+    Trial           trial;
+
+    double potential(const double load) const
+    {
+      return 0.5 * force.dot(deflection) + trial.energy - load * turn;
+    }
+  };
+
   /** Springs of the contact at the watched points: force = B f, f = -stiffness h. */
   struct PairEquilibrium::Tangent
   {

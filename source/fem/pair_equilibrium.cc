@@ -212,17 +212,21 @@ namespace vfife
     return find_touch(at_watched(compliance_.spun()));
   }
 
-  double
-  PairEquilibrium::press_rigid(const Eigen::VectorXd &base, const double turn, const double load)
+  PairEquilibrium::Iterate PairEquilibrium::press_rigid(const Eigen::VectorXd &base,
+                                                        const double           load)
   {
     // A first guess with some points under pressure: as deep as rigid bodies would need it.
-    const double sense = load < 0 ? -1. : 1.;
-    double       depth = 1e-5; // [mm]
+    Iterate guess;
+    guess.force = guess.deflection = Eigen::VectorXd::Zero(base.size());
+    const double sense             = load < 0 ? -1. : 1.;
+    const double touch             = find_touch(base);
+    double       depth             = 1e-5; // [mm]
     for (; depth < pairs_.front()->contact.depth_limit(); depth *= 2.)
       {
-        const double trial = turn + sense * depth / model_.transmission->arm;
-        if (-sense * evaluate(base, trial).torque >= std::abs(load))
-          return trial;
+        guess.turn  = touch + sense * depth / model_.transmission->arm;
+        guess.trial = evaluate(base, guess.turn);
+        if (-sense * guess.trial.torque >= std::abs(load))
+          return guess;
       }
     fail("the undeformed flanks cannot carry the torque", "");
   }

@@ -74,19 +74,6 @@ namespace vfife
     return tangent;
   }
 
-  /** Where Newton's method is: forces taken for those of the contact, what they do, the turn. */
-  struct PairEquilibrium::Iterate
-  {
-    Eigen::VectorXd force, deflection; ///< at the watched points
-    double          turn = 0;
-    Trial           trial;
-
-    double potential(const double load) const
-    {
-      return 0.5 * force.dot(deflection) + trial.energy - load * turn;
-    }
-  };
-
   void PairEquilibrium::search_line(const Eigen::VectorXd &base,
                                     const double           load,
                                     const Iterate         &full,
@@ -111,19 +98,11 @@ namespace vfife
     now = next;
   }
 
-  PairEquilibriumResult PairEquilibrium::solve(const double driver_turn, const double part)
+  void PairEquilibrium::balance(const Eigen::VectorXd &base,
+                                const double           load,
+                                Iterate               &now,
+                                PairEquilibriumResult &result)
   {
-    PairEquilibriumResult result;
-    result.driver_turn = driver_turn;
-    result.touch_turn  = find_touch(driver_turn);
-
-    const Eigen::VectorXd base =
-      at_watched(compliance_.spun()) + part * at_watched(compliance_.twisted());
-    const double load = this->load(part);
-    Iterate      now;
-    now.force = now.deflection = Eigen::VectorXd::Zero(base.size());
-    now.turn                   = press_rigid(base, find_touch(base), load);
-    now.trial                  = evaluate(base, now.turn);
     std::ostringstream history;
     for (;; ++result.iterations)
       {
@@ -132,7 +111,7 @@ namespace vfife
                                    std::abs(torque / load));
         history << " " << result.residual;
         if (result.residual < tolerance)
-          break;
+          return;
         if (result.iterations >= largest_iterations || now.trial.energy <= 0 ||
             !std::isfinite(result.residual))
           fail("Newton's method does not converge", history.str());
@@ -146,7 +125,40 @@ namespace vfife
         full.turn       = now.turn + change.second;
         search_line(base, load, full, now);
       }
+  }
+
+  PairEquilibriumResult PairEquilibrium::solve(const double driver_turn, const double part)
+  {
+    PairEquilibriumResult result;
+    result.driver_turn = driver_turn;
+    result.touch_turn  = find_touch(driver_turn);
+
+    const Eigen::VectorXd base =
+      at_watched(compliance_.spun()) + part * at_watched(compliance_.twisted());
+    Iterate now = press_rigid(base, load(part));
+    balance(base, load(part), now, result);
     report(now, part, result);
+    return result;
+  }
+
+  PairEquilibriumResult PairEquilibrium::press(const double               driver_turn,
+                                               const std::vector<double> &free,
+                                               const double               torque)
+  {
+    PairEquilibriumResult result;
+    result.driver_turn = driver_turn;
+    set_position(driver_turn);
+    find_candidates();
+    const Eigen::VectorXd base = at_watched(free);
+    if (pressed_ != nullptr)
+      pressed_->trial = evaluate(base + pressed_->deflection, pressed_->turn);
+    if (pressed_ == nullptr || !(pressed_->trial.energy > 0))
+      pressed_ = std::make_unique<Iterate>(press_rigid(base, torque));
+    balance(base, torque, *pressed_, result);
+    result.turn          = pressed_->turn;
+    result.displacements = compliance_.solve(spread(pressed_->force));
+    for (std::size_t i = 0; i < free.size(); ++i)
+      result.displacements[i] += free[i];
     return result;
   }
 
@@ -164,6 +176,13 @@ namespace vfife
     const auto            change  = tangent.solve(at_watched(compliance_.twisted()), load(1.));
     const Eigen::VectorXd slope   = tangent.spread(change.first, now.force.size());
     result.turn_slope             = change.second;
+    for (std::size_t i = 0; i < tangent.springs.size(); ++i)
+      {
+        ContactTie tie{tangent.springs[i], 1. / tangent.inverse_stiffness[i]};
+        for (auto &point : tie.points)
+          point.first = compliance_.watched()[point.first];
+        result.ties.push_back(tie);
+      }
 
     result.displacements      = compliance_.solve(spread(now.force));
     result.displacement_slope = compliance_.solve(spread(slope));

@@ -21,6 +21,30 @@ namespace vfife
     unsigned int                hub      = none; ///< index of the shared unknown of column 1
     bool                        is_image = false;
     std::array<unsigned int, 3> unknown  = {{none, none, none}};
+
+    /** Holds the directions that a constraint of that kind prescribes. */
+    void hold(const Constraint &constraint, const Axis &axis, const Vector3 &point)
+    {
+      if (!constraint.displacement.isZero(0.))
+        throw InputError("constraint \"" + constraint.name +
+                         "\": conventional finite elements hold directions, they do not prescribe "
+                         "displacements");
+      std::array<bool, 3> held = constraint.prescribed;
+      if (constraint.cylindrical)
+        {
+          const Vector3 tangent = axis.direction.cross(point - axis.point);
+          const bool    on_axis = !(tangent.norm() > 0.);
+          columns.col(1)        = on_axis ? axis.direction.unitOrthogonal() : tangent.normalized();
+          columns.col(0)        = columns.col(1).cross(axis.direction);
+          columns.col(2)        = axis.direction;
+          // There, whatever leads the radius or the angle leaves neither way free.
+          if (on_axis)
+            held[0] = held[1] = held[0] || held[1];
+        }
+      // Another constraint may hold more directions of the same axes.
+      for (unsigned int c = 0; c < 3; ++c)
+        active[c] = active[c] && !held[c];
+    }
   };
 
   Unknowns::Unknowns(const Discretization &discretization,
@@ -56,7 +80,12 @@ namespace vfife
         for (const unsigned int p : points)
           {
             LocalAxes &local = axes[p];
-            local.active     = {{false, false, false}};
+            if (constraint.kind == ConstraintKind::directions)
+              {
+                local.hold(constraint, axis, discretization.points()[p]);
+                continue;
+              }
+            local.active = {{false, false, false}};
             if (constraint.kind == ConstraintKind::held ||
                 constraint.kind == ConstraintKind::prescribed_rotation)
               continue;

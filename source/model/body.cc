@@ -96,6 +96,21 @@ namespace vfife
     return nodes;
   }
 
+  void Body::add_masses(const std::vector<double> &masses)
+  {
+    for (std::size_t i = 0; i < masses.size(); ++i)
+      {
+        node_masses_[i] += masses[i];
+        mass_ += masses[i];
+        added_mass_ += masses[i];
+      }
+  }
+
+  double Body::added_mass() const
+  {
+    return added_mass_;
+  }
+
   bool Body::has_node_set(const std::string &set) const
   {
     return mesh_->node_sets.count(set) != 0;

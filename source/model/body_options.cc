@@ -3,30 +3,45 @@
 #include <vfife/base/expression.h>
 #include <vfife/base/nearest_name.h>
 #include <vfife/base/parameters.h>
+#include <vfife/mesh/mesh_import.h>
 #include <vfife/model/body_options.h>
+
+#include <filesystem>
 
 namespace vfife
 {
+  namespace
+  {
+    /** The mesh that is no shape. */
+    const std::string from_file = "file";
+  } // namespace
+
   void BodyOptions::declare_kind(dealii::ParameterHandler &prm)
   {
-    const auto shapes = PrimitiveOptions::shapes();
+    auto shapes = PrimitiveOptions::shapes();
+    shapes.push_back(from_file);
     declare_choice(
-      prm, "mesh", shapes, mesh, [this, shapes](const unsigned i) { mesh = shapes[i]; }, "Shape");
+      prm,
+      "mesh",
+      shapes,
+      mesh,
+      [this, shapes](const unsigned i) { mesh = shapes[i]; },
+      "Shape, or a file of hexahedra");
     declare_text(prm, "material", material, "Name of a section \"Material NAME\"");
   }
 
   void BodyOptions::declare(dealii::ParameterHandler &prm, const std::string &section)
   {
     declare_kind(prm);
-    try
-      {
-        primitive = std::make_unique<PrimitiveOptions>(mesh);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(section + "/mesh", error.what());
-      }
-    primitive->declare(prm);
+    if (mesh == from_file)
+      declare_text(prm,
+                   "file",
+                   file,
+                   "Mesh file of 8-node hexahedra, lengths in mm: .msh (Gmsh), .inp (Abaqus, "
+                   "CalculiX), .vtk, .ucd; its named groups are node sets and surfaces; a relative "
+                   "name starts at the folder of the parameter file");
+    else
+      declare_shape(prm, section);
     declare_vector(prm, "position", position, "mm", "Place of the body frame's origin");
     declare_vector(
       prm, "rotation axis", rotation_axis, "-", "Axis about which the body frame is turned");
@@ -55,9 +70,25 @@ namespace vfife
                      std::string(1, names[c]) + " of the fixed frame [mm/s]");
   }
 
+  void BodyOptions::declare_shape(dealii::ParameterHandler &prm, const std::string &section)
+  {
+    try
+      {
+        primitive = std::make_unique<PrimitiveOptions>(mesh);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/mesh", error.what());
+      }
+    primitive->declare(prm);
+  }
+
   void BodyOptions::check(const std::string &section) const
   {
-    primitive->check(section);
+    if (primitive)
+      primitive->check(section);
+    else if (file.empty())
+      throw InputError(section + "/file", "the name of the mesh file is missing");
     if (rotation_axis.norm() == 0)
       throw InputError(section + "/rotation axis", "a direction of length zero");
     if (axis_direction.norm() == 0)
@@ -71,11 +102,25 @@ namespace vfife
                        "yes)");
   }
 
+  std::unique_ptr<BodyMesh> BodyOptions::make_mesh(const std::string &section) const
+  {
+    if (primitive)
+      return make_primitive(*primitive);
+    try
+      {
+        return read_body((std::filesystem::path(folder) / file).string());
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/file", error.what());
+      }
+  }
+
   Body BodyOptions::make(const std::string &name,
                          const Material    &of_material,
                          const std::string &section) const
   {
-    Body body(name, make_primitive(*primitive), of_material);
+    Body body(name, make_mesh(section), of_material);
     body.placement.rotation    = rotation_about(rotation_axis.normalized(), rotation_angle);
     body.placement.translation = position;
     if (bearing)

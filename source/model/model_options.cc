@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 namespace vfife
@@ -138,8 +139,10 @@ namespace vfife
 
     declare_names_of_parts(prm);
     {
-      Subsection section(prm, "Model");
+      Subsection        section(prm, "Model");
+      const std::string folder = std::filesystem::path(file.path()).parent_path().string();
       inside_each(prm, "Body", bodies_, [&](BodyOptions &body, const std::string &path) {
+        body.folder = folder;
         body.declare(prm, path);
       });
       const auto declare_all = [&prm](auto &options, const std::string &) { options.declare(prm); };

@@ -3,6 +3,10 @@
 
 namespace vfife
 {
+  void Observer::exchange(ByteStream &)
+  {
+  }
+
   void Observer::finish(const Model &, const State &)
   {
   }

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/base/table.h>
 #include <vfife/output/csv_stream.h>
 #include <vfife/output/output_folder.h>
@@ -18,9 +17,9 @@ namespace vfife
       return;
     file_.open(path_);
     if (!file_)
-      throw InputError("Study/output folder",
-                       "cannot write \"" + path_ + "\": " + std::strerror(errno));
-    file_ << table.csv_header() << std::endl;
+      throw std::runtime_error("cannot write \"" + path_ + "\": " + std::strerror(errno));
+    file_ << table.csv_header() << '\n';
+    flush();
   }
 
   void CsvStream::append_new_rows(const Table &table)

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/element/stress.h>
@@ -204,16 +205,41 @@ namespace vfife
     , frame_(frame)
     , contact_areas_(compute_contact_areas(model))
   {
-    folder_.make_subfolder("fields");
   }
 
   bool FieldWriter::due(const State &state) const
   {
-    return steps_between_ > 0 && state.step % steps_between_ == 0;
+    return is_requested_ || (steps_between_ > 0 && state.step % steps_between_ == 0);
+  }
+
+  void FieldWriter::request()
+  {
+    is_requested_ = true;
+  }
+
+  void FieldWriter::exchange(ByteStream &stream)
+  {
+    stream.pass(instants_);
+    if (stream.reads() && !instants_.empty())
+      write_pvd();
+  }
+
+  void FieldWriter::write_pvd() const
+  {
+    if (folder_.is_writer())
+      folder_.write_file("fields.pvd", [&](std::ostream &out) {
+        dealii::DataOutBase::write_pvd_record(out, instants_);
+      });
   }
 
   void FieldWriter::observe(const Model &model, const State &state)
   {
+    // The last state of a run is shown in any case.
+    if (steps_between_ == 0 && !is_requested_)
+      return;
+    is_requested_ = false;
+    if (instants_.empty())
+      folder_.make_subfolder("fields");
     const Communicator &communicator = folder_.communicator();
     const auto          motions      = compute_body_motions(model, state, communicator);
     const auto          stresses = compute_node_stresses(model, state, kind_, frame_, communicator);
@@ -243,9 +269,6 @@ namespace vfife
           });
       }
     instants_.emplace_back(state.time, "fields/" + file);
-    if (folder_.is_writer())
-      folder_.write_file("fields.pvd", [&](std::ostream &out) {
-        dealii::DataOutBase::write_pvd_record(out, instants_);
-      });
+    write_pvd();
   }
 } // namespace vfife

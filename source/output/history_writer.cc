@@ -127,6 +127,13 @@ namespace vfife
     file_.append_new_rows(table_);
   }
 
+  void HistoryWriter::exchange(ByteStream &stream)
+  {
+    table_.exchange_rows(stream);
+    file_.append_new_rows(table_); // a run that goes on writes them again
+    file_.flush();
+  }
+
   void HistoryWriter::finish(const Model &, const State &)
   {
     file_.flush();

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
+#include <vfife/base/declared_section.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/base/parameter_file.h>
@@ -16,8 +17,8 @@ namespace vfife
   {
     namespace fs = std::filesystem;
 
-    /** Why the folder cannot be used, or nothing. */
-    std::string create(const std::string &path)
+    /** Why the path is none for a folder, or nothing. */
+    std::string judge(const std::string &path)
     {
       if (path.empty())
         return "the output folder has no name";
@@ -25,6 +26,13 @@ namespace vfife
       if (fs::exists(path, error) && !fs::is_directory(path, error))
         return "the output folder \"" + path +
                "\" is a file; give another folder or remove the file";
+      return "";
+    }
+
+    /** Why the folder cannot be used, or nothing. */
+    std::string create(const std::string &path)
+    {
+      std::error_code error;
       fs::create_directories(path, error);
       if (error)
         return "the output folder \"" + path + "\" cannot be created: " + error.message();
@@ -41,11 +49,19 @@ namespace vfife
       return "";
     }
 
+    [[noreturn]] void refuse(const std::string &path)
+    {
+      throw std::runtime_error("cannot write \"" + path + "\": " + std::strerror(errno));
+    }
+
     void create_on_root(const std::string &path, const Communicator &communicator)
     {
-      const std::string reason = communicator.broadcast(communicator.is_root() ? create(path) : "");
+      std::string reason = communicator.broadcast(communicator.is_root() ? judge(path) : "");
       if (!reason.empty())
         throw InputError("Study/output folder", reason);
+      reason = communicator.broadcast(communicator.is_root() ? create(path) : "");
+      if (!reason.empty())
+        throw std::runtime_error(reason);
     }
   } // namespace
 
@@ -94,13 +110,11 @@ namespace vfife
     const std::string temporary = path + ".part";
     {
       std::ofstream out(temporary, std::ios::binary);
-      if (!out)
-        throw InputError("Study/output folder",
-                         "cannot write \"" + path + "\": " + std::strerror(errno));
-      write(out);
+      if (out)
+        write(out);
       out.close();
       if (!out)
-        throw std::runtime_error("cannot write \"" + path + "\": " + std::strerror(errno));
+        refuse(path);
     }
     std::error_code error;
     fs::rename(temporary, path, error);
@@ -108,21 +122,40 @@ namespace vfife
       throw std::runtime_error("cannot write \"" + path + "\": " + error.message());
   }
 
-  void OutputFolder::write_parameters(dealii::ParameterHandler &prm) const
+  void OutputFolder::remove_file(const std::string &name) const
   {
+    std::error_code error;
+    if (is_writer())
+      fs::remove(file(name), error);
+  }
+
+  void OutputFolder::write_parameters(dealii::ParameterHandler &prm)
+  {
+    parameters_ = find_declared(prm).list_values();
     if (is_writer())
       write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });
   }
 
-  void OutputFolder::attach_log(Log &log)
+  void OutputFolder::attach_log(Log &log, const std::optional<std::size_t> kept)
   {
     log_ = &log;
     if (!is_writer())
       return;
-    log_file_ = std::make_unique<std::ofstream>(file("run.log"));
+    const std::string path = file("run.log");
+    std::error_code   error;
+    const auto        size = fs::file_size(path, error);
+    // What the run said after the checkpoint it goes on from, it will say again.
+    if (kept && !error && size > *kept)
+      fs::resize_file(path, *kept, error);
+    log_file_ = std::make_unique<std::ofstream>(path, kept ? std::ios::app : std::ios::trunc);
     if (!*log_file_)
-      throw InputError("Study/output folder",
-                       "cannot write \"" + file("run.log") + "\": " + std::strerror(errno));
+      refuse(path);
+    log_file_->seekp(0, std::ios::end);
     log.write_to(*log_file_);
+  }
+
+  std::size_t OutputFolder::log_size() const
+  {
+    return log_file_ ? static_cast<std::size_t>(log_file_->tellp()) : 0;
   }
 } // namespace vfife

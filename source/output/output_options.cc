@@ -40,17 +40,19 @@ namespace vfife
                     fields_every,
                     "Tooth meshes (for models without a gear pair: samples of the histories) from "
                     "field file to field file, 0 for none");
-    declare_quantity(prm,
-                     "checkpoint every",
-                     checkpoint_every,
-                     "s",
-                     "Wall time from checkpoint to checkpoint, 0 for none",
-                     Range::not_negative());
+    declare_quantity(
+      prm,
+      "checkpoint every",
+      checkpoint_every,
+      "s",
+      "Wall time from checkpoint to checkpoint, the first after the equilibrium before the "
+      "start and one at the end, 0 for none",
+      Range::not_negative());
     declare_switch(
       prm,
       "pictures",
       pictures,
-      "Plots and pictures of the results at the end of the run, in its folder pictures");
+      "Report, plots and pictures of the results at the end of the run, in its folder");
     declare_choice(prm,
                    "verbosity",
                    verbosity,

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/communicator.h>
 #include <vfife/base/table.h>
 #include <vfife/mesh/body_mesh.h>
@@ -80,6 +81,22 @@ namespace vfife
           double &largest = flank.largest_pressure[flank.places[i]];
           largest         = std::max(largest, force.norm() / flank.areas[i]);
         }
+  }
+
+  void PatternWriter::exchange(ByteStream &stream)
+  {
+    double start = start_;
+    stream.pass(start);
+    for (Flank &flank : flanks_)
+      {
+        std::vector<double> largest = flank.largest_pressure;
+        if (!stream.reads())
+          folder_.communicator().max(largest);
+        stream.pass(largest);
+        // A run that is made longer has another last tooth mesh.
+        if (stream.reads() && start == start_)
+          flank.largest_pressure = largest;
+      }
   }
 
   void PatternWriter::finish(const Model &model, const State &)

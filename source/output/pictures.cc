@@ -66,13 +66,13 @@ namespace vfife
            {program.parent_path().parent_path() / VFIFE_REPORT_BESIDE_PROGRAM,
             fs::path(VFIFE_REPORT_SOURCE),
             fs::path(VFIFE_REPORT_INSTALLED)})
-        if (fs::is_regular_file(folder / "plot_run.py", error))
-          return (folder / "plot_run.py").string();
+        if (fs::is_regular_file(folder / "make_report.py", error))
+          return (folder / "make_report.py").string();
       return "";
     }
 
-    /** Exit codes that ask for another Python: plot_run.py's for a missing module, the shell's for
-     * a missing program. */
+    /** Exit codes that ask for another Python: make_report.py's for a missing module, the shell's
+     * for a missing program. */
     bool lacks_something(const Outcome &outcome)
     {
       return outcome.exit_code == 77 || outcome.exit_code == 127;

@@ -55,6 +55,13 @@ namespace vfife
     file_.append_new_rows(table_);
   }
 
+  void ProbeWriter::exchange(ByteStream &stream)
+  {
+    table_.exchange_rows(stream);
+    file_.append_new_rows(table_); // a run that goes on writes them again
+    file_.flush();
+  }
+
   void ProbeWriter::finish(const Model &, const State &)
   {
     file_.flush();

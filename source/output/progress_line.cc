@@ -75,8 +75,9 @@ namespace vfife
     if (model.transmission)
       text << std::fixed << std::setprecision(2) << "  DTE "
            << state.measured.transmission_error / arcsecond << " arcsec";
-    if (done > 0 && done < 1)
-      text << "  " << duration_text(seconds_since(begin_) * (1 - done) / done) << " left";
+    if (done > first_fraction_ && done < 1)
+      text << "  " << duration_text(seconds_since(begin_) * (1 - done) / (done - first_fraction_))
+           << " left";
     return text.str();
   }
 
@@ -111,6 +112,7 @@ namespace vfife
       {
         begin_ = last_line_ = Clock::now();
         first_step_         = state.step;
+        first_fraction_     = (state.time - start_time_) / (end_time_ - start_time_);
         has_begun_          = true;
       }
     if (!is_writer_)

@@ -3,6 +3,8 @@
 #include <vfife/output/output_folder.h>
 #include <vfife/output/summary.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <nlohmann/json.hpp>
 
 #include <ostream>
@@ -26,6 +28,8 @@ namespace vfife
           json["mass"]               = figure_json(1e3 * body.mass, "kg");
           json["axial inertia"]      = figure_json(1e-3 * body.inertia, "kg m^2");
           json["speed at the start"] = figure_json(body.rate * 30 / pi, "rpm");
+          if (body.added > 0)
+            json["added mass"] = figure_json(1e3 * body.added, "kg");
           bodies.push_back(json);
         }
       Json json;
@@ -33,6 +37,14 @@ namespace vfife
       json["nodes"]  = nodes;
       json["bodies"] = bodies;
       return json;
+    }
+
+    /** Largest memory of this process so far [MB]. */
+    double largest_memory()
+    {
+      dealii::Utilities::System::MemoryStats stats;
+      dealii::Utilities::System::get_memory_stats(stats);
+      return 1e-3 * static_cast<double>(stats.VmHWM);
     }
 
     Json run(const RunSummary &summary)
@@ -44,6 +56,7 @@ namespace vfife
       json["run time"]                 = figure_json(summary.run_time, "s");
       json["element-steps per second"] = figure_json(summary.element_steps_per_second(), "1/s");
       json["ranks"]                    = summary.ranks;
+      json["memory of the first rank"] = figure_json(largest_memory(), "MB");
       if (!summary.instruction_set.empty())
         json["instruction set"] = summary.instruction_set;
       if (!summary.timers.empty())

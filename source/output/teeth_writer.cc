@@ -87,6 +87,13 @@ namespace vfife
     file_.append_new_rows(table_);
   }
 
+  void TeethWriter::exchange(ByteStream &stream)
+  {
+    table_.exchange_rows(stream);
+    file_.append_new_rows(table_); // a run that goes on writes them again
+    file_.flush();
+  }
+
   void TeethWriter::finish(const Model &, const State &)
   {
     file_.flush();

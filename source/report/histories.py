@@ -54,10 +54,11 @@ def draw_transmission_error(run):
     figure, axes = plt.subplots()
     mark_steady_part(run, axes)
     curves = (("dte", "hub", COLOURS[1]), ("rim dte", "rim", COLOURS[2]))
-    for name, _, colour in curves:
-        axes.plot(time, history[name], color=colour, linewidth=0.7, alpha=0.55)
+    for name, text, colour in curves:
+        axes.plot(time, history[name], color=colour, linewidth=0.7, alpha=0.55, label=text)
         if samples:
-            axes.plot(time, compute_mesh_average(history[name], samples), color=colour, linewidth=2)
+            axes.plot(time, compute_mesh_average(history[name], samples), color=colour, linewidth=2,
+                      label=f"{text}, mean over a tooth mesh")
     axes.set_ylabel(history.label("dte"))
     axes.set_title("Dynamic transmission error: as it is (thin), mean over a tooth mesh (thick)")
     finish_time_axis(run, axes)
@@ -72,12 +73,14 @@ def draw_contact_force(run):
     time = 1e3 * history["time"]
     figure, axes = plt.subplots()
     mark_steady_part(run, axes)
-    axes.plot(time, history["contact force total"], color=COLOURS[0])
+    axes.plot(time, history["contact force total"], color=COLOURS[0], label="total")
+    title = "Contact force"
     if teeth is not None and "pinion tooth" in teeth:
         draw_tooth_pairs(axes, history, teeth)
+        title += " and its share on tooth pairs (pinion tooth/gear tooth)"
     axes.set_ylabel("contact force [N]")
     axes.set_ylim(bottom=0)
-    axes.set_title("Contact force and its share on tooth pairs (pinion tooth/gear tooth)")
+    axes.set_title(title)
     finish_time_axis(run, axes)
     style.label_ends(axes, [(time[-1], history["contact force total"][-1], "total", COLOURS[0])])
     return figure
@@ -96,7 +99,8 @@ def draw_tooth_pairs(axes, history, teeth):
         force[at] = teeth["force"][rows]
         around = np.convolve(force > 0, np.ones(3), mode="same") > 0
         axes.plot(1e3 * history["time"], np.where(around, force, np.nan), color=colour,
-                  linestyle="-" if side == "drive" else "--")
+                  linestyle="-" if side == "drive" else "--",
+                  label=f"teeth {pinion:.0f}/{gear:.0f}, {side}")
         top = np.argmax(force)
         axes.annotate(f"{pinion:.0f}/{gear:.0f}", (1e3 * history["time"][top], force[top]),
                       xytext=(0, 3), textcoords="offset points", color=colour, ha="center",
@@ -134,7 +138,7 @@ def draw_probes(run):
         rows = probes["probe"] == name
         colour = COLOURS[1 + number % (len(COLOURS) - 1)]
         time = 1e3 * probes["time"][rows]
-        axes.plot(time, probes["von mises"][rows], color=colour)
+        axes.plot(time, probes["von mises"][rows], color=colour, label=name)
         curves.append((time[-1], probes["von mises"][rows][-1], name, colour))
     axes.set_ylabel(probes.label("von mises"))
     axes.set_ylim(bottom=0)

@@ -8,7 +8,7 @@ from matplotlib.tri import Triangulation
 
 from canvas import Camera, Canvas
 from hexahedra import FACES, Section, find_axis, find_outer_faces
-from style import EDGE, GREY, PRESSURE_MAP, SIGNED_MAP, STRESS_MAP, plt
+from style import EDGE, GREY, PRESSURE_MAP, SIGNED_MAP, STRESS_MAP, WIDE, plt
 
 
 class Scene:
@@ -52,7 +52,7 @@ def draw_faces(fields, name, camera, edge_width=0.9):
 def add_colour_bar(figure, axes, colour_map, lowest, largest, label, text=""):
     mappable = ScalarMappable(Normalize(lowest, largest), colour_map)
     bar = figure.colorbar(mappable, ax=axes, shrink=0.7, aspect=28, pad=0.01)
-    bar.set_label(label + text, fontsize=9)
+    bar.set_label(label + text)
     bar.outline.set_visible(False)
 
 
@@ -77,6 +77,7 @@ def fit_camera(points, eye, up, pixels_wide):
     return Camera(target, eye, up, width, (pixels_wide, int(pixels_wide * height / width)))
 
 
+@plt.rc_context(WIDE)
 def draw_bodies(scene, pixels_wide=1300):
     """All bodies with mesh edges and von Mises stress."""
     fields = scene.fields
@@ -114,6 +115,7 @@ def add_section(axes, shown, values, colour_map, lowest, largest):
     axes.autoscale_view()
 
 
+@plt.rc_context(WIDE)
 def draw_teeth_in_mesh(scene):
     """Section across the teeth at the contact with von Mises stress; pressure on the gear's teeth."""
     fields, contact = scene.fields, scene.contact
@@ -222,7 +224,7 @@ def draw_deformation(scene):
         panel.set_xlabel("along the gear's axis, from the apex [mm]")
     panels[0].set_ylabel("radius from the gear's axis [mm]")
     figure.suptitle(f"Displacements magnified {magnification:g} times, grey: undeformed; "
-                    f"{scene.when()}", fontsize=10)
+                    f"{scene.when()}")
     add_colour_bar(figure, panels, SIGNED_MAP, -largest, largest,
                    "displacement along the axis, + to the back [um]")
     return figure

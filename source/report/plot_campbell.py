@@ -54,18 +54,24 @@ def draw(body, branches, resonances):
     return figure
 
 
+def draw_bodies(folder):
+    """Name of each body and its diagram."""
+    branches = Table(folder / "campbell.csv")
+    resonances = folder / "resonances.csv"
+    resonances = Table(resonances) if resonances.is_file() else None
+    if resonances is not None and resonances.n_rows == 0:
+        resonances = None
+    for body in sorted(set(branches["body"])):
+        yield body, draw(body, branches, resonances)
+
+
 def main(arguments):
     if len(arguments) != 1 or arguments[0].startswith("-"):
         sys.exit(__doc__)
     folder = Path(arguments[0])
     try:
-        branches = Table(folder / "campbell.csv")
-        resonances = folder / "resonances.csv"
-        resonances = Table(resonances) if resonances.is_file() else None
-        if resonances is not None and resonances.n_rows == 0:
-            resonances = None
-        for body in sorted(set(branches["body"])):
-            style.save(draw(body, branches, resonances), folder / f"campbell_{body}.svg")
+        for body, figure in draw_bodies(folder):
+            style.save(figure, folder / f"campbell_{body}.svg")
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"campbell diagram: {error or type(error).__name__}")
 

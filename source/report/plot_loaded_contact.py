@@ -5,39 +5,58 @@ load, load sharing, mesh stiffness, stresses.
 
 usage: plot_loaded_contact.py RESULTS_FOLDER [PICTURE.png]
 """
-import csv
 import sys
 from pathlib import Path
 
+try:
+    import numpy  # noqa: F401
+    import matplotlib  # noqa: F401
+except ImportError as error:
+    sys.exit(f"no picture: {error} (Debian: python3-numpy, python3-matplotlib)")
+
+import style
+from run_folder import Table
 from style import plt
 
-
-def read(path):
-    """Rows of a table as dictionaries by column name without unit; numbers as floats."""
-    with open(path, encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    names = [name.split(" [")[0] for name in rows[0]]
-    return [{n: (v if n == "side" else float(v)) for n, v in zip(names, row)} for row in rows[1:]]
+POSITION = "position, tooth meshes"
 
 
-def plot_columns(axes, rows, names, label, scale=1.0):
+def plot_columns(axes, table, names, label, scale=1.0):
     for name in names:
-        axes.plot(
-            [r["position"] for r in rows], [scale * r[name] for r in rows], ".-", label=name)
-    axes.set(xlabel="position, tooth meshes", ylabel=label)
-    axes.legend()
+        axes.plot(table["position"], scale * table[name], ".-", label=name)
+    axes.set(xlabel=POSITION, ylabel=label)
+    style.add_legend(axes)
 
 
-def plot_shares(axes, rows):
-    for pair in sorted({(r["pinion tooth"], r["gear tooth"]) for r in rows}):
-        own = [r for r in rows if (r["pinion tooth"], r["gear tooth"]) == pair]
-        axes.plot(
-            [r["position"] for r in own],
-            [r["share of torque"] for r in own],
-            ".-",
-            label=f"teeth {pair[0]:.0f}/{pair[1]:.0f}")
-    axes.set(xlabel="position, tooth meshes", ylabel="share of the torque")
-    axes.legend()
+def plot_deviations(axes, table, names):
+    """Ripples of different means on one scale; the means are in the names."""
+    for name in names:
+        mean = table[name].mean()
+        axes.plot(table["position"], table[name] - mean, ".-", label=f"{name}, mean {mean:.2f}")
+    axes.set(xlabel=POSITION, ylabel="arcsec less the mean")
+    style.add_legend(axes)
+
+
+def plot_shares(axes, teeth):
+    for pair in sorted(set(zip(teeth["pinion tooth"], teeth["gear tooth"]))):
+        own = (teeth["pinion tooth"] == pair[0]) & (teeth["gear tooth"] == pair[1])
+        axes.plot(teeth["position"][own], teeth["share of torque"][own], ".-",
+                  label=f"teeth {pair[0]:.0f}/{pair[1]:.0f}")
+    axes.set(xlabel=POSITION, ylabel="share of the torque")
+    style.add_legend(axes)
+
+
+def draw(folder):
+    """One tooth mesh from the tables of a folder."""
+    table = Table(folder / "loaded_contact.csv")
+    figure, axes = plt.subplots(2, 2, figsize=(10, 7))
+    plot_deviations(axes[0][0], table, ["unloaded transmission error", "transmission error"])
+    plot_shares(axes[0][1], Table(folder / "loaded_teeth.csv"))
+    plot_columns(axes[1][0], table, ["secant stiffness", "tangent stiffness"], "MN m/rad", 1e-6)
+    stresses = [name for name in ("pinion fillet von mises", "gear fillet von mises",
+                                  "web von mises") if name in table]
+    plot_columns(axes[1][1], table, stresses, "MPa")
+    return figure
 
 
 def main():
@@ -45,19 +64,7 @@ def main():
         sys.exit(__doc__)
     folder = Path(sys.argv[1])
     picture = Path(sys.argv[2]) if len(sys.argv) == 3 else folder / "loaded_contact.png"
-    rows = read(folder / "loaded_contact.csv")
-    figure, axes = plt.subplots(2, 2, figsize=(10, 7))
-    plot_columns(
-        axes[0][0], rows, ["unloaded transmission error", "transmission error"], "arcsec")
-    plot_shares(axes[0][1], read(folder / "loaded_teeth.csv"))
-    plot_columns(
-        axes[1][0], rows, ["secant stiffness", "tangent stiffness"], "MN m/rad", scale=1e-6)
-    plot_columns(
-        axes[1][1],
-        rows,
-        ["pinion fillet von mises", "gear fillet von mises", "web von mises"],
-        "MPa")
-    figure.savefig(picture)
+    style.save(draw(folder), picture)
     print(picture)
 
 

@@ -19,22 +19,29 @@ import pictures
 import spectra
 import style
 import tooth_contact
+import waves
 from fields import read_last_fields
+from figure_data import write_figure_data
 from run_folder import RunFolder
 
 
 def draw_all(run):
     """Name of the file, what must be there, function that makes the figure."""
-    history = run.history is not None
+    history = run.history is not None and run.history.n_rows > 2
     pair = history and "dte" in run.history
     yield "dte.svg", pair, lambda: histories.draw_transmission_error(run)
     yield "contact_force.svg", history, lambda: histories.draw_contact_force(run)
     sharing = pair and run.teeth is not None and "mean pressure" in run.teeth
     yield "load_sharing.svg", sharing, lambda: tooth_contact.draw_load_sharing(run)
+    yield "tooth_engagement.svg", sharing, lambda: tooth_contact.draw_tooth_engagement(run)
     yield "contact_pattern.svg", run.pattern is not None, lambda: tooth_contact.draw_contact_pattern(run)
     yield "energies.svg", history, lambda: histories.draw_energies(run)
     yield "probes.svg", run.probes is not None, lambda: histories.draw_probes(run)
     yield "spectra.svg", pair and run.samples_per_mesh(), lambda: spectra.draw_spectra(run)
+    rim = run.rim is not None and run.rim.n_rows > 10
+    yield "rim_content.svg", rim, lambda: waves.draw_rim_content(run)
+    yield "rim_history.svg", rim, lambda: waves.draw_rim_history(run)
+    yield "rim_waves.svg", rim and run.samples_per_mesh(), lambda: waves.draw_rim_waves(run)
     yield from draw_fields(run)
 
 
@@ -51,6 +58,20 @@ def draw_fields(run):
     yield "deformation.png", in_mesh, lambda: pictures.draw_deformation(scene)
 
 
+def save_all(figures, folder):
+    """Draws what is possible into the folder, the numbers of plots beside them as .csv: names."""
+    drawn = []
+    for name, possible, draw in figures:
+        figure = draw() if possible else None
+        if figure is not None:
+            folder.mkdir(exist_ok=True)
+            if name.endswith(".svg"):
+                write_figure_data(figure, (folder / name).with_suffix(".csv"))
+            style.save(figure, folder / name)
+            drawn.append(name)
+    return drawn
+
+
 def main(arguments):
     if len(arguments) != 1 or arguments[0].startswith("-"):
         sys.exit(__doc__)
@@ -58,12 +79,7 @@ def main(arguments):
     try:
         run = RunFolder(arguments[0])
         folder = run.path / "pictures"
-        folder.mkdir(exist_ok=True)
-        for name, possible, draw in draw_all(run):
-            figure = draw() if possible else None
-            if figure is not None:
-                style.save(figure, folder / name)
-                drawn.append(name)
+        drawn = save_all(draw_all(run), folder)
     except (OSError, ValueError, KeyError) as error:
         # What is no run's folder or was cut off; errors of these scripts show their trace.
         sys.exit(f"pictures: {error or type(error).__name__}")

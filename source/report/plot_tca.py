@@ -79,10 +79,8 @@ def outline(rows):
     return low + high[::-1] + low[:1]
 
 
-def main():
-    if len(sys.argv) not in (2, 3):
-        sys.exit(__doc__)
-    folder = Path(sys.argv[1])
+def draw(folder):
+    """Both sides from the tables of a folder."""
     tables = {name: read(folder / f"{name}.csv") for name in ("tca", "path", "ease_off")}
     figure, grid = plt.subplots(
         3,
@@ -99,7 +97,14 @@ def main():
         plot_lag(grid[0][column], lag)
         plot_pattern(grid[1][column], path, outline(ease_off))
         plot_ease_off(grid[2][column], ease_off)
-    style.save(figure, Path(sys.argv[2]) if len(sys.argv) == 3 else folder / "tca.png")
+    return figure
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    folder = Path(sys.argv[1])
+    style.save(draw(folder), Path(sys.argv[2]) if len(sys.argv) == 3 else folder / "tca.png")
 
 
 if __name__ == "__main__":

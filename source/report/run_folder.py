@@ -6,6 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from parameters import read_parameters
+
 
 class Table:
     """Columns of a .csv file by name; `units` holds what stands in the header's brackets."""
@@ -51,8 +53,11 @@ class RunFolder:
         self.teeth = self._read("teeth.csv")
         self.probes = self._read("probes.csv")
         self.pattern = self._read("pattern.csv")
+        self.rim = self._read("rim.csv")
         summary = self.path / "summary.json"
         self.summary = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else {}
+        parameters = self.path / "parameters.prm"
+        self.parameters = read_parameters(parameters) if parameters.is_file() else {}
         self.fields = self.path / "fields.pvd"
 
     def _read(self, name):
@@ -80,6 +85,18 @@ class RunFolder:
         if not part:
             return None
         return part["start"]["value"], part["end"]["value"], part["found"]
+
+    def steady_rows(self, table):
+        """Which rows of a table with a column of times lie in that part; all without one."""
+        start, end, _ = self.steady_part() or (table["time"][0], table["time"][-1], False)
+        slack = 1e-9 * table["time"][-1]
+        return (table["time"] >= start - slack) & (table["time"] <= end + slack)
+
+    def gear_rate(self):
+        """Angular velocity of the driven gear about its axis at the start [rad/s]; 0 if unknown."""
+        bodies = self.summary.get("mesh", {}).get("bodies", [])
+        speed = bodies[1].get("speed at the start") if len(bodies) > 1 else None
+        return speed["value"] * np.pi / 30 if speed else 0.0
 
     def body_name(self, index):
         bodies = self.summary.get("mesh", {}).get("bodies", [])

@@ -24,9 +24,8 @@ def compute_spectrum(values, samples_per_mesh):
 
 def draw_spectra(run):
     history, samples = run.history, run.samples_per_mesh()
-    start, end, found = run.steady_part() or (history["time"][0], history["time"][-1], False)
-    slack = 1e-9 * history["time"][-1]
-    rows = (history["time"] >= start - slack) & (history["time"] <= end + slack)
+    found = (run.steady_part() or (0, 0, False))[2]
+    rows = run.steady_rows(history)
     shown = (("dte", "arcsec"), ("rim dte", "arcsec"), ("contact force total", "N"))
     figure, panels = plt.subplots(len(shown), 1, sharex=True, figsize=(8, 7))
     for axes, colour, (name, unit) in zip(panels, COLOURS[1:], shown):
@@ -35,14 +34,19 @@ def draw_spectra(run):
             plt.close(figure)
             return None
         visible = (orders > 0) & (orders <= LARGEST_ORDER)
-        axes.vlines(orders[visible], 0, amplitudes[visible], color=colour, linewidth=2)
+        axes.vlines(orders[visible], 0, amplitudes[visible], color=colour, linewidth=2, label=name)
         axes.set_ylim(bottom=0)
         axes.set_ylabel(f"amplitude [{unit}]")
         axes.set_title(name)
     panels[-1].set_xlabel("order of the mesh frequency")
     panels[-1].set_xlim(0, LARGEST_ORDER + 0.2)
     panels[-1].set_xticks(range(LARGEST_ORDER + 1))
-    spacing = run.figure("mesh frequency") * orders[1]
+    frequency = run.figure("mesh frequency")
+    above = panels[0].secondary_xaxis("top", functions=(lambda order: 1e-3 * frequency * order,
+                                                        lambda kilo: 1e3 * kilo / frequency))
+    above.set_xlabel("frequency [kHz]", fontsize=8, color=GREY)
+    above.tick_params(labelsize=8, colors=GREY)
+    spacing = frequency * orders[1]
     part = "steady part" if found else "last third, not steady"
     figure.suptitle(f"Amplitudes over whole meshes ({part}), lines {spacing:.0f} Hz apart",
                     x=0.01, ha="left", fontsize=9, color=GREY)

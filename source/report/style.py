@@ -37,6 +37,9 @@ plt.rcParams.update({
     "savefig.dpi": 100,
 })
 
+# Of pictures so wide that they are shown smaller than they are.
+WIDE = {"font.size": 15, "axes.titlesize": 15}
+
 
 def save(figure, path):
     """Writes the figure beside its place and renames it, so that nobody meets half a file."""
@@ -45,6 +48,12 @@ def save(figure, path):
     figure.savefig(temporary, format=path.suffix[1:], metadata=metadata)
     temporary.replace(path)
     plt.close(figure)
+
+
+def add_legend(axes, **options):
+    """A frameless legend of the curves that have names, where there are any."""
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(frameon=False, **options)
 
 
 def darken_edges(colour, edge):

@@ -2,7 +2,8 @@
 """Plots of the contact of teeth: pattern on the flanks, load sharing, pressures."""
 import numpy as np
 
-from style import COLOURS, GREY, PRESSURE_MAP, plt
+from passages import find_engagement, is_loaded
+from style import COLOURS, GREY, PRESSURE_MAP, add_legend, plt
 
 
 def draw_contact_pattern(run):
@@ -34,30 +35,61 @@ def draw_load_sharing(run):
     for time, force in zip(teeth["time"][drive], teeth["force"][drive]):
         total[time] = total.get(time, 0) + force
     figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6.5))
-    first = teeth["pinion tooth"][drive][0]
     # Tooth 0 is in mesh at the start and the next one is the last: their number is the largest plus
     # one.
     count = int(teeth["pinion tooth"].max()) + 1
-    for number, tooth in enumerate(dict.fromkeys(teeth["pinion tooth"][drive])):
-        rows = drive & (teeth["pinion tooth"] == tooth)
-        # Teeth follow each other in the - sense of the numbers, one a tooth mesh.
-        behind = (first - tooth) % count
-        behind -= count if behind > count / 2 else 0
-        meshes = teeth["time"][rows] * frequency - behind
+    pairs = zip(teeth["pinion tooth"][drive], teeth["gear tooth"][drive])
+    for number, (tooth, gear_tooth) in enumerate(dict.fromkeys(pairs)):
+        rows = drive & (teeth["pinion tooth"] == tooth) & (teeth["gear tooth"] == gear_tooth)
+        # Teeth follow each other in the - sense of the numbers, one a tooth mesh, and come again.
+        at = teeth["time"][rows] * frequency
+        turns = np.round((at.mean() + tooth) / count)
+        meshes = at - (turns * count - tooth)
         shares = [force / total[time]
                   for time, force in zip(teeth["time"][rows], teeth["force"][rows])]
         colour = COLOURS[number % len(COLOURS)]
-        above.plot(meshes, shares, ".", markersize=3, color=colour)
-        below.plot(meshes, teeth["mean pressure"][rows], ".", markersize=3, color=colour)
+        pair = f"teeth {tooth:.0f}/{gear_tooth:.0f}"
+        above.plot(meshes, shares, ".", markersize=3, color=colour, label=pair)
+        below.plot(meshes, teeth["mean pressure"][rows], ".", markersize=3, color=colour,
+                   label=f"{pair}, mean pressure")
         if "hertz pressure" in teeth:
-            below.plot(meshes, teeth["hertz pressure"][rows], "-", linewidth=0.8, color=colour)
+            below.plot(meshes, teeth["hertz pressure"][rows], "-", linewidth=0.8, color=colour,
+                       label=f"{pair}, hertz pressure")
     above.set_ylabel("share of the contact force")
     above.set_ylim(bottom=0)
-    above.set_title("Share of each tooth pair, moved to the position of the first")
+    above.set_title("Share of each tooth pair, all moved to the position of the first")
     below.set_ylabel("pressure [MPa]")
     below.set_title("Mean pressure, force over area (dots); largest of Hertz's ellipse (lines)")
     below.set_xlabel("tooth meshes")
     limit_to_most(below)
+    return figure
+
+
+def draw_tooth_engagement(run):
+    """Force and pressures of one tooth pair from its first to its last touch."""
+    one = find_engagement(run.teeth, run.history["time"][0], run.history["time"][-1])
+    if one is None:
+        return None
+    teeth, rows = run.teeth, one.rows
+    meshes = (teeth["time"][rows] - teeth["time"][rows[0]]) * run.figure("mesh frequency")
+    figure, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6))
+    above.plot(meshes, teeth["force"][rows], color=COLOURS[0], label="force")
+    above.set_ylabel(teeth.label("force"))
+    whole = "first to last touch" if one.whole else "only in part within the record"
+    above.set_title(f"Teeth {one.pinion_tooth}/{one.gear_tooth}, {whole}")
+    shown = (("hertz pressure", "largest of Hertz's ellipse under this force", "-"),
+             ("mean pressure", "mean, force over area", "--"),
+             ("largest pressure", "largest of a contact point", ":"))
+    for number, (name, text, dashes) in enumerate(shown):
+        if name in teeth:
+            values = np.where(is_loaded(teeth, rows), teeth[name][rows], np.nan)
+            below.plot(meshes, values, dashes, color=COLOURS[1 + number], label=text)
+    below.set_title("Contact stress, under a twentieth of the largest force and more")
+    below.set_ylabel("contact stress [MPa]")
+    below.set_xlabel("tooth meshes since the first touch")
+    add_legend(below, fontsize=9)
+    for axes in (above, below):
+        axes.set_ylim(bottom=0)
     return figure
 
 

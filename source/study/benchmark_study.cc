@@ -127,9 +127,11 @@ namespace vfife
     const Model         pair    = gear_case_.make_model(false, log);
     const Model         general = make_general_model(benchmark_.cells);
     const unsigned int  n       = benchmark_.plain_elements;
-    const StiffnessKind modes = StiffnessKind::incompatible_modes, full = StiffnessKind::full;
+    const StiffnessKind modes = StiffnessKind::incompatible_modes, full = StiffnessKind::full,
+                        one_point = StiffnessKind::one_point;
     const PlainElements plain_modes(pair.bodies.back(), modes, n),
-      plain_full(pair.bodies.back(), full, n), plain_general(general.bodies.back(), modes, n);
+      plain_full(pair.bodies.back(), full, n), plain_one(pair.bodies.back(), one_point, n),
+      plain_general(general.bodies.back(), modes, n);
 
     OperatorLayout shared, own, single;
     own.share_constants     = false;
@@ -148,6 +150,7 @@ namespace vfife
     };
     add("gear pair", pair, modes, shared, plain_modes);
     add("gear pair", pair, full, shared, plain_full);
+    add("gear pair", pair, one_point, shared, plain_one);
     add("gear pair", pair, modes, own, plain_modes);
     add("gear pair", pair, modes, single, plain_modes);
     add("general mesh", general, modes, own, plain_general);

@@ -1,25 +1,30 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/dynamics/explicit_solver.h>
+#include <vfife/dynamics/mass_scaling.h>
 #include <vfife/dynamics/relaxation.h>
 #include <vfife/dynamics/standing_pattern.h>
-#include <vfife/output/checkpoint.h>
-#include <vfife/output/field_writer.h>
 #include <vfife/output/history_writer.h>
 #include <vfife/output/output_folder.h>
 #include <vfife/output/pattern_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/output/probe_writer.h>
 #include <vfife/output/progress_line.h>
+#include <vfife/output/rim_writer.h>
 #include <vfife/output/teeth_writer.h>
 #include <vfife/study/contact_figures.h>
 #include <vfife/study/dynamic_run.h>
+#include <vfife/study/pair_start.h>
 #include <vfife/study/run_checks.h>
+#include <vfife/study/stepping.h>
 
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <sstream>
 
 namespace vfife
 {
@@ -30,6 +35,16 @@ namespace vfife
     double seconds_since(const Clock::time_point start)
     {
       return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    /** Seconds by section. */
+    NamedFigures list_times(const Table &report)
+    {
+      NamedFigures times;
+      for (std::size_t i = 0; i < report.n_rows(); ++i)
+        times.emplace_back(report.column("section").texts[i],
+                           Figure{report.numbers("time")[i], "s"});
+      return times;
     }
 
     /** Wall time of one evaluation of the internal forces [s], which is most of a step. */
@@ -104,9 +119,9 @@ namespace vfife
                                          Log                      &log) const
   {
     RunPlan plan{gear_case_, dynamics_, output_, model};
-    plan.element_step = dynamics_.safety * solver.vfife_operator().limiting_element().stable_step();
-    plan.stable_step  = solver.stable_step();
-    plan.step         = dt;
+    plan.element_step  = dynamics_.safety * solver.element_step();
+    plan.stable_step   = solver.stable_step();
+    plan.step          = dt;
     plan.expected_time = run_time;
     found              = find_contradictions(plan);
     for (const std::string &sentence : found)
@@ -117,8 +132,9 @@ namespace vfife
 
   void DynamicRun::inspect(Communicator &communicator, Log &log)
   {
-    const auto     start = Clock::now();
-    const Model    model = gear_case_.make_model(dynamics_.start == Start::ramp, log);
+    const auto start = Clock::now();
+    Model      model = gear_case_.make_model(dynamics_.start == Start::ramp, log);
+    scale_masses(dynamics_, model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);
     const double   dt = gear_case_.choose_step(solver.stable_step(), output_.history_every);
@@ -144,10 +160,42 @@ namespace vfife
 
   namespace
   {
+    std::string describe(const RelaxationReport &report)
+    {
+      std::ostringstream text;
+      text << report.steps << " relaxation steps, residual " << report.residual;
+      return text.str();
+    }
+
     /** The pattern changes its own forces of inertia by (n Omega/omega_n)^2, n waves around a body
      * of frequency omega_n: a few per cent. */
     constexpr unsigned int pattern_rounds = 2;
   } // namespace
+
+  void DynamicRun::log_preload(const Model &model, const Preload &preload, Log &log) const
+  {
+    const DeflectionParts &parts = preload.parts;
+    log.line("transmission error under load ",
+             parts.total / arcsecond,
+             " arcsec: centrifugal shift ",
+             parts.centrifugal / arcsecond,
+             ", web windup ",
+             parts.web_windup / arcsecond,
+             ", rim tilt and shift ",
+             parts.rim_tilt / arcsecond,
+             ", teeth and rest ",
+             parts.teeth / arcsecond);
+    log_contact_figures(model, gear_case_.hertz_contact(), preload.penalty_lag, log);
+    log.line("the gear swings at about ",
+             preload.swing.frequency(),
+             " Hz, ",
+             gear_case_.mesh_frequency() / preload.swing.frequency(),
+             " tooth meshes a period: stiffness ",
+             1e-3 * preload.swing.stiffness,
+             " N m/rad, inertia of the shape ",
+             1e3 * preload.swing.inertia,
+             " kg mm^2");
+  }
 
   DynamicRun::Preload DynamicRun::preload(const Model        &model,
                                           ExplicitSolver     &solver,
@@ -166,9 +214,15 @@ namespace vfife
     DeflectionProbe probe(model, communicator);
     const double    torque = gear_case_.operation().torque;
     log.line("equilibrium before the start:");
+    std::optional<PairStart> factors;
+    if (dynamics_.start_solver == StartSolver::factorization)
+      factors.emplace(
+        model, dynamics_, relaxation, solver.contact().penalties(), communicator, log);
     const auto relax = [&](const char *name, const Relaxation::Loads &loads) {
-      const RelaxationReport report = relaxation.solve(state, loads);
-      log.line("  ", name, ": ", report.steps, " steps, residual ", report.residual);
+      log.line("  ",
+               name,
+               ": ",
+               factors ? factors->solve(state, loads) : describe(relaxation.solve(state, loads)));
     };
 
     Relaxation::Loads spinning;
@@ -209,41 +263,30 @@ namespace vfife
     solver.set_rigid_velocities(state);
     pattern.add_velocities(state.velocity);
 
-    const DeflectionParts &parts = result.parts;
-    log.line("transmission error under load ",
-             parts.total / arcsecond,
-             " arcsec: centrifugal shift ",
-             parts.centrifugal / arcsecond,
-             ", web windup ",
-             parts.web_windup / arcsecond,
-             ", rim tilt and shift ",
-             parts.rim_tilt / arcsecond,
-             ", teeth and rest ",
-             parts.teeth / arcsecond);
-    log_contact_figures(model, gear_case_.hertz_contact(), result.penalty_lag, log);
-    log.line("the gear swings at about ",
-             result.swing.frequency(),
-             " Hz, ",
-             gear_case_.mesh_frequency() / result.swing.frequency(),
-             " tooth meshes a period: stiffness ",
-             1e-3 * result.swing.stiffness,
-             " N m/rad, inertia of the shape ",
-             1e3 * result.swing.inertia,
-             " kg mm^2");
+    log_preload(model, result, log);
     return result;
+  }
+
+  std::size_t DynamicRun::go_on(const std::string  &folder,
+                                const EntryValues  &now,
+                                const Communicator &communicator,
+                                Log                &log)
+  {
+    checkpoint_ = find_checkpoint(folder, now, communicator, log);
+    return checkpoint_->log_size;
   }
 
   void DynamicRun::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);
     const Communicator &communicator = folder.communicator();
-    const Model         model        = gear_case_.make_model(dynamics_.start == Start::ramp, log);
-    Timers              timers;
-    ExplicitSolver      solver(model, dynamics_, communicator, log, timers);
-    const double        dt = gear_case_.choose_step(solver.stable_step(), output_.history_every);
+    Model               model        = gear_case_.make_model(dynamics_.start == Start::ramp, log);
+    scale_masses(dynamics_, model, log);
+    Timers         timers;
+    ExplicitSolver solver(model, dynamics_, communicator, log, timers);
+    const double   dt = gear_case_.choose_step(solver.stable_step(), output_.history_every);
     solver.set_step(dt);
     log_step(model, solver, dt, log);
-    RunSummary summary = start_summary(model, solver, dt, communicator);
 
     const Transmission &t             = *model.transmission;
     const std::uint64_t history_steps = output_.compute_history_steps(&t, dt);
@@ -251,68 +294,46 @@ namespace vfife
     const double        end_time =
       dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
     const HertzContact hertz = gear_case_.hertz_contact();
-    Observers          observers;
-    observers.push_back(std::make_unique<HistoryWriter>(folder, model, history_steps));
-    const auto &history = static_cast<const HistoryWriter &>(*observers.back()).table();
-    observers.push_back(std::make_unique<TeethWriter>(folder, model, history_steps, hertz));
-    const auto &teeth = static_cast<const TeethWriter &>(*observers.back()).table();
-    observers.push_back(std::make_unique<PatternWriter>(
-      folder, model, end_time - 1. / t.mesh_frequency(), history_steps));
-    observers.push_back(std::make_unique<ProbeWriter>(folder, history_steps));
-    if (output_.fields_every > 0)
-      observers.push_back(std::make_unique<FieldWriter>(
-        folder, model, output_.compute_field_steps(&t, dt), dynamics_.stiffness, dynamics_.frame));
-    if (output_.checkpoint_every > 0)
-      observers.push_back(
-        std::make_unique<CheckpointWriter>(folder, output_.checkpoint_every, history_steps));
-    observers.push_back(
-      std::make_unique<ProgressLine>(log, communicator, 0., end_time, whole_time, history_steps));
+    Stepping           stepping(folder, log, model, solver, output_, history_steps);
+    RunSummary        &summary = stepping.summary();
+    summary                    = start_summary(model, solver, dt, communicator);
+    const Table &history       = stepping.add<HistoryWriter>(model, history_steps).table();
+    const Table &teeth         = stepping.add<TeethWriter>(model, history_steps, hertz).table();
+    stepping.add<PatternWriter>(model,
+                                std::max(0., end_time - 1. / t.mesh_frequency()),
+                                history_steps);
+    stepping.add<ProbeWriter>(history_steps);
+    stepping.add<RimWriter>(model, history_steps);
+    stepping.add_fields(output_.compute_field_steps(&t, dt), dynamics_);
+    report_contradictions(model,
+                          solver,
+                          dt,
+                          expect_run_time(solver, stepping.state(), dt),
+                          summary.contradictions,
+                          log);
 
-    State state;
-    solver.start(state);
-    report_contradictions(
-      model, solver, dt, expect_run_time(solver, state, dt), summary.contradictions, log);
-    const auto start = Clock::now();
-    Preload    equilibrium;
-    try
-      {
-        equilibrium = preload(model, solver, state, communicator, log);
-        add_preload(equilibrium, summary);
-        const auto run_start = Clock::now();
-        solver.run(state, end_time, observers);
-        summary.run_time = seconds_since(run_start);
-      }
-    catch (const NumericalError &error)
-      {
-        summary.status   = "failed";
-        summary.failure  = error.what();
-        summary.run_time = seconds_since(start);
-        finish_summary(model, solver, state, history, equilibrium, summary, log);
-        if (!(output_.checkpoint_every > 0)) // else the last good one is kept
-          write_checkpoint(folder, model, state);
-        write_summary(folder, summary);
-        throw;
-      }
-    finish_summary(model, solver, state, history, equilibrium, summary, log);
-    add_contact_figures(model, hertz, equilibrium.penalty_lag, teeth, history.n_rows(), summary);
-    const Table times = timers.report(communicator);
-    for (std::size_t i = 0; i < times.n_rows(); ++i)
-      summary.timers.emplace_back(times.column("section").texts[i],
-                                  Figure{times.numbers("time")[i], "s"});
-    write_summary(folder, summary);
-    if (end_time < whole_time)
-      log.line("ended after Dynamics/largest number of steps, ",
-               end_time * t.mesh_frequency(),
-               " of ",
-               gear_case_.operation().meshes,
-               " tooth meshes");
-    log.line("finished: ",
-             state.step,
-             " steps in ",
-             duration_text(summary.run_time),
-             ", ",
-             1e-6 * summary.element_steps_per_second(),
-             " million element-steps a second");
+    Preload         equilibrium;
+    Stepping::Parts parts;
+    parts.prepare = [&](State &state) {
+      equilibrium = preload(model, solver, state, communicator, log);
+    };
+    parts.exchange = [&](ByteStream &stream) {
+      stream.pass(equilibrium.parts, equilibrium.swing, equilibrium.penalty_lag);
+    };
+    parts.complete = [&] {
+      complete_summary(model, history, equilibrium, summary, log);
+      if (summary.status == "failed")
+        return;
+      add_contact_figures(model, hertz, equilibrium.penalty_lag, teeth, history.n_rows(), summary);
+      summary.timers = list_times(timers.report(communicator));
+      if (end_time < whole_time)
+        log.line("ended after Dynamics/largest number of steps, ",
+                 end_time * t.mesh_frequency(),
+                 " of ",
+                 gear_case_.operation().meshes,
+                 " tooth meshes");
+    };
+    stepping.run(checkpoint_ ? &*checkpoint_ : nullptr, end_time, whole_time, parts);
     if (output_.pictures)
       draw_pictures(folder, log);
   }

@@ -26,7 +26,8 @@ namespace vfife
                                 body.n_nodes(),
                                 body.mass(),
                                 body.axial_inertia(),
-                                body.rate});
+                                body.rate,
+                                body.added_mass()});
 
     const Transmission &t      = *model.transmission;
     const double        torque = gear_case_.operation().torque;
@@ -35,27 +36,19 @@ namespace vfife
                                   {"gear torque", {1e-3 * torque, "N m"}},
                                   {"effective arm", {t.arm, "mm"}},
                                   {"torque over effective arm", {torque / t.arm, "N"}},
-                                  {"stable step of the elements",
-                                   {1e9 * solver.vfife_operator().limiting_element().stable_step(), "ns"}},
+                                  {"stable step of the elements", {1e9 * solver.element_step(), "ns"}},
                                   {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
     return summary;
   }
 
-  void DynamicRun::finish_summary(const Model    &model,
-                                  ExplicitSolver &solver,
-                                  const State    &state,
-                                  const Table    &history,
-                                  const Preload  &preload,
-                                  RunSummary     &summary,
-                                  Log            &log) const
+  void DynamicRun::complete_summary(const Model   &model,
+                                    const Table   &history,
+                                    const Preload &preload,
+                                    RunSummary    &summary,
+                                    Log           &log) const
   {
-    summary.time           = state.time;
-    summary.steps          = state.step;
-    summary.energy         = state.measured.energy;
-    summary.damping        = solver.damping_audit();
-    summary.contact_losses = solver.contact_losses();
-    for (const Log::Warning &warning : log.warnings())
-      summary.warnings.push_back(warning.text);
+    if (preload.swing.frequency() > 0)
+      add_preload(preload, summary);
     if (history.n_rows() < 2 || !(preload.swing.frequency() > 0))
       return;
 

@@ -5,6 +5,7 @@
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/fem/static_solver.h>
 #include <vfife/mesh/node_set_names.h>
+#include <vfife/output/mode_writer.h>
 #include <vfife/output/output_folder.h>
 #include <vfife/study/loaded_contact_study.h>
 
@@ -47,6 +48,14 @@ namespace vfife
                     1,
                     1000);
     declare_switch(prm, "centrifugal", centrifugal, "Whether both bodies spin at their speeds");
+    declare_integer(
+      prm,
+      "coupled modes",
+      coupled_modes,
+      "Lowest natural vibrations of the pair in contact at the reference position; 0: "
+      "none",
+      0,
+      1000);
   }
 
   LoadedContactStudy::LoadedContactStudy()
@@ -154,6 +163,8 @@ namespace vfife
                  " unit forces, ",
                  seconds(start),
                  " s");
+        if (turn == turns.front() && options_.coupled_modes > 0)
+          find_modes(model, compliance, result, folder, log);
       }
     if (!folder.is_writer())
       return;
@@ -161,6 +172,57 @@ namespace vfife
     folder.write_file("loaded_contact.json",
                       [&](std::ostream &out) { positions_.write_json(out); });
     folder.write_file("loaded_teeth.csv", [&](std::ostream &out) { teeth_.write_csv(out); });
+  }
+
+  void LoadedContactStudy::find_modes(const Model                 &model,
+                                      const Compliance            &compliance,
+                                      const PairEquilibriumResult &result,
+                                      const OutputFolder          &folder,
+                                      Log                         &log) const
+  {
+    const CoupledModes modes = find_coupled_modes(compliance,
+                                                  fem_,
+                                                  options_.centrifugal,
+                                                  result.ties,
+                                                  options_.coupled_modes,
+                                                  folder.communicator());
+    log.line("coupled modes: ",
+             modes.n_unknowns,
+             " unknowns, ",
+             modes.counted ? "counted" : "not counted",
+             ", stiffness ",
+             1e-3 * modes.stiffness,
+             " N m/rad");
+    for (const auto *list : {&modes.turning, &modes.standing})
+      for (const CoupledMode &mode : *list)
+        if (mode.share_of_turn > .02)
+          log.line(list == &modes.turning ? "  in turning axes " : "  standing in space ",
+                   mode.frequency,
+                   " Hz: ",
+                   100 * mode.share_of_turn,
+                   " % of the static turn");
+    if (folder.is_writer())
+      {
+        Table table = make_coupled_mode_table();
+        add_coupled_modes(modes, table);
+        folder.write_file("coupled_modes.csv", [&](std::ostream &out) { table.write_csv(out); });
+        folder.write_file("coupled_modes.json", [&](std::ostream &out) { table.write_json(out); });
+      }
+    folder.make_subfolder("modes");
+    const auto           &list = modes.standing.empty() ? modes.turning : modes.standing;
+    const Discretization &d    = compliance.discretization();
+    for (const Discretization::Part &part : d.parts())
+      {
+        const Body             &body = model.bodies[part.body];
+        std::vector<NamedShape> shapes;
+        for (std::size_t k = 0; k < list.size(); ++k)
+          {
+            const auto first = list[k].shape.begin() + 3 * std::size_t(part.first_point);
+            shapes.push_back(
+              {"mode " + std::to_string(k + 1), {first, first + 3 * std::size_t(body.n_nodes())}});
+          }
+        write_shapes(folder, "modes/coupled_" + body.name() + ".vtu", body, shapes);
+      }
   }
 
   void LoadedContactStudy::add_position(const Model                 &model,

@@ -6,15 +6,16 @@
 #include <vfife/base/revision.h>
 #include <vfife/base/timers.h>
 #include <vfife/dynamics/explicit_solver.h>
+#include <vfife/dynamics/mass_scaling.h>
 #include <vfife/dynamics/relaxation.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/mesh_quality.h>
-#include <vfife/output/checkpoint.h>
 #include <vfife/output/field_writer.h>
 #include <vfife/output/history_writer.h>
 #include <vfife/output/output_folder.h>
 #include <vfife/output/progress_line.h>
 #include <vfife/study/model_run.h>
+#include <vfife/study/stepping.h>
 
 #include <algorithm>
 #include <chrono>
@@ -89,10 +90,15 @@ namespace vfife
              worst.element,
              " of the ",
              worst.body,
-             "; step ",
+             " at (",
+             worst.centroid.transpose(),
+             ") mm of its body frame; step ",
              1e9 * dt,
-             " ns; ",
-             solver.vfife_operator().n_congruence_classes(),
+             " ns");
+    const VfifeOperator &vfife   = solver.vfife_operator();
+    const auto           without = [&](const int n) { return 1e9 * vfife.stable_step_without(n); };
+    log.line("without the 10 worst ", without(10), " ns, the 100 worst ", without(100), " ns");
+    log.line(solver.vfife_operator().n_congruence_classes(),
              " classes of congruent elements on this rank, kernels for ",
              solver.vfife_operator().instruction_set());
   }
@@ -129,7 +135,8 @@ namespace vfife
                                 body.n_nodes(),
                                 body.mass(),
                                 body.axial_inertia(),
-                                body.rate});
+                                body.rate,
+                                body.added_mass()});
     return summary;
   }
 
@@ -155,7 +162,8 @@ namespace vfife
 
   void ModelRun::inspect(Communicator &communicator, Log &log)
   {
-    const Model model = model_.make_model();
+    Model model = model_.make_model();
+    scale_masses(dynamics_, model, log);
     log_model(model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);
@@ -165,11 +173,21 @@ namespace vfife
     log.line("a run is ", std::llround(end_time_ / dt), " steps");
   }
 
+  std::size_t ModelRun::go_on(const std::string  &folder,
+                              const EntryValues  &now,
+                              const Communicator &communicator,
+                              Log                &log)
+  {
+    checkpoint_ = find_checkpoint(folder, now, communicator, log);
+    return checkpoint_->log_size;
+  }
+
   void ModelRun::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);
     const Communicator &communicator = folder.communicator();
-    const Model         model        = model_.make_model();
+    Model               model        = model_.make_model();
+    scale_masses(dynamics_, model, log);
     log_model(model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);
@@ -179,67 +197,35 @@ namespace vfife
     const double end_time =
       dynamics_.largest_steps > 0 ? std::min(end_time_, dynamics_.largest_steps * dt) : end_time_;
 
-    RunSummary          summary       = start_summary("run", model, solver, dt, communicator);
     const std::uint64_t history_steps = output_.compute_history_steps(nullptr, dt);
-    Observers           observers =
-      make_observers(folder, model, history_steps, output_.compute_field_steps(nullptr, dt));
-    if (output_.checkpoint_every > 0)
-      observers.push_back(
-        std::make_unique<CheckpointWriter>(folder, output_.checkpoint_every, history_steps));
-    observers.push_back(
-      std::make_unique<ProgressLine>(log, communicator, 0., end_time, end_time_, history_steps));
+    Stepping            stepping(folder, log, model, solver, output_, history_steps);
+    stepping.summary() = start_summary("run", model, solver, dt, communicator);
+    stepping.add<HistoryWriter>(model, history_steps);
+    stepping.add_fields(output_.compute_field_steps(nullptr, dt), dynamics_);
 
-    State state;
-    solver.start(state);
-    const auto start  = Clock::now();
-    const auto finish = [&] {
-      summary.run_time = seconds_since(start);
-      summary.time     = state.time;
-      summary.steps    = state.step;
-      summary.energy   = state.measured.energy;
-      summary.damping  = solver.damping_audit();
-      for (const Log::Warning &warning : log.warnings())
-        summary.warnings.push_back(warning.text);
-      write_summary(folder, summary);
+    Stepping::Parts parts;
+    parts.prepare = [&](State &state) {
+      if (dynamics_.start != Start::static_preload)
+        return;
+      Relaxation             relaxation(model,
+                            dynamics_.relaxation,
+                            solver.vfife_operator(),
+                            solver.contact(),
+                            solver.walls(),
+                            communicator,
+                            log);
+      const RelaxationReport report = relaxation.solve(state, Relaxation::Loads());
+      log.line(
+        "equilibrium before the start: ", report.steps, " steps, residual ", report.residual);
+      solver.set_rigid_velocities(state);
     };
-    try
-      {
-        if (dynamics_.start == Start::static_preload)
-          {
-            Relaxation             relaxation(model,
-                                  dynamics_.relaxation,
-                                  solver.vfife_operator(),
-                                  solver.contact(),
-                                  solver.walls(),
-                                  communicator,
-                                  log);
-            const RelaxationReport report = relaxation.solve(state, Relaxation::Loads());
-            log.line(
-              "equilibrium before the start: ", report.steps, " steps, residual ", report.residual);
-            solver.set_rigid_velocities(state);
-          }
-        solver.run(state, end_time, observers);
-      }
-    catch (const NumericalError &error)
-      {
-        summary.status  = "failed";
-        summary.failure = error.what();
-        finish();
-        throw;
-      }
-    finish();
-    log.line("finished: ",
-             state.step,
-             " steps in ",
-             duration_text(summary.run_time),
-             ", ",
-             1e-6 * summary.element_steps_per_second(),
-             " million element-steps a second");
+    stepping.run(checkpoint_ ? &*checkpoint_ : nullptr, end_time, end_time_, parts);
   }
 
   void StaticRun::inspect(Communicator &communicator, Log &log)
   {
-    const Model model = model_.make_model();
+    Model model = model_.make_model();
+    scale_masses(dynamics_, model, log);
     log_model(model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);
@@ -250,7 +236,8 @@ namespace vfife
   {
     log.set_verbosity(output_.verbosity);
     const Communicator &communicator = folder.communicator();
-    const Model         model        = model_.make_model();
+    Model               model        = model_.make_model();
+    scale_masses(dynamics_, model, log);
     log_model(model, log);
     Timers         timers;
     ExplicitSolver solver(model, dynamics_, communicator, log, timers);

@@ -42,6 +42,12 @@ void check_command_line()
   check("settings", line.overrides == std::vector<std::string>({"A/b=1 mm", "C/d=-2"}));
   check("switches", line.check && !line.print_parameters && !line.help && !line.version);
   check("help needs no file", parse({"--help"}).help && parse({"--version"}).version);
+  const CommandLine again = parse({"--restart", "."});
+  check("going on in a folder",
+        again.restart && again.output_folder == "." && again.parameter_file == "./parameters.prm");
+  check("going on with a file",
+        parse({"a.prm", ".", "--restart"}).parameter_file == "a.prm" &&
+          parse({"a.prm", "--restart"}).output_folder.empty());
   refuse({});
   refuse({"a.prm", "b.prm"});
   refuse({"a.prm", "--chek"});
@@ -68,6 +74,7 @@ void check_failures()
 {
   show([] { throw InputError("Gear/Web", "too thin"); });
   show([] { throw NumericalError("step 3: energy grows"); });
+  show([] { throw Interrupted("stopped at step 3"); });
   show([] { throw std::bad_alloc(); });
   show([] { AssertThrow(false, dealii::ExcMessage("deal.II says\n    two lines")); });
   show([] { AssertThrow(false, dealii::ExcInternalError()); });

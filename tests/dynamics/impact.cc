@@ -56,7 +56,7 @@ int main(int argc, char **argv)
   double momentum = 0, sideways = 0, energy = 0, first_touch = -1, last_touch = -1, impulse = 0,
          plateau         = 0;
   unsigned int n_plateau = 0;
-  double       velocity[2];
+  double       velocity[2], scale_in_flight = 0, scale_at_touch = 0;
 
   auto observers = watch(1, [&](const State &state) {
     Vector3 total = Vector3::Zero();
@@ -75,6 +75,8 @@ int main(int argc, char **argv)
     energy =
       std::max(energy, std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
     const double force = state.measured.contact_force;
+    if (first_touch < 0)
+      (force > 0 ? scale_at_touch : scale_in_flight) = state.measured.energy.scale;
     if (force > 0)
       {
         first_touch = first_touch < 0 ? state.time : first_touch;
@@ -124,4 +126,12 @@ int main(int argc, char **argv)
   // Velocities at half steps and penalty springs met in the middle of a step: a part of the energy
   // of the first layer of 40.
   check_below("energy residual over that of flight", energy, 0.003);
+  // Before they meet nothing is exchanged; then at most what bars that stick together would lose.
+  check_below("energy scale before the touch over m v^2/4",
+              scale_in_flight / (0.25 * mass * speed * speed),
+              1e-9);
+  check_close("energy scale at the touch over m v^2/4",
+              scale_at_touch / (0.25 * mass * speed * speed),
+              1.,
+              1e-9);
 }

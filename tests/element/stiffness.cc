@@ -140,6 +140,30 @@ namespace
                 5e-5);
   }
 
+  /** On a parallelepiped the one-point element with its stabilization is that of the bubbles. */
+  void check_parallelepiped()
+  {
+    Samples               samples;
+    const Material        material;
+    const HexahedronNodes box = samples.hexahedron({1., 2., 4.}, 0.);
+    Matrix3               shear;
+    shear << 1., 0.3, -0.2, 0., 1., 0.4, 0.1, 0., 1.;
+    const HexahedronNodes X     = shear * box;
+    const Matrix24        modes = compute_stiffness(X, material, StiffnessKind::incompatible_modes);
+    const Matrix24        point = compute_stiffness(X, material, StiffnessKind::one_point);
+    check_below("one point: incompatible modes on a parallelepiped",
+                largest(modes - point) / largest(modes),
+                1e-13);
+    // Not on others: they are different elements.
+    const HexahedronNodes distorted = samples.hexahedron({1., 2., 4.}, 0.2);
+    const double          difference =
+      largest(compute_stiffness(distorted, material, StiffnessKind::incompatible_modes) -
+              compute_stiffness(distorted, material, StiffnessKind::one_point)) /
+      largest(modes);
+    check("one point: another element where it is distorted",
+          difference > 1e-4 && difference < 0.5);
+  }
+
   void check_frequency()
   {
     // A cube of side a, nu = 0, full integration: pure dilatation in one direction couples two
@@ -177,6 +201,8 @@ int main()
 {
   check_formulation(StiffnessKind::incompatible_modes);
   check_formulation(StiffnessKind::full);
+  check_formulation(StiffnessKind::one_point);
+  check_parallelepiped();
   check_bending();
   check_frequency();
 

@@ -2,6 +2,7 @@
 // Fields and checkpoints of a turning ring and a stretched block, on one rank and on two.
 #include "../tests.h"
 
+#include <vfife/base/byte_stream.h>
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
@@ -202,68 +203,82 @@ namespace
     check("fields: ten scalars and two vectors", n_arrays == 12);
   }
 
-  void check_checkpoint(const Model &model, State state, const OutputFolder &folder)
+  void show_refusal(const std::string &path, const Communicator &communicator, Log &log)
   {
-    state.measured.energy.drive_work = 1. / 3;
-    state.measured.energy.scale      = 7;
-    for (const Body &body : model.bodies)
-      state.body_motion.push_back(body.placement);
-    state.body_motion[0].rotation =
-      rotation_about(model.bodies[0].axis.direction, angle) * model.bodies[0].placement.rotation;
-    const auto motions = compute_body_motions(model, state, folder.communicator());
-    write_checkpoint(folder, model, state);
-    folder.communicator().barrier();
-
-    // Read by a rank that holds everything, whatever the number of ranks that wrote.
-    const State reference = make_state(model, 0, 1);
-    State       again;
-    again.partition = reference.partition;
-    again.position.assign(reference.position.size(), 0.5);
-    again.velocity.assign(reference.velocity.size(), 0.5);
-    read_checkpoint(folder.file("checkpoint.bin"), model, again);
-    bool same = true, kept = true;
-    for (std::size_t i = 0; i < again.partition.n_local(); ++i)
+    try
       {
-        same = same && again.node_position(i) == reference.node_position(i) &&
-               again.node_velocity(i) == reference.node_velocity(i);
-        kept = kept && again.position[4 * i + 3] == 0.5;
+        read_checkpoint(path, communicator, log);
+        check("refused", false);
       }
-    if (!folder.is_writer())
-      return;
-    check("checkpoint: positions and velocities to the last digit", same);
-    check("checkpoint: masses are not touched", kept);
-    check("checkpoint: time and step",
-          again.time == state.time && again.step == state.step && again.dt == state.dt);
-    check("checkpoint: body motions",
-          again.body_motion.size() == 2 &&
-            again.body_motion[0].rotation == state.body_motion[0].rotation &&
-            again.body_motion[1].translation == state.body_motion[1].translation);
-    check_below(
-      "rotation from the state",
-      (motions[0].rotation - rotation_about(model.bodies[0].axis.direction, angle)).norm(),
-      1e-13);
-    check("checkpoint: energies",
-          again.measured.energy.drive_work == 1. / 3 && again.measured.energy.scale == 7);
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  }
 
-    std::ofstream(folder.file("damaged.bin")) << "something else";
-    std::filesystem::copy_file(folder.file("checkpoint.bin"), folder.file("short.bin"));
-    std::filesystem::resize_file(folder.file("short.bin"), 5000);
-    const Model other  = make_model(4.001);
-    const auto  refuse = [&](const std::string &name, const Model &of) {
-      try
-        {
-          read_checkpoint(folder.file(name), of, again);
-          check("refused", false);
-        }
-      catch (const InputError &error)
-        {
-          std::cout << error.what() << std::endl;
-        }
-    };
-    refuse("checkpoint.bin", other);
-    refuse("damaged.bin", model);
-    refuse("short.bin", model);
-    refuse("missing.bin", model);
+  void check_checkpoint(OutputFolder &folder)
+  {
+    namespace fs                     = std::filesystem;
+    const Communicator &communicator = folder.communicator();
+    const auto         own = [](const unsigned int rank) { return "rank " + std::to_string(rank); };
+    std::ostringstream text;
+    Log                log(text, folder.is_writer());
+    // The first of a run removes what an earlier one has left.
+    write_checkpoint(folder, "zero", own(communicator.rank()), false);
+    write_checkpoint(folder, "first", own(communicator.rank()), false);
+    check("checkpoint: of another run", !fs::exists(folder.file("checkpoint.previous.bin")));
+    write_checkpoint(folder, "second", own(communicator.rank()), true);
+    Checkpoint last = read_checkpoint(folder.path(), communicator, log);
+    bool       same = last.own.size() == communicator.size();
+    for (unsigned int rank = 0; same && rank < communicator.size(); ++rank)
+      same = last.own[rank] == own(rank);
+    check("checkpoint: last one", last.common == "second");
+    check("checkpoint: of all ranks", same);
+
+    communicator.barrier();
+    if (folder.is_writer())
+      {
+        std::fstream file(folder.file("checkpoint.bin"));
+        file.seekp(60);
+        file.put('#');
+      }
+    communicator.barrier();
+    last = read_checkpoint(folder.path(), communicator, log);
+    check("checkpoint: the one before", last.common == "first");
+    std::cout << text.str();
+    communicator.barrier();
+    if (folder.is_writer())
+      {
+        fs::resize_file(folder.file("checkpoint.bin"), 50);
+        std::ofstream(folder.file("checkpoint.previous.bin"))
+          << "something else that is long enough to be a header";
+      }
+    communicator.barrier();
+    show_refusal(folder.path(), communicator, log);
+    show_refusal("nowhere", communicator, log);
+  }
+
+  void check_model_mark()
+  {
+    Model      model = make_model();
+    ByteStream written;
+    model.probes.push_back({"p", 1, 7});
+    exchange_model(written, model);
+    model.probes[0].node = 3;
+    ByteStream again(written.bytes());
+    exchange_model(again, model);
+    check("probes stay where they were", model.probes[0].node == 7);
+    Model other = make_model(4.001);
+    try
+      {
+        ByteStream third(written.bytes());
+        exchange_model(third, other);
+        check("refused", false);
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
   }
 
   /** The scripts read what the writers wrote; without numpy and matplotlib the log says so. */
@@ -281,23 +296,6 @@ namespace
           cannot || (text.str().rfind("1 pictures in ", 0) == 0 &&
                      std::filesystem::file_size(folder.file("pictures/bodies.png")) > 10000));
   }
-
-  void check_checkpoint_writer(const Model &model, const State &state, const OutputFolder &folder)
-  {
-    // The other ranks may still be reading it.
-    folder.communicator().barrier();
-    if (folder.is_writer())
-      std::filesystem::remove(folder.file("checkpoint.bin"));
-    CheckpointWriter never(folder, 1e6, 10);
-    never.observe(model, state);
-    const bool       written_early = std::filesystem::exists(folder.file("checkpoint.bin"));
-    CheckpointWriter at_once(folder, 1e-9, 10);
-    at_once.observe(model, state);
-    if (!folder.is_writer())
-      return;
-    check("checkpoint: not before its time", at_once.due(state) && !written_early);
-    check("checkpoint: after its time", std::filesystem::exists(folder.file("checkpoint.bin")));
-  }
 } // namespace
 
 int main(int argc, char **argv)
@@ -311,12 +309,12 @@ int main(int argc, char **argv)
   if (!communicator.is_root())
     std::cout.setstate(std::ios::failbit);
 
-  const OutputFolder folder(folder_name, communicator);
-  const Model        model = make_model();
-  const State        state = make_state(model, communicator.rank(), communicator.size());
+  OutputFolder folder(folder_name, communicator);
+  const Model  model = make_model();
+  const State  state = make_state(model, communicator.rank(), communicator.size());
   check_motion_and_stress(model, state, communicator, communicator.is_root());
   check_fields(model, state, folder);
   check_pictures(folder);
-  check_checkpoint(model, state, folder);
-  check_checkpoint_writer(model, state, folder);
+  check_checkpoint(folder);
+  check_model_mark();
 }

@@ -133,7 +133,7 @@ namespace
           OutputFolder refused(path, communicator);
           check("refused", false);
         }
-      catch (const InputError &error)
+      catch (const std::exception &error)
         {
           std::cout << error.what() << std::endl;
         }

@@ -11,18 +11,21 @@ namespace vfife
   struct CommandLine
   {
     std::string              parameter_file;
-    std::string              output_folder; ///< empty: the one of the parameter file
-    std::vector<std::string> overrides;     ///< "Section/Sub/name=value"
-    bool                     check = false; ///< read and check everything, compute nothing
-    bool print_parameters          = false; ///< print the parameters in force, compute nothing
-    bool version                   = false;
-    bool help                      = false;
+    std::string              output_folder;   ///< empty: the one of the parameter file
+    std::vector<std::string> overrides;       ///< "Section/Sub/name=value"
+    bool                     restart = false; ///< go on from the checkpoint in the output folder
+    bool                     check   = false; ///< read and check everything, compute nothing
+    bool print_parameters            = false; ///< print the parameters in force, compute nothing
+    bool parameter_reference         = false; ///< print all parameters of all kinds of studies
+    bool version                     = false;
+    bool help                        = false;
   };
 
   /**
    * Reads the arguments of main().
    * @throws InputError for an unknown option (with the nearest known one), a missing value, no
-   * parameter file or several of them.
+   * parameter file or several of them. With --restart an argument that is a folder is the output
+   * folder, and without a parameter file the one that the run has left there is taken.
    */
   CommandLine parse_command_line(int argc, const char *const *argv);
 

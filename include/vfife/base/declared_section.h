@@ -3,6 +3,7 @@
 #define vfife_base_declared_section_h
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dealii
@@ -37,6 +38,11 @@ namespace vfife
     std::vector<std::string> entry_names() const;
 
     std::vector<std::string> section_names() const;
+
+    /** Path ("A/B/name") and present text of all entries at or below this section; @p path leads
+     * here. */
+    std::vector<std::pair<std::string, std::string>>
+    list_values(const std::string &path = "") const;
 
     /** Paths ("A/B") of all sections at or below this one that have an entry of that name; @p path
      * leads here. */

@@ -65,6 +65,16 @@ namespace vfife
   };
 
   /**
+   * A signal has asked the program to stop, and what is needed to go on is on disk: exit code 3.
+   * The message says how.
+   */
+  class Interrupted : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
    * The computation failed (energy, NaN, inverted element, runaway penetration, no convergence):
    * exit code 2. The message names time, step, element or node, and cause.
    */

@@ -77,6 +77,9 @@ namespace vfife
       return warnings_;
     }
 
+    /** Takes over what was warned of in an earlier part of the run, before its own. */
+    void take_warnings(std::vector<Warning> earlier);
+
     /** How often it was warned, repetitions included. */
     unsigned int n_warnings() const;
 

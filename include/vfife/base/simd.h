@@ -113,6 +113,24 @@ namespace vfife
       {
         return of(-a.v);
       }
+
+      /** Whether any lane of @p a is above that of @p b. */
+      VFIFE_INLINE friend bool any_above(const Vec &a, const Vec &b)
+      {
+        if constexpr (N == 1)
+          return a.v > b.v;
+        else
+          {
+            const auto above = a.v > b.v;
+            long long  lane[N];
+            static_assert(sizeof(above) == sizeof(lane), "numbers of eight bytes");
+            __builtin_memcpy(lane, &above, sizeof(lane));
+            long long any = 0;
+            for (unsigned int l = 0; l < N; ++l)
+              any |= lane[l];
+            return any != 0;
+          }
+      }
     };
   } // namespace VFIFE_SIMD_NAMESPACE
 } // namespace vfife

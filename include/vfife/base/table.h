@@ -13,6 +13,8 @@
 
 namespace vfife
 {
+  class ByteStream;
+
   /**
    * Columns with names and units, rows of numbers and texts: what producers of results hand to
    * `output`. Numbers are stored in the unit of their column, as they will stand in the file.
@@ -68,6 +70,9 @@ namespace vfife
     void add_row(const std::vector<Cell> &cells);
 
     void add_row(std::initializer_list<Cell> cells);
+
+    /** For checkpoints: passes the rows. Throws InputError where stored rows have other columns. */
+    void exchange_rows(ByteStream &stream);
 
     /** Forgets the rows and keeps the columns. */
     void clear_rows();

@@ -12,6 +12,8 @@
 
 namespace vfife
 {
+  class ByteStream;
+
   /**
    * Contact between two surfaces by unilateral penalty; the formulation is derived in
    * doc/contact.md.
@@ -128,6 +130,12 @@ namespace vfife
      * damping); its position arrays must still be valid. */
     std::vector<ContactSpring> springs();
 
+    /**
+     * For checkpoints: what is known of the candidate pairs. An object of the same surfaces and
+     * options that reads it goes on to the last digit, if its part is the same.
+     */
+    void exchange(ByteStream &stream);
+
     /** Motion between wide searches [mm]. */
     double search_skin() const;
 
@@ -151,6 +159,7 @@ namespace vfife
 
   private:
     ContactLaw law(double dt) const;
+    void       find_active_nodes();
 
     ContactOptions           options_;
     std::vector<ContactPass> passes_; ///< one, or two with swapped roles

@@ -16,6 +16,8 @@
 
 namespace vfife
 {
+  class ByteStream;
+
   /**
    * One direction of a contact: the quadrature points of the slave against the facets of the
    * master.
@@ -63,6 +65,9 @@ namespace vfife
 
     /** Appends the springs of the points with pressure of the last add_forces(). */
     void append_springs(double penalty, bool swapped, std::vector<ContactSpring> &springs);
+
+    /** For checkpoints: lists with their last projections, and paths. */
+    void exchange(ByteStream &stream);
 
     const SurfaceGeometry &slave() const
     {

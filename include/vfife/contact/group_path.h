@@ -8,6 +8,8 @@
 
 namespace vfife
 {
+  class ByteStream;
+
   /**
    * How far the groups of a surface have moved in a frame (the master body's): for every active
    * group the sum over the updates of the largest displacement of its nodes. A facet's points move
@@ -24,6 +26,9 @@ namespace vfife
 
     /** Throws NumericalError when a position is not finite. */
     void update(const SurfaceGeometry &surface, const RigidMotion &frame);
+
+    /** For checkpoints. */
+    void exchange(ByteStream &stream);
 
     /** Length so far [mm]. */
     double length(const unsigned int group) const

@@ -11,6 +11,7 @@
 
 namespace vfife
 {
+  class ByteStream;
   class Communicator;
 
   /** Frame in which a solver moves the nodes. */
@@ -43,6 +44,14 @@ namespace vfife
     /** Takes over angles and angular velocities of free rotations from positions and velocities of
      * the state; nodes of a rigid hub share their mean. Collective. */
     void read(const State &state, MotionFrame frame);
+
+    /** Turns the mean rigid motion of bodies with a free rotation, in the rotating frame, to the
+     * mean angle of the nodes that turn freely. Collective. */
+    void turn_bodies(const Model &model, State &state) const;
+
+    /** For checkpoints: angles and angular velocities of free rotations by node of the model, for
+     * any number of ranks. Collective. */
+    void exchange(ByteStream &stream, const Partition &partition);
 
     /** In the rotating frame: what part of the prescribed displacements and angles is taken,
      * instead of their histories at time zero. */
@@ -108,6 +117,11 @@ namespace vfife
       Axis              axis;
       double            rate;
       std::vector<Node> nodes;
+
+      bool turns_freely() const
+      {
+        return kind == ConstraintKind::free_rotation || kind == ConstraintKind::rigid_hub;
+      }
     };
 
     void share_rotation(Group &group) const;

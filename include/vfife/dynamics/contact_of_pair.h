@@ -37,12 +37,12 @@ namespace vfife
                                const RigidMotion &motion,
                                const double      *positions) const;
 
-    unsigned int               body;
-    const FacetSurface        *surface;
-    std::vector<std::uint32_t> local; ///< local node of each surface node, or absent
-    std::vector<double>        mass;  ///< [t]
-    std::vector<double>        positions, velocities, forces;
-    std::vector<unsigned int>  active; ///< surface nodes
+    unsigned int                     body;
+    const FacetSurface              *surface;
+    std::vector<std::uint32_t>       local; ///< local node of each surface node, or absent
+    std::vector<double>              mass;  ///< [t]
+    std::vector<double>              positions, velocities, forces;
+    const std::vector<unsigned int> *active = nullptr; ///< surface nodes, of the contact
   };
 
   /** A contact pair of the model with its contact. */

@@ -12,6 +12,7 @@
 
 namespace vfife
 {
+  class ByteStream;
   class Communicator;
   struct ContactOfPair;
   struct ContactTimes;
@@ -80,6 +81,9 @@ namespace vfife
 
     /** Pairs of surface groups that press on each other, summed over ranks. Collective. */
     std::vector<ToothContact> collect_results() const;
+
+    /** For checkpoints: what this rank knows of the pairs that may touch. */
+    void exchange(ByteStream &stream);
 
     /** Adds the stabilizing mass that penalty springs need in a relaxation with pseudo time step 1.
      */

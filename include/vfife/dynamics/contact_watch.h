@@ -6,6 +6,7 @@
 
 namespace vfife
 {
+  class ByteStream;
   class Log;
 
   /** Counts how often a model that was in contact lets go of it, step by step, and says so. */
@@ -20,6 +21,9 @@ namespace vfife
     /** Looks at the step of length @p dt [s] that begins at @p time; @p touching: any point of any
      * contact pair presses. */
     void observe(double time, double dt, bool touching);
+
+    /** For checkpoints. */
+    void exchange(ByteStream &stream);
 
     const ContactLosses &losses() const;
 

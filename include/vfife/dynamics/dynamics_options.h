@@ -21,12 +21,27 @@ namespace vfife
     mean_speed ///< mass-weighted mean of |v|/r, the paper's Eq. (8): unsigned, not torque-free
   };
 
+  /** What the stable step of the elements follows from. */
+  enum class StepBound
+  {
+    element,        ///< the largest frequency of the worst free element: safe for any assembly
+    power_iteration ///< the largest frequency of the whole model, estimated
+  };
+
   enum class Start
   {
     static_preload, ///< rotating-frame equilibrium under centrifugal force, torque and contact,
                     ///< then release
     ramp,           ///< centrifugal equilibrium, then the torque grows linearly
     undeformed      ///< the undeformed bodies with their initial velocities
+  };
+
+  /** What finds the equilibrium of a gear pair before the start. */
+  enum class StartSolver
+  {
+    factorization, ///< rounds with the factors of the conventional stiffness matrix: fast, some
+                   ///< 45 kB a node
+    relaxation     ///< dynamic relaxation alone: slow, needs no memory
   };
 
   /** How the equilibrium before the start is found (dynamic relaxation). */
@@ -48,14 +63,19 @@ namespace vfife
     FrameKind     frame     = FrameKind::polar;
     StiffnessKind stiffness = StiffnessKind::incompatible_modes;
     /** Hourglass blocks of elements without congruent copies in single precision. */
-    bool              single_stiffness = false;
-    double            safety           = 0.9;   ///< step over the stable step of the worst element
-    double            damping          = 1000.; ///< zeta [1/s]
-    double            mesh_damping     = 2000.; ///< zeta_k [1/s]
-    DampingRate       damping_rate     = DampingRate::momentum;
-    Start             start            = Start::static_preload;
-    double            energy_limit     = 0.5; ///< energy error at which a run is given up [-]
-    unsigned int      largest_steps    = 0; ///< a run ends in good order after so many, 0: no limit
+    bool         single_stiffness = false;
+    StepBound    step_bound       = StepBound::element;
+    double       safety           = 0.9;   ///< step over the stable step of the worst element
+    double       damping          = 1000.; ///< zeta [1/s]
+    double       mesh_damping     = 2000.; ///< zeta_k [1/s]
+    DampingRate  damping_rate     = DampingRate::momentum;
+    Start        start            = Start::static_preload;
+    StartSolver  start_solver     = StartSolver::factorization;
+    double       energy_limit     = 0.05; ///< energy error at which a run is given up [-]
+    unsigned int largest_steps    = 0;    ///< a run ends in good order after so many, 0: no limit
+    /** Stable step of every element by added mass, before the safety [s]; 0: no mass is added. */
+    double            mass_scaling_step  = 0;
+    double            largest_added_mass = 0.02; ///< of a body's mass [-]
     RelaxationOptions relaxation;
 
     void declare(dealii::ParameterHandler &prm);

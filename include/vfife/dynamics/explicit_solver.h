@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_explicit_solver_h
 #define vfife_dynamics_explicit_solver_h
 
+#include <vfife/dynamics/approach_energy.h>
 #include <vfife/dynamics/constraint_motion.h>
 #include <vfife/dynamics/contact_system.h>
 #include <vfife/dynamics/contact_watch.h>
@@ -12,8 +13,11 @@
 #include <vfife/dynamics/vfife_operator.h>
 #include <vfife/model/observer.h>
 
+#include <functional>
+
 namespace vfife
 {
+  class ByteStream;
   class Log;
   class Timers;
 
@@ -38,6 +42,9 @@ namespace vfife
      * set_step(). */
     double stable_step();
 
+    /** Stable step of the elements by Dynamics/step bound, without safety and contact [s]. */
+    double element_step() const;
+
     /** The step of the run [s], at most stable_step(). Sets the penalties that follow from it. */
     void set_step(double dt);
 
@@ -49,11 +56,26 @@ namespace vfife
      * (after a preload). */
     void set_rigid_velocities(State &state) const;
 
+    /** Called with the state before each step; may throw to end a run there. All ranks. */
+    using BeforeStep = std::function<void(State &)>;
+
     /**
-     * Integrates from state.time to @p end_time. Throws NumericalError (non-finite or runaway
+     * Integrates from state.time (after exchange() with a reading stream: goes on) to @p end_time,
+     * counted from where the run began. Throws NumericalError (non-finite or runaway
      * energy, runaway penetration, inverted element) after observers have seen the last state.
      */
-    void run(State &state, double end_time, Observers &observers);
+    void run(State            &state,
+             double            end_time,
+             Observers        &observers,
+             const BeforeStep &before_step = nullptr);
+
+    /**
+     * Passes all that a run needs to go on to the last digit, from BeforeStep or to a state that
+     * start() has set up. @p common does not depend on the ranks and is equal on all of them;
+     * @p own is this rank's, and of use to the same number of ranks only: nullptr when reading for
+     * another one, where the run agrees to round-off. Collective.
+     */
+    void exchange(ByteStream &common, ByteStream *own, State &state);
 
     /** Fills State::measured of a state at rest (no energies of motion, no work). Collective. */
     void measure_at_rest(State &state);
@@ -77,6 +99,7 @@ namespace vfife
     };
 
     void begin_run(State &state);
+    void allocate();
     void compute_forces(State &state, bool keep_contact_forces);
     void set_damping(const State &state);
     void update_nodes(State &state);
@@ -88,10 +111,10 @@ namespace vfife
     double take_measurements(const State &state);
     void   show(Observers &observers, bool last);
     void   measure_contact();
-    void   check(const State &state, bool measured) const;
+    void   check(const State &state, bool measured);
     void   add_audit();
     void   add_rate_difference(const State &state);
-    void   finish_audit(const std::vector<RigidVelocity> &rates_at_start);
+    void   finish_audit();
 
     const Model           &model_;
     const DynamicsOptions &options_;
@@ -113,10 +136,20 @@ namespace vfife
     StepPowers                          powers_;
     double                              drive_torque_ = 0;
     EnergyLedger                        ledger_, ledger_at_start_;
+    ApproachEnergy                      approach_;
+    double                              largest_approach_ = 0; ///< at the samples so far [mJ]
+    bool                                has_touched_      = false;
     std::vector<DampingAudit>           audit_;
     unsigned int                        audited_steps_ = 0, audited_samples_ = 0;
     ContactWatch                        contact_watch_;
     State                               observed_;
+    std::uint64_t                       first_step_ = 0; ///< of the run
+    double                              start_time_ = 0; ///< of the run [s]
+    std::vector<RigidVelocity>          rates_at_start_;
+    bool                                goes_on_       = false; ///< from a checkpoint
+    bool                                energy_warned_ = false;
+    bool                                search_now_    = false; ///< whatever the step
+    double                              element_step_;          ///< [s]
   };
 } // namespace vfife
 

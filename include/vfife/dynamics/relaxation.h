@@ -61,7 +61,28 @@ namespace vfife
      */
     RelaxationReport solve(State &state, const Loads &loads);
 
+    /**
+     * What constraints leave of the forces at all local nodes (4 doubles each) [N] in the frames
+     * that turn with the bodies: internal and applied ones and, where @p loads asks for it, those
+     * of the contact, which is searched before. Collective.
+     */
+    void compute_forces(State &state, const Loads &loads, std::vector<double> &forces);
+
+    /** Norm of these @p forces over the norm of the applied ones. Collective. */
+    double
+    compute_residual(const State &state, const Loads &loads, const std::vector<double> &forces);
+
+    /** Puts the constrained nodes where they belong, free rotations on their circles. Collective.
+     */
+    void constrain(State &state) const;
+
+    const RelaxationOptions &options() const
+    {
+      return options_;
+    }
+
   private:
+    void                add_contact(State &state, bool search, std::vector<double> &forces);
     std::vector<double> compute_masses(const Loads &loads, double dt);
     void   add_applied(const State &state, const Loads &loads, std::vector<double> &forces);
     double norm(const std::vector<double> &forces, const Partition &partition) const;

@@ -32,14 +32,16 @@ namespace vfife
   };
 
   /** How the elements are stored and computed; nothing here changes results but by round-off,
-   * except single precision. */
+   * except single precision and mass scaling. */
   struct OperatorLayout
   {
     bool share_constants = true; ///< of congruent elements; else each element has its own
     /** Hourglass blocks H of elements with constants of their own are stored in single precision
      * (computed with in double): relative error 6e-8 of H alone, mean strains stay exact. */
-    bool           single_hourglass = false;
-    InstructionSet instruction_set  = best_instruction_set();
+    bool single_hourglass = false;
+    /** Elements have at least this stable step by added mass, see scale_masses() [s]; 0: none. */
+    double         mass_scaling_step = 0;
+    InstructionSet instruction_set   = best_instruction_set();
   };
 
   /**

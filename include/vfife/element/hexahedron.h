@@ -28,6 +28,10 @@ namespace vfife
   /** dN_a/dxi_j at @p xi, one column a node. */
   HexahedronNodes reference_gradients(const Vector3 &xi);
 
+  /** Sign h_k of hourglass pattern k = 0..3 at @p node: the functions eta zeta, xi zeta, xi eta and
+   * xi eta zeta at its corner, all +-1. */
+  double hourglass_sign(unsigned int k, unsigned int node);
+
   /** J_ij = dX_i/dxi_j at @p xi [mm]. */
   Matrix3 compute_jacobian(const HexahedronNodes &nodes, const Vector3 &xi);
 

@@ -11,9 +11,9 @@ namespace vfife
    * The exact short form of the stiffness of an 8-node hexahedron (doc/element.md):
    * K = V B^T D B + G^T H G, B the strain of the volume-averaged gradients b, G u the four
    * hourglass amplitudes q_k = sum_a gamma_k(a) u_a with the patterns
-   * gamma_k = h_k - sum_j c_kj b_j, c_kj = sum_a h_k(a) X_j(a), and h_k(a) = eta zeta, xi zeta,
-   * xi eta, xi eta zeta (k = 0..3) at the corner a, all +-1. Holds for every stiffness that passes
-   * the patch test with the mean gradients: both members of StiffnessKind.
+   * gamma_k = h_k - sum_j c_kj b_j, c_kj = sum_a h_k(a) X_j(a), and h_k(a) =
+   * hourglass_sign(k, a). Holds for every stiffness that passes
+   * the patch test with the mean gradients: all members of StiffnessKind.
    */
   struct ReducedStiffness
   {
@@ -24,9 +24,6 @@ namespace vfife
     double hourglass_stiffness[78];
     double triad[3][3]; ///< compute_triad(X), rows are components
   };
-
-  /** Sign h_k(a) of hourglass pattern @p k at @p node. */
-  double hourglass_sign(unsigned int k, unsigned int node);
 
   /** Throws NumericalError when det J <= 0 at a Gauss point. */
   ReducedStiffness

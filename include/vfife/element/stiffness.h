@@ -13,14 +13,19 @@ namespace vfife
    * bubbles 1 - xi_a^2, whose gradients use the Jacobian of the centre times det J0 / det J so
    * that the patch test is passed; condensed statically. Bends without locking.
    * full: plain 2x2x2 points; locks in bending, kept for comparison.
+   * one_point: the stress of the mean gradients, and against hourglass patterns a physical
+   * stabilization without a parameter (Belytschko & Bindeman 1993, Puso 2000): the patterns'
+   * strains with the Jacobian of the centre, those that lock relaxed by the same bubbles,
+   * integrated exactly. Equals incompatible_modes where the element is a parallelepiped.
    */
   enum class StiffnessKind
   {
     incompatible_modes,
-    full
+    full,
+    one_point
   };
 
-  /** "incompatible modes", "full". */
+  /** "incompatible modes", "full", "one point". */
   const Choices<StiffnessKind> &stiffness_choices();
 
   /** Isotropic D for strains (xx yy zz xy yz zx) with engineering shears [MPa]. */
@@ -37,11 +42,11 @@ namespace vfife
   {
     Eigen::Matrix<double, 6, 24> displacement[8]; ///< strain of the nodal displacements [1/mm]
     Eigen::Matrix<double, 6, 9>  bubble[8];       ///< strain of the condensed bubbles [1/mm]
-    double                       weight[8];       ///< det J [mm^3]
+    double                       weight[8];       ///< det J; one_point: an eighth of V [mm^3]
     bool                         has_bubbles;
   };
 
-  /** Throws NumericalError when det J <= 0 at a Gauss point. */
+  /** Throws NumericalError when det J <= 0 at a Gauss point, for every kind. */
   ElementStrains compute_element_strains(const HexahedronNodes &X, StiffnessKind kind);
 
   /** Bubble amplitudes (9) in terms of nodal displacements: alpha = A u, with no force on alpha. */

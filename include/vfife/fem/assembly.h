@@ -38,9 +38,13 @@ namespace vfife
     using ElementMatrix = std::function<Eigen::MatrixXd(unsigned int element)>;
     using ElementVector = std::function<Eigen::VectorXd(unsigned int element)>;
 
+    /** Points that are coupled beside elements, as by a contact. */
+    using Links = std::vector<std::vector<unsigned int>>;
+
     Assembly(const Discretization    &discretization,
              const Unknowns::Options &options,
-             const Communicator      &communicator);
+             const Communicator      &communicator,
+             Links                    links = {});
 
     const Discretization &discretization() const
     {
@@ -64,6 +68,9 @@ namespace vfife
 
     /** Sums 3 x 3 matrices of points (copies of images included), for each copy. */
     SparseValues point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const;
+
+    /** 3n x 3n matrices of the n points of each link. */
+    SparseValues link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const;
 
     /** Displacement-like vectors (3n) of elements, the same on all copies of the points. */
     OwnedVector vector(const ElementVector &element) const;
@@ -105,6 +112,7 @@ namespace vfife
     const Communicator       &communicator_;
     Unknowns                  unknowns_;
     unsigned int              first_, last_;
+    Links                     links_;
     std::vector<unsigned int> elements_; ///< that touch own unknowns
     SparsePattern             pattern_;
   };

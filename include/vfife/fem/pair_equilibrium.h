@@ -5,12 +5,21 @@
 #include <vfife/fem/compliance.h>
 #include <vfife/model/state.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace vfife
 {
+  /** A contact point under pressure, for small motions u of points of the discretization: the
+   * energy stiffness/2 (sum of direction . u)^2. */
+  struct ContactTie
+  {
+    std::array<std::pair<unsigned int, Vector3>, 8> points; ///< and directions, axes of time zero
+    double                                          stiffness = 0; ///< [N/mm]
+  };
+
   /** A loaded gear pair at rest in its turning axes. */
   struct PairEquilibriumResult
   {
@@ -24,6 +33,7 @@ namespace vfife
     std::vector<double> displacement_slope; ///< change of displacements per part of the torque [mm]
 
     std::vector<ToothContact> teeth;
+    std::vector<ContactTie>   ties;               ///< the linearized contact
     double                    contact_torque = 0; ///< on the driven body, resists the load [N mm]
     unsigned int              iterations     = 0;
     double                    residual       = 0; ///< unbalanced over contact forces
@@ -54,6 +64,14 @@ namespace vfife
      * residuals. */
     PairEquilibriumResult solve(double driver_turn, double part);
 
+    /**
+     * Where the pair comes to rest when its bodies would have the displacements @p free (3 a point)
+     * if they did not touch and @p torque acts on the driven body [N mm]; starts from the last
+     * equilibrium found by this function. Of the result, turns, displacements, iterations and
+     * residual are set. Throws NumericalError as solve().
+     */
+    PairEquilibriumResult press(double driver_turn, const std::vector<double> &free, double torque);
+
     /** Turn of the driven body beyond its kinematic turn at which the flanks of the spun bodies
      * touch [rad]. */
     double find_touch(double driver_turn);
@@ -76,18 +94,21 @@ namespace vfife
     Trial               evaluate(const Eigen::VectorXd &u, double turn);
     Tangent             linearize();
     double              find_touch(const Eigen::VectorXd &base);
-    double              press_rigid(const Eigen::VectorXd &base, double turn, double load);
+    Iterate             press_rigid(const Eigen::VectorXd &base, double load);
     Eigen::VectorXd     at_watched(const std::vector<double> &u) const;
     Eigen::VectorXd     apply_compliance(const Eigen::VectorXd &force);
     std::vector<double> spread(const Eigen::VectorXd &force) const;
     double              load(double part) const;
     void search_line(const Eigen::VectorXd &base, double load, const Iterate &full, Iterate &now);
-    void report(const Iterate &now, double part, PairEquilibriumResult &result);
+    void
+    balance(const Eigen::VectorXd &base, double load, Iterate &now, PairEquilibriumResult &result);
+    void              report(const Iterate &now, double part, PairEquilibriumResult &result);
     [[noreturn]] void fail(const std::string &what, const std::string &history) const;
 
     const Model                       &model_;
     Compliance                        &compliance_;
     std::vector<std::unique_ptr<Pair>> pairs_;
+    std::unique_ptr<Iterate>           pressed_;   ///< where press() has ended
     std::vector<Matrix3>               rotations_; ///< of the bodies since time zero
     double                             driver_turn_ = 0;
   };

@@ -56,6 +56,12 @@ namespace vfife
     const std::vector<unsigned int> &node_set(const std::string &set) const;
     bool                             has_node_set(const std::string &set) const;
 
+    /** Adds to the nodes' masses (mass scaling) [t]. */
+    void add_masses(const std::vector<double> &masses);
+    /** What add_masses() has added [t]. */
+    double added_mass() const;
+
+    /** With added mass. */
     double mass() const;
     /** Moment of inertia of the lumped masses about the body's axis of rotation [t mm^2]. */
     double axial_inertia() const;
@@ -78,7 +84,7 @@ namespace vfife
     std::vector<Vector3>                      node_positions_;
     std::vector<double>                       node_masses_;
     std::vector<std::array<std::uint32_t, 8>> elements_;
-    double                                    mass_ = 0;
+    double                                    mass_ = 0, added_mass_ = 0;
   };
 } // namespace vfife
 

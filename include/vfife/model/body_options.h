@@ -16,7 +16,9 @@ namespace vfife
   {
     std::string                       mesh     = "block";
     std::string                       material = "steel"; ///< name of a section Material NAME
-    std::unique_ptr<PrimitiveOptions> primitive;          ///< sizes and cells of the mesh
+    std::unique_ptr<PrimitiveOptions> primitive; ///< sizes and cells of a mesh that is no file
+    std::string                       file;      ///< of `mesh = file`, see read_body()
+    std::string                       folder;    ///< of the parameter file, where `file` starts
 
     Vector3 position       = Vector3::Zero(); ///< of the body frame's origin [mm]
     Vector3 rotation_axis  = Vector3::UnitZ();
@@ -42,6 +44,10 @@ namespace vfife
 
     Body
     make(const std::string &name, const Material &of_material, const std::string &section) const;
+
+  private:
+    void declare_shape(dealii::ParameterHandler &prm, const std::string &section);
+    std::unique_ptr<BodyMesh> make_mesh(const std::string &section) const;
   };
 } // namespace vfife
 

@@ -7,6 +7,7 @@
 
 namespace vfife
 {
+  class ByteStream;
   struct Model;
   struct State;
 
@@ -21,6 +22,9 @@ namespace vfife
     virtual bool due(const State &state) const = 0;
 
     virtual void observe(const Model &model, const State &state) = 0;
+
+    /** For checkpoints: passes what has been observed so far, equal on all ranks. Collective. */
+    virtual void exchange(ByteStream &stream);
 
     /** After the last step, and after a failure with the last state that was reached. */
     virtual void finish(const Model &model, const State &state);

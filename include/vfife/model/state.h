@@ -43,7 +43,8 @@ namespace vfife
     double contact_loss      = 0; ///< contact damping and friction
     double start             = 0; ///< kinetic + strain + contact at the start
     double scale             = 0; ///< largest value so far that the error is divided by; at least
-                                  ///< scale_floor of the kinetic energy at the start
+                                  ///< scale_floor of the kinetic energy at the start, and the
+                                  ///< energy of approach of flying bodies that have touched
     /** Round-off of the kinetic energy of rigid flight or spin is some 1e-15 of it and must not be
      * the measure of itself. */
     static constexpr double scale_floor = 1e-10;

@@ -2,48 +2,52 @@
 #ifndef vfife_output_checkpoint_h
 #define vfife_output_checkpoint_h
 
-#include <vfife/model/observer.h>
-
-#include <chrono>
-#include <cstdint>
+#include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vfife
 {
+  class ByteStream;
   class Communicator;
+  class Log;
   class OutputFolder;
+  struct Model;
 
-  /**
-   * Writes checkpoint.bin: time, step, step size, energy ledger, motions of the bodies, and
-   * positions and velocities by node of the model, so that another number of ranks can read it
-   * (collective; State::measured must be of this instant for its energies). The mesh is not in it:
-   * it is made again from the parameters.
-   */
-  void write_checkpoint(const OutputFolder &folder, const Model &model, const State &state);
-
-  /**
-   * Fills time, step, dt, positions, velocities, body motions and State::measured.energy from a
-   * checkpoint file (on all ranks; the state's partition and masses must be set up). Throws
-   * InputError when there is no such file or it is of another model (bodies, mesh, masses).
-   */
-  void read_checkpoint(const std::string &path, const Model &model, State &state);
-
-  /** Writes a checkpoint whenever so much wall time has passed. */
-  class CheckpointWriter : public Observer
+  /** What a run needs to go on. */
+  struct Checkpoint
   {
-  public:
-    /** @p wall_time > 0 [s], looked at every @p steps_between steps. */
-    CheckpointWriter(const OutputFolder &folder, double wall_time, std::uint64_t steps_between);
-
-    bool due(const State &state) const override;
-    void observe(const Model &model, const State &state) override;
-
-  private:
-    const OutputFolder                   &folder_;
-    double                                wall_time_;
-    std::uint64_t                         steps_between_;
-    std::chrono::steady_clock::time_point last_;
+    std::string                                      file;       ///< read from; not stored
+    std::string                                      version;    ///< of the program that wrote it
+    std::vector<std::pair<std::string, std::string>> parameters; ///< in force, by path of the entry
+    std::size_t                                      log_size = 0; ///< bytes of run.log by then
+    std::string                                      common;       ///< for any number of ranks
+    std::vector<std::string>                         own;          ///< of each rank
   };
+
+  /**
+   * Writes checkpoint.bin beside the one before, which becomes checkpoint.previous.bin (without
+   * @p keeps_previous it is removed: that of an earlier run). @p common must be equal on all ranks.
+   * Collective; throws std::runtime_error on the writing rank when the disk does not take it.
+   */
+  void write_checkpoint(const OutputFolder &folder,
+                        const std::string  &common,
+                        const std::string  &own,
+                        bool                keeps_previous);
+
+  /**
+   * The last checkpoint in @p folder; the one before where the last is missing or damaged, with a
+   * line of @p log. Throws InputError on all ranks when there is none that can be used. Collective.
+   */
+  Checkpoint read_checkpoint(const std::string &folder, const Communicator &communicator, Log &log);
+
+  /**
+   * Passes what tells @p model from another one, and its probes, which stay where they were
+   * although the run may get longer. Throws InputError when reading of other bodies, meshes or
+   * masses: the mesh is not stored but made again from the parameters.
+   */
+  void exchange_model(ByteStream &stream, Model &model);
 } // namespace vfife
 
 #endif

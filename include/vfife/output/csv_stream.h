@@ -18,7 +18,7 @@ namespace vfife
   class CsvStream
   {
   public:
-    /** Opens the file and writes the header of @p table; throws InputError. */
+    /** Opens the file and writes the header of @p table; throws std::runtime_error. */
     CsvStream(const OutputFolder &folder, const std::string &name, const Table &table);
 
     /** Appends those rows of @p table that are not in the file yet; throws std::runtime_error when

@@ -37,8 +37,8 @@ namespace vfife
   {
   public:
     /**
-     * A file every @p steps_between steps (0: none); @p kind and @p frame as in the run, for
-     * stresses. Throws InputError where a contact pair names a surface that its body has not.
+     * A file every @p steps_between steps (0: on request only); @p kind and @p frame as in the run,
+     * for stresses. Throws InputError where a contact pair names a surface that its body has not.
      * Collective.
      */
     FieldWriter(const OutputFolder &folder,
@@ -49,10 +49,17 @@ namespace vfife
 
     bool due(const State &state) const override;
     void observe(const Model &model, const State &state) override;
+    void exchange(ByteStream &stream) override;
+
+    /** Asks for a file at the next step, whatever its number. On all ranks. */
+    void request();
 
   private:
+    void write_pvd() const;
+
     const OutputFolder &folder_;
     std::uint64_t       steps_between_;
+    bool                is_requested_ = false;
     StiffnessKind       kind_;
     FrameKind           frame_;
     std::vector<double> contact_areas_; ///< of each node of the model, 0 off the surfaces [mm^2]

@@ -24,7 +24,7 @@ namespace vfife
     /** Tooth meshes (for models without a gear pair: samples) between field files, 0: none. */
     unsigned int fields_every = 5;
     /** Wall time between checkpoints [s], 0: none. */
-    double checkpoint_every = 0;
+    double checkpoint_every = 600;
     /** Whether plots and pictures are drawn at the end. */
     bool      pictures  = true;
     Verbosity verbosity = Verbosity::normal;

@@ -50,8 +50,8 @@ namespace vfife
     std::uint64_t     first_step_    = 0;
     bool              has_begun_     = false;
     bool              said_expected_ = false;
-    double            last_fraction_ = 0;
-    std::size_t       shown_         = 0; ///< characters of the overwritten line
+    double            last_fraction_ = 0, first_fraction_ = 0;
+    std::size_t       shown_ = 0; ///< characters of the overwritten line
   };
 
   /** "3 h 12 min", "2 min 05 s", "41 s". */

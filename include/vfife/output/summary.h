@@ -23,6 +23,7 @@ namespace vfife
     double       mass    = 0; ///< [t]
     double       inertia = 0; ///< about its axis [t mm^2]
     double       rate    = 0; ///< about its axis at the start [rad/s]
+    double       added   = 0; ///< by mass scaling, within `mass` [t]
   };
 
   /**

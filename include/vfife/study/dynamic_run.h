@@ -4,26 +4,34 @@
 
 #include <vfife/base/timers.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/output/checkpoint.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/summary.h>
 #include <vfife/study/deflection_parts.h>
 #include <vfife/study/gear_case.h>
 #include <vfife/study/study_kind.h>
 
+#include <optional>
+
 namespace vfife
 {
   class ExplicitSolver;
   class OutputFolder;
+  class Table;
 
   /** Study kind `run`: explicit dynamics of a gear pair from the start to the last tooth mesh, with
    * all results. */
   class DynamicRun : public StudyKind
   {
   public:
-    void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
-    void check() const override;
-    void inspect(Communicator &communicator, Log &log) override;
-    void run(OutputFolder &folder, Log &log) override;
+    void        declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
+    void        check() const override;
+    void        inspect(Communicator &communicator, Log &log) override;
+    std::size_t go_on(const std::string  &folder,
+                      const EntryValues  &now,
+                      const Communicator &communicator,
+                      Log                &log) override;
+    void        run(OutputFolder &folder, Log &log) override;
 
   private:
     /** What the equilibrium before the start tells. */
@@ -47,22 +55,23 @@ namespace vfife
                        State              &state,
                        const Communicator &communicator,
                        Log                &log) const;
+    void       log_preload(const Model &model, const Preload &preload, Log &log) const;
     RunSummary start_summary(const Model        &model,
                              ExplicitSolver     &solver,
                              double              dt,
                              const Communicator &communicator) const;
     void       add_preload(const Preload &preload, RunSummary &summary) const;
-    void       finish_summary(const Model    &model,
-                              ExplicitSolver &solver,
-                              const State    &state,
-                              const Table    &history,
-                              const Preload  &preload,
-                              RunSummary     &summary,
-                              Log            &log) const;
+    void       complete_summary(const Model   &model,
+                                const Table   &history,
+                                const Preload &preload,
+                                RunSummary    &summary,
+                                Log           &log) const;
 
     GearCase        gear_case_;
     DynamicsOptions dynamics_;
     OutputOptions   output_;
+
+    std::optional<Checkpoint> checkpoint_;
   };
 } // namespace vfife
 

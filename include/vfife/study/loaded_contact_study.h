@@ -4,6 +4,7 @@
 
 #include <vfife/base/table.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/fem/coupled_modes.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/pair_equilibrium.h>
 #include <vfife/output/output_options.h>
@@ -15,8 +16,9 @@ namespace vfife
   /** Section Loaded contact. */
   struct LoadedContactOptions
   {
-    unsigned int positions   = 8;    ///< over one tooth mesh, from the reference position on
-    bool         centrifugal = true; ///< both bodies spin
+    unsigned int positions     = 8;    ///< over one tooth mesh, from the reference position on
+    bool         centrifugal   = true; ///< both bodies spin
+    unsigned int coupled_modes = 0;    ///< of the pair in contact at the first position
 
     void declare(dealii::ParameterHandler &prm);
   };
@@ -44,6 +46,12 @@ namespace vfife
                       double                       position,
                       const PairEquilibriumResult &result,
                       Log                         &log);
+
+    void find_modes(const Model                 &model,
+                    const Compliance            &compliance,
+                    const PairEquilibriumResult &result,
+                    const OutputFolder          &folder,
+                    Log                         &log) const;
 
     GearCase             gear_case_;
     DynamicsOptions      dynamics_;

@@ -5,9 +5,12 @@
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/model/model_options.h>
 #include <vfife/model/observer.h>
+#include <vfife/output/checkpoint.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/summary.h>
 #include <vfife/study/study_kind.h>
+
+#include <optional>
 
 namespace vfife
 {
@@ -44,16 +47,21 @@ namespace vfife
   class ModelRun : public ModelStudy
   {
   public:
-    void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
-    void check() const override;
-    void inspect(Communicator &communicator, Log &log) override;
-    void run(OutputFolder &folder, Log &log) override;
+    void        declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
+    void        check() const override;
+    void        inspect(Communicator &communicator, Log &log) override;
+    std::size_t go_on(const std::string  &folder,
+                      const EntryValues  &now,
+                      const Communicator &communicator,
+                      Log                &log) override;
+    void        run(OutputFolder &folder, Log &log) override;
 
   private:
     /** Step that divides the run into whole steps, at most @p stable_step [s]. */
     double choose_step(double stable_step) const;
 
-    double end_time_ = 0; ///< [s]
+    double                    end_time_ = 0; ///< [s]
+    std::optional<Checkpoint> checkpoint_;
   };
 
   /**

@@ -2,11 +2,16 @@
 #ifndef vfife_study_study_h
 #define vfife_study_study_h
 
+#include <vfife/study/continuation.h>
+
 namespace vfife
 {
   struct CommandLine;
   class Communicator;
   class Log;
+
+  /** The parameters in force of a case, checked. Throws InputError (complete message). */
+  EntryValues read_case(const CommandLine &command_line);
 
   /**
    * Does what the parameter file's section Study asks for: one explicit table of kinds. Throws

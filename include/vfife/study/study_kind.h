@@ -2,6 +2,8 @@
 #ifndef vfife_study_study_kind_h
 #define vfife_study_study_kind_h
 
+#include <vfife/study/continuation.h>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -30,6 +32,16 @@ namespace vfife
 
     /** --check: builds the model and says what a run would be, without running. */
     virtual void inspect(Communicator &communicator, Log &log) = 0;
+
+    /**
+     * --restart: tells it, before run(), to go on with what an earlier run of these parameters has
+     * left in @p folder. Returns how many bytes of run.log are kept. Throws InputError for kinds
+     * that cannot go on, and where there is nothing to go on with. Collective.
+     */
+    virtual std::size_t go_on(const std::string  &folder,
+                              const EntryValues  &now,
+                              const Communicator &communicator,
+                              Log                &log);
 
     /** Does it and writes the results. */
     virtual void run(OutputFolder &folder, Log &log) = 0;

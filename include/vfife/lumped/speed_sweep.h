@@ -1,0 +1,46 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_lumped_speed_sweep_h
+#define vfife_lumped_speed_sweep_h
+
+#include <vfife/lumped/lumped_solver.h>
+
+namespace vfife
+{
+  enum class SweepKind
+  {
+    none,
+    up,
+    up_and_down
+  };
+
+  /** Section Sweep. */
+  struct SpeedSweepOptions
+  {
+    SweepKind    kind          = SweepKind::none;
+    double       lowest_speed  = 0; ///< of the pinion [rad/s]
+    double       highest_speed = 0; ///< [rad/s]
+    unsigned int n_speeds      = 60;
+
+    void declare(dealii::ParameterHandler &prm);
+    void check(const std::string &section) const;
+  };
+
+  /** Columns of resonance.csv. */
+  Table make_resonance_response_table();
+
+  /** Adds a row a speed, upwards and then, where asked for, downwards; each speed begins with the
+   * motion of the one before, so both branches of a jump are found. */
+  void sweep_speeds(const LumpedModel       &model,
+                    const LumpedRunOptions  &run,
+                    const SpeedSweepOptions &options,
+                    Table                   &table);
+
+  /** Adds a row for one speed [rad/s]. */
+  void add_response(const LumpedModel    &model,
+                    const std::string    &direction,
+                    double                speed,
+                    const LumpedResponse &response,
+                    Table                &table);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,24 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_run_figures_h
+#define vfife_output_run_figures_h
+
+#include <vfife/output/figures.h>
+
+#include <string>
+
+namespace vfife
+{
+  /** What summary.json tells of a run, for tables of several runs. */
+  struct RunFigures
+  {
+    std::string  status; ///< "finished", "failed"; empty: there is no summary that can be read
+    std::string  failure;
+    NamedFigures figures; ///< always the same names; NaN where the run has none
+  };
+
+  /** Reads summary.json in @p folder: steps, times, energy error, means and peaks of contact force
+   * and transmission error over the steady part, parts of the transmission error. */
+  RunFigures read_run_figures(const std::string &folder);
+} // namespace vfife
+
+#endif

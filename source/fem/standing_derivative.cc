@@ -1,0 +1,35 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "standing_derivative.h"
+
+#include <vfife/mesh/body_mesh.h>
+
+namespace vfife
+{
+  std::vector<double> apply_standing_derivative(const Discretization      &discretization,
+                                                const std::vector<double> &u)
+  {
+    std::vector<double> result(u.size(), 0.);
+    for (const Discretization::Part &part : discretization.parts())
+      {
+        const Body        &body = discretization.model().bodies[part.body];
+        const unsigned int n    = body.mesh().n_sectors;
+        if (n < 5 || part.n_points % n != 0)
+          continue;
+        const unsigned int per_sector = part.n_points / n;
+        const double       angle      = 2 * pi / n;
+        const auto         seen = [&](const unsigned int k, const unsigned int i, const int away) {
+          const unsigned int sector = (k + n + away) % n;
+          const std::size_t  point = part.first_point + std::size_t(sector) * per_sector + i;
+          return Vector3(rotation_about(body.axis.direction, -away * angle) *
+                         Eigen::Map<const Vector3>(u.data() + 3 * point));
+        };
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int i = 0; i < per_sector; ++i)
+            Eigen::Map<Vector3>(result.data() +
+                                3 * (part.first_point + std::size_t(k) * per_sector + i)) =
+              body.rate / (12 * angle) *
+              (8 * (seen(k, i, 1) - seen(k, i, -1)) - (seen(k, i, 2) - seen(k, i, -2)));
+      }
+    return result;
+  }
+} // namespace vfife

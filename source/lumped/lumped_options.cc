@@ -1,0 +1,271 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameter_file.h>
+#include <vfife/base/parameter_table.h>
+#include <vfife/base/parameters.h>
+#include <vfife/base/quantity.h>
+#include <vfife/lumped/lumped_options.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<SupportMember> members = {{"pinion", SupportMember::pinion},
+                                            {"gear", SupportMember::gear}};
+    const Choices<bool>          motions = {{"translation", false}, {"tilt", true}};
+    const Choices<MeshSource>    sources = {{"series", MeshSource::series},
+                                            {"loaded contact", MeshSource::loaded_contact}};
+    const Choices<LoadLaw>       laws    = {{"power", LoadLaw::power},
+                                            {"tangent", LoadLaw::tangent},
+                                            {"secant", LoadLaw::secant}};
+    const Choices<bool>          drives  = {{"prescribed rotation", false}, {"free", true}};
+
+    std::vector<double> parse_list(const std::string              &entry,
+                                   const std::vector<std::string> &texts,
+                                   const std::string              &unit)
+    {
+      std::vector<double> values;
+      for (const std::string &text : texts)
+        try
+          {
+            values.push_back(parse_quantity(text, unit));
+          }
+        catch (const InputError &error)
+          {
+            throw InputError("Lumped/" + entry, error.what());
+          }
+      return values;
+    }
+
+    void need(const bool given, const std::string &entry)
+    {
+      if (!given)
+        throw InputError("Lumped/" + entry,
+                         entry + " is missing: give it, or a section Gear pair to take it from");
+    }
+  } // namespace
+
+  void SupportOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm, "member", member, members, "Which member moves");
+    declare_choice(prm, "motion", tilts, motions, "A displacement, or a small rotation");
+    declare_vector(prm,
+                   "direction",
+                   direction,
+                   "-",
+                   "Of the displacement, or axis of the rotation, fixed frame; any length");
+    declare_vector(prm, "centre", centre, "mm", "A point on the axis of the tilt, fixed frame");
+    declare_quantity(prm, "mass", mass, "kg", "That is displaced", Range::not_negative());
+    declare_quantity(
+      prm, "inertia", inertia, "kg mm^2", "About the axis of the tilt", Range::not_negative());
+    declare_quantity(
+      prm, "stiffness", stiffness, "N/mm", "Against the displacement", Range::not_negative());
+    declare_quantity(
+      prm, "tilt stiffness", tilt_stiffness, "N m/rad", "Against the tilt", Range::not_negative());
+    declare_number(prm,
+                   "damping ratio",
+                   damping_ratio,
+                   "Of the mass on this spring alone",
+                   Range::not_negative());
+  }
+
+  void SupportOptions::check(const std::string &section) const
+  {
+    if (!(direction.norm() > 0))
+      throw InputError(section + "/direction", "a support needs a direction");
+    if (!((tilts ? inertia : mass) > 0))
+      throw InputError(section + (tilts ? "/inertia" : "/mass"),
+                       tilts ? "a tilt needs an inertia" : "a translation needs a mass");
+    if (!((tilts ? tilt_stiffness : stiffness) > 0))
+      throw InputError(section + (tilts ? "/tilt stiffness" : "/stiffness"),
+                       tilts ? "a tilt needs a tilt stiffness" : "a translation needs a stiffness");
+  }
+
+  void LumpedOptions::declare_mesh(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm,
+                   "mesh",
+                   source,
+                   sources,
+                   "Stiffness and transmission error without load over a tooth mesh: of the series "
+                   "below, or of a loaded tooth contact analysis");
+    declare_text(prm, "table", table, "loaded_contact.csv of that analysis");
+    declare_choice(prm,
+                   "load law",
+                   load_law,
+                   laws,
+                   "From the table: torque over compression as a power that meets the secant and "
+                   "the tangent stiffness, or as one of both lines");
+    declare_quantity(
+      prm, "stiffness", stiffness, "N m/rad", "Mean mesh stiffness", Range::not_negative());
+    declare_names(prm,
+                  "stiffness cosines",
+                  stiffness_cosines,
+                  "Of mesh orders 1, 2..., over the mean stiffness [-]");
+    declare_names(prm, "stiffness sines", stiffness_sines, "The same with sines [-]");
+    declare_names(prm,
+                  "error cosines",
+                  error_cosines,
+                  "Transmission error without load, mesh orders 1, 2... [arcsec]");
+    declare_names(prm, "error sines", error_sines, "The same with sines [arcsec]");
+    declare_quantity(prm,
+                     "backlash",
+                     backlash,
+                     "mm",
+                     "Normal to the flanks at the mean point; negative: that of the gear pair");
+    declare_number(prm,
+                   "damping ratio",
+                   damping_ratio,
+                   "Damper of the mesh over the critical one of both members' swing",
+                   Range::not_negative());
+    declare_switch(prm,
+                   "damping without contact",
+                   damping_without_contact,
+                   "Whether that damper acts where flanks are apart");
+    declare_quantity(prm,
+                     "speed damping",
+                     speed_damping,
+                     "1/s",
+                     "Torque on the gear per inertia and per difference from its kinematic speed, "
+                     "as Dynamics/mesh damping",
+                     Range::not_negative());
+  }
+
+  void LumpedOptions::declare_pair(dealii::ParameterHandler &prm)
+  {
+    const std::string from = "; 0: of the gear pair";
+    declare_choice(prm,
+                   "pinion",
+                   driver_is_free,
+                   drives,
+                   "Turns at constant speed, or freely under its share of the torque");
+    declare_integer(prm, "pinion teeth", driver_teeth, "Number" + from);
+    declare_integer(prm, "gear teeth", driven_teeth, "Number" + from);
+    declare_quantity(prm,
+                     "pinion inertia",
+                     driver_inertia,
+                     "kg mm^2",
+                     "About its axis" + from,
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "gear inertia",
+                     driven_inertia,
+                     "kg mm^2",
+                     "About its axis" + from,
+                     Range::not_negative());
+    declare_quantity(
+      prm, "arm", arm, "mm", "Of the normal about the gear's axis" + from, Range::not_negative());
+    declare_vector(prm,
+                   "contact normal",
+                   contact_normal,
+                   "-",
+                   "Out of the gear into the pinion, fixed frame; for supports" + from);
+    declare_vector(prm, "contact point", contact_point, "mm", "Fixed frame; with a contact normal");
+    declare_names(prm, "supports", support_names, "A subsection \"Support NAME\" for each");
+  }
+
+  void LumpedOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    {
+      dealii::ParameterHandler first;
+      {
+        Subsection section(first, "Lumped");
+        declare_pair(first);
+      }
+      file.read_known(first);
+    }
+    supports.assign(support_names.size(), SupportOptions());
+    Subsection section(prm, "Lumped");
+    declare_mesh(prm);
+    declare_pair(prm);
+    for (std::size_t i = 0; i < supports.size(); ++i)
+      {
+        supports[i].name = support_names[i];
+        Subsection support(prm, "Support " + support_names[i]);
+        supports[i].declare(prm);
+      }
+  }
+
+  void LumpedOptions::check() const
+  {
+    if (source == MeshSource::loaded_contact && table.empty())
+      throw InputError("Lumped/table",
+                       "mesh = loaded contact needs the loaded_contact.csv of a loaded tooth "
+                       "contact analysis");
+    if (source == MeshSource::series && !(stiffness > 0))
+      throw InputError("Lumped/stiffness", "mesh = series needs a mean stiffness");
+    for (const SupportOptions &support : supports)
+      support.check("Lumped/Support " + support.name);
+  }
+
+  LumpedPair LumpedOptions::make_pair(const double torque) const
+  {
+    need(driver_teeth > 0, "pinion teeth");
+    need(driven_teeth > 0, "gear teeth");
+    need(driven_inertia > 0, "gear inertia");
+    need(!driver_is_free || driver_inertia > 0, "pinion inertia");
+    need(arm > 0, "arm");
+    need(backlash >= 0, "backlash");
+    need(supports.empty() || contact_normal.norm() > 0, "contact normal");
+    LumpedPair pair;
+    pair.driver_teeth            = driver_teeth;
+    pair.driven_teeth            = driven_teeth;
+    pair.driver_is_free          = driver_is_free;
+    pair.driver_inertia          = driver_inertia;
+    pair.driven_inertia          = driven_inertia;
+    pair.arm                     = arm;
+    pair.torque                  = torque;
+    pair.damping_ratio           = damping_ratio;
+    pair.damping_without_contact = damping_without_contact;
+    pair.speed_damping           = speed_damping;
+    if (source == MeshSource::loaded_contact)
+      try
+        {
+          pair.law = MeshLaw::from_table(read_parameter_table(table), table, load_law);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Lumped/table", error.what());
+        }
+    else
+      {
+        std::vector<double> cosines = parse_list("stiffness cosines", stiffness_cosines, "-");
+        std::vector<double> sines   = parse_list("stiffness sines", stiffness_sines, "-");
+        double              sum     = 0;
+        for (std::vector<double> *list : {&cosines, &sines})
+          for (double &value : *list)
+            {
+              sum += std::abs(value);
+              value *= stiffness;
+            }
+        if (!(sum < 1))
+          throw InputError("Lumped/stiffness cosines",
+                           "amplitudes of the stiffness must be less than 1 together, or it could "
+                           "be negative");
+        pair.law.stiffness = FourierSeries(stiffness, cosines, sines);
+        pair.law.unloaded_error =
+          FourierSeries(0.,
+                        parse_list("error cosines", error_cosines, "arcsec"),
+                        parse_list("error sines", error_sines, "arcsec"));
+        pair.law.reference_torque = torque;
+      }
+    pair.law.backlash = backlash / arm;
+    for (const SupportOptions &support : supports)
+      {
+        const Vector3 d      = support.direction.normalized();
+        const Vector3 motion = support.tilts ? d.cross(contact_point - support.centre) : d;
+        const double  sign   = support.member == SupportMember::gear ? 1. : -1.;
+        LumpedSupport s;
+        s.name          = support.name;
+        s.tilts         = support.tilts;
+        s.lever         = sign * contact_normal.normalized().dot(motion) / arm;
+        s.inertia       = support.tilts ? support.inertia : support.mass;
+        s.stiffness     = support.tilts ? support.tilt_stiffness : support.stiffness;
+        s.damping_ratio = support.damping_ratio;
+        pair.supports.push_back(s);
+      }
+    return pair;
+  }
+} // namespace vfife

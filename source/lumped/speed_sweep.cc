@@ -1,0 +1,111 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters.h>
+#include <vfife/lumped/speed_sweep.h>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<SweepKind> sweep_kinds = {{"none", SweepKind::none},
+                                            {"up", SweepKind::up},
+                                            {"up and down", SweepKind::up_and_down}};
+  } // namespace
+
+  void SpeedSweepOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm,
+                   "sweep",
+                   kind,
+                   sweep_kinds,
+                   "Whether and in which order the response over speed is computed");
+    declare_quantity(prm,
+                     "lowest speed",
+                     lowest_speed,
+                     "rpm",
+                     "Of the pinion in the sweep",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "highest speed",
+                     highest_speed,
+                     "rpm",
+                     "Of the pinion in the sweep",
+                     Range::not_negative());
+    declare_integer(prm, "speeds", n_speeds, "Number of speeds of the sweep, equally spaced", 2);
+  }
+
+  void SpeedSweepOptions::check(const std::string &section) const
+  {
+    if (kind != SweepKind::none && !(lowest_speed > 0 && highest_speed > lowest_speed))
+      throw InputError(section + "/lowest speed", "a sweep needs 0 < lowest speed < highest speed");
+  }
+
+  Table make_resonance_response_table()
+  {
+    Table table;
+    table.add_text_column("direction");
+    table.add_column("speed", "rpm");
+    table.add_column("mesh frequency", "Hz");
+    table.add_column("mean dte", "arcsec");
+    table.add_column("rms dte", "arcsec");
+    table.add_column("peak to peak dte", "arcsec");
+    table.add_column("mean force", "N");
+    table.add_column("rms force", "N");
+    table.add_column("peak to peak force", "N");
+    table.add_column("largest force", "N");
+    table.add_column("losses of contact", "-");
+    table.add_column("time apart", "-");
+    table.add_column("time on coast flanks", "-");
+    table.add_column("energy error", "-");
+    return table;
+  }
+
+  void add_response(const LumpedModel    &model,
+                    const std::string    &direction,
+                    const double          speed,
+                    const LumpedResponse &response,
+                    Table                &table)
+  {
+    table.add_row({direction,
+                   speed * 30 / pi,
+                   speed * model.pair().driver_teeth / (2 * pi),
+                   response.mean_error / arcsecond,
+                   response.rms_error / arcsecond,
+                   response.pp_error / arcsecond,
+                   response.mean_force,
+                   response.rms_force,
+                   response.pp_force,
+                   response.largest_force,
+                   response.losses,
+                   response.time_apart,
+                   response.time_coast,
+                   response.energy_error});
+  }
+
+  void sweep_speeds(const LumpedModel       &model,
+                    const LumpedRunOptions  &run,
+                    const SpeedSweepOptions &options,
+                    Table                   &table)
+  {
+    if (options.kind == SweepKind::none)
+      return;
+    LumpedSolver solver(model, run);
+    const auto   pass = [&](const std::string &direction) {
+      for (unsigned int i = 0; i < options.n_speeds; ++i)
+        {
+          const unsigned int place = direction == "up" ? i : options.n_speeds - 1 - i;
+          const double       speed =
+            options.lowest_speed +
+            place * (options.highest_speed - options.lowest_speed) / (options.n_speeds - 1);
+          add_response(model,
+                       direction,
+                       speed,
+                       solver.run(speed * model.pair().driver_teeth / (2 * pi)),
+                       table);
+        }
+    };
+    pass("up");
+    if (options.kind == SweepKind::up_and_down)
+      pass("down");
+  }
+} // namespace vfife

@@ -1,0 +1,41 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The numbers of a plot as a table: every curve and every set of vertical lines."""
+import csv
+
+import numpy as np
+from matplotlib.collections import LineCollection
+
+
+def list_curves(figure):
+    """Panel, name and points (n, 2) of each curve."""
+    for number, axes in enumerate(figure.axes):
+        panel = axes.get_title(loc="left") or axes.get_ylabel() or f"panel {number + 1}"
+        panel += f" | {axes.get_xlabel()} | {axes.get_ylabel()}"
+        unnamed = 0
+        for curve in list(axes.lines) + [c for c in axes.collections if type(c) is LineCollection]:
+            if isinstance(curve, LineCollection):  # vertical lines: their upper ends
+                points = np.array([segment[-1] for segment in curve.get_segments()]).reshape(-1, 2)
+            else:
+                points = np.asarray(curve.get_xydata(), dtype=float)
+            name = str(curve.get_label())
+            if name.startswith("_"):
+                unnamed += 1
+                name = f"curve {unnamed}"
+            yield panel, name, points
+
+
+def write_figure_data(figure, path):
+    """A line a point: panel (title, x axis, y axis), curve, x, y. Nothing is written for maps, whose
+    data are not curves."""
+    shaded = any(type(c) is not LineCollection for axes in figure.axes for c in axes.collections)
+    curves = [] if shaded else list(list_curves(figure))
+    if not curves:
+        return
+    temporary = path.with_name("." + path.name)
+    with open(temporary, "w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["panel", "curve", "x", "y"])
+        for panel, name, points in curves:
+            writer.writerows([panel, name, f"{x:.9g}", f"{y:.9g}"] for x, y in points
+                             if np.isfinite(y))
+    temporary.replace(path)

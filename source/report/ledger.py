@@ -1,0 +1,49 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The comparison ledger: rows of comparison.json (doc/report.md) and their table."""
+import json
+
+VERDICTS = ("agrees", "differs", "not judged")
+HEADER = ["quantity", "value", "reference", "unit", "difference", "%", "tolerance", "verdict",
+          "compared with", "why"]
+
+
+def read_ledger(path):
+    """Rows of a comparison.json; ValueError names the row that contradicts itself."""
+    content = json.loads(path.read_text(encoding="utf-8"))
+    rows = content["rows"]
+    for row in rows:
+        check_row(path, row)
+    return content.get("title", ""), rows
+
+
+def check_row(path, row):
+    where = f'{path}, "{row.get("quantity", "?")}"'
+    for name in ("quantity", "unit", "value", "reference", "reference kind", "difference",
+                 "tolerance", "verdict", "reason"):
+        if name not in row:
+            raise ValueError(f'{where}: "{name}" is missing')
+    if row["verdict"] not in VERDICTS:
+        raise ValueError(f'{where}: verdict "{row["verdict"]}" is none of {", ".join(VERDICTS)}')
+    value, reference = row["value"], row["reference"]
+    if value is None or reference is None or row["difference"] is None:
+        if row["verdict"] != "not judged":
+            raise ValueError(f"{where}: a verdict without numbers")
+        return
+    scale = max(abs(value), abs(reference))
+    if abs(row["difference"] - (value - reference)) > 1e-6 * scale:
+        raise ValueError(f"{where}: the difference is not value minus reference")
+    if row["verdict"] == "not judged":
+        return
+    if row["tolerance"] is None:
+        raise ValueError(f"{where}: a verdict without tolerance")
+    if (abs(row["difference"]) <= row["tolerance"]) != (row["verdict"] == "agrees"):
+        raise ValueError(f"{where}: verdict and tolerance contradict each other")
+
+
+def list_ledger_rows(rows):
+    """Cells of the table with HEADER."""
+    for row in rows:
+        reference, difference = row["reference"], row["difference"]
+        per_cent = 100 * difference / abs(reference) if reference and difference is not None else None
+        yield [row["quantity"], row["value"], reference, row["unit"], difference, per_cent,
+               row["tolerance"], row["verdict"], row["reference kind"], row["reason"]]

@@ -1,0 +1,64 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/nearest_name.h>
+#include <vfife/output/checkpoint.h>
+#include <vfife/study/continuation.h>
+
+#include <algorithm>
+#include <map>
+
+namespace vfife
+{
+  namespace
+  {
+    /** What may change when a run goes on: nothing that its past depends on. */
+    const std::vector<std::string> changeable = {"Study/output folder",
+                                                 "Operation/tooth meshes",
+                                                 "Dynamics/end time",
+                                                 "Dynamics/largest number of steps",
+                                                 "Dynamics/energy limit",
+                                                 "Output/fields every",
+                                                 "Output/checkpoint every",
+                                                 "Output/pictures",
+                                                 "Output/verbosity"};
+  } // namespace
+
+  void refuse_changes(const EntryValues &before, const EntryValues &now, const bool goes_on)
+  {
+    const std::map<std::string, std::string> old(before.begin(), before.end());
+    const std::map<std::string, std::string> fresh(now.begin(), now.end());
+    const auto text = [](const auto &values, const std::string &entry) {
+      const auto found = values.find(entry);
+      return found == values.end() ? "not there" : "\"" + found->second + "\"";
+    };
+
+    std::map<std::string, std::string> all = old;
+    all.insert(fresh.begin(), fresh.end());
+    std::vector<InputError> errors;
+    for (const auto &entry : all)
+      {
+        const std::string &name = entry.first;
+        const bool         may_change =
+          goes_on && std::find(changeable.begin(), changeable.end(), name) != changeable.end();
+        if (!may_change && text(old, name) != text(fresh, name))
+          errors.emplace_back(
+            name,
+            "is " + text(fresh, name) + ", but the run was begun with " + text(old, name) +
+              (goes_on ? "; a run that goes on may change only " + list_of(changeable, true) : ""));
+      }
+    if (errors.size() == 1)
+      throw InputError(errors.front());
+    if (!errors.empty())
+      throw InputErrors(errors);
+  }
+
+  Checkpoint find_checkpoint(const std::string  &folder,
+                             const EntryValues  &now,
+                             const Communicator &communicator,
+                             Log                &log)
+  {
+    Checkpoint checkpoint = read_checkpoint(folder, communicator, log);
+    refuse_changes(checkpoint.parameters, now, true);
+    return checkpoint;
+  }
+} // namespace vfife

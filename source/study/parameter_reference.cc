@@ -1,0 +1,208 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameter_file.h>
+#include <vfife/study/parameter_reference.h>
+#include <vfife/study/study_kinds.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    struct Entry
+    {
+      std::string              name, standard, meaning;
+      std::vector<std::string> words; ///< of the choice of its section with which it exists
+
+      bool operator==(const Entry &other) const
+      {
+        return name == other.name && meaning == other.meaning;
+      }
+    };
+
+    /** Sections of the same path and entries appear once, with all that read them. */
+    struct Section
+    {
+      std::string              path;
+      std::vector<Entry>       entries;
+      std::vector<std::string> kinds;
+    };
+
+    std::vector<Entry> entries_of(const Json &section)
+    {
+      std::vector<Entry> entries;
+      for (const auto &[name, value] : section.items())
+        if (value.contains("default_value"))
+          entries.push_back({name,
+                             value.at("default_value").get<std::string>(),
+                             value.at("documentation").get<std::string>(),
+                             {}});
+      return entries;
+    }
+
+    std::string escape_bars(std::string text)
+    {
+      for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2))
+        text.insert(i, "\\");
+      return text;
+    }
+
+    void add(const Section &section, std::vector<Section> &sections)
+    {
+      const auto same = std::find_if(sections.begin(), sections.end(), [&](const Section &known) {
+        return known.path == section.path && known.entries == section.entries;
+      });
+      if (same == sections.end())
+        sections.push_back(section);
+      else if (same->kinds.back() != section.kinds.front())
+        same->kinds.push_back(section.kinds.front());
+    }
+
+    void collect(const Json           &node,
+                 const std::string    &path,
+                 const std::string    &kind,
+                 std::vector<Section> &sections)
+    {
+      const Section section{path, entries_of(node), {kind}};
+      if (!section.entries.empty())
+        add(section, sections);
+      for (const auto &[name, value] : node.items())
+        if (!value.contains("default_value"))
+          collect(value, path + (path.empty() ? "" : "/") + name, kind, sections);
+    }
+
+    /** All that a study declares when these statements stand in its file. */
+    Json declare(const std::vector<std::string> &statements)
+    {
+      const ParameterFile      file("/dev/null", statements);
+      dealii::ParameterHandler first, prm;
+      StudyOptions             options;
+      options.declare(first);
+      file.read_known(first);
+      const auto study = options.kind(file);
+      options.declare(prm);
+      study->declare(prm, file);
+      std::ostringstream text;
+      prm.print_parameters(text,
+                           dealii::ParameterHandler::JSON |
+                             dealii::ParameterHandler::KeepDeclarationOrder);
+      return Json::parse(text.str());
+    }
+
+    /** The words of an entry that is a choice: those in quotes in what is allowed. */
+    std::vector<std::string> words_of(const Json &entry)
+    {
+      std::istringstream       text(entry.at("pattern_description").get<std::string>());
+      std::vector<std::string> words;
+      for (std::string before, word;
+           std::getline(text, before, '"') && std::getline(text, word, '"');)
+        words.push_back(word);
+      return words;
+    }
+
+    /** Parts of a model and the entries that decide what else they declare. */
+    struct Part
+    {
+      const char *list, *section, *choice;
+    };
+    const Part parts[] = {{"bodies", "Body", "mesh"},
+                          {"constraints", "Constraint", "kind"},
+                          {"loads", "Load", "kind"},
+                          {"contacts", "Contact", nullptr},
+                          {"probes", "Probe", nullptr}};
+
+    const char model_kinds[] = "run and static of a model";
+
+    /** A part whose choice decides what else it declares: the entries of all words. */
+    Section collect_part(const Part &part, const Json &declared)
+    {
+      const std::string path = std::string("Model/") + part.section + " NAME";
+      const auto        words =
+        words_of(declared.at("Model").at(std::string(part.section) + " NAME").at(part.choice));
+      Section section{path, {}, {model_kinds}};
+      for (const std::string &word : words)
+        {
+          const Json of_word = declare({"Study/kind=run",
+                                        std::string("Model/") + part.list + "=NAME",
+                                        path + "/" + part.choice + "=" + word});
+          for (const Entry &entry :
+               entries_of(of_word.at("Model").at(std::string(part.section) + " NAME")))
+            {
+              auto known = std::find(section.entries.begin(), section.entries.end(), entry);
+              if (known == section.entries.end())
+                known = section.entries.insert(known, entry);
+              known->words.push_back(word);
+            }
+        }
+      for (Entry &entry : section.entries)
+        if (entry.words.size() == words.size())
+          entry.words.clear();
+        else
+          entry.words.front() = std::string(part.choice) + " " + entry.words.front();
+      return section;
+    }
+
+    void collect_model(std::vector<Section> &sections)
+    {
+      std::vector<std::string> all = {"Study/kind=run"};
+      for (const Part &part : parts)
+        all.push_back(std::string("Model/") + part.list + "=NAME");
+      Json declared = declare(all);
+      for (const Part &part : parts)
+        if (part.choice != nullptr)
+          {
+            sections.push_back(collect_part(part, declared));
+            declared.at("Model").erase(std::string(part.section) + " NAME");
+          }
+      collect(declared, "", model_kinds, sections);
+    }
+
+    void write_list(std::ostream                   &out,
+                    const std::string              &before,
+                    const std::vector<std::string> &list,
+                    const std::string              &after)
+    {
+      for (std::size_t i = 0; i < list.size(); ++i)
+        out << (i == 0 ? before : ", ") << list[i];
+      if (!list.empty())
+        out << after;
+    }
+  } // namespace
+
+  void write_parameter_reference(std::ostream &out)
+  {
+    std::vector<Section> sections;
+    for (const auto &kind : study_kinds())
+      collect(declare({"Study/kind=" + kind.first, "Gear pair/Mounting/backlash=0"}),
+              "",
+              kind.first,
+              sections);
+    collect_model(sections);
+    std::stable_sort(sections.begin(), sections.end(), [](const Section &a, const Section &b) {
+      return a.path < b.path;
+    });
+    out << "# Parameters\n\nAll sections of parameter files, by `vfife --parameter-reference`. How "
+           "files are written: [parameters.md](parameters.md).\n";
+    for (const Section &section : sections)
+      {
+        out << "\n## " << section.path << "\n\n";
+        write_list(out, "Read by ", section.kinds, ".\n\n");
+        out << "| entry | default | meaning |\n|---|---|---|\n";
+        for (const Entry &entry : section.entries)
+          {
+            out << "| " << entry.name << " | " << escape_bars(entry.standard) << " | "
+                << escape_bars(entry.meaning);
+            write_list(out, " - with ", entry.words, "");
+            out << " |\n";
+          }
+      }
+  }
+} // namespace vfife

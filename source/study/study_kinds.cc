@@ -1,0 +1,61 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameter_file.h>
+#include <vfife/study/benchmark_study.h>
+#include <vfife/study/dynamic_run.h>
+#include <vfife/study/loaded_contact_study.h>
+#include <vfife/study/lumped_study.h>
+#include <vfife/study/mesh_study.h>
+#include <vfife/study/modal_study.h>
+#include <vfife/study/model_run.h>
+#include <vfife/study/study_kinds.h>
+#include <vfife/study/sweep_study.h>
+#include <vfife/study/tooth_contact_study.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace vfife
+{
+  namespace
+  {
+    template <typename Kind>
+    std::unique_ptr<StudyKind> make(const ParameterFile &)
+    {
+      return std::make_unique<Kind>();
+    }
+
+    /** A file with a section Model and no Gear pair is a general model. */
+    std::unique_ptr<StudyKind> make_run(const ParameterFile &file)
+    {
+      if (file.contains("Model") && !file.contains("Gear pair"))
+        return std::make_unique<ModelRun>();
+      return std::make_unique<DynamicRun>();
+    }
+
+  } // namespace
+
+  const Choices<MakeStudy> &study_kinds()
+  {
+    static const Choices<MakeStudy> kinds = {
+      {"run", &make_run},
+      {"static", &make<StaticRun>},
+      {"tooth contact analysis", &make<ToothContactStudy>},
+      {"mesh", &make<MeshStudy>},
+      {"modal", &make<ModalStudy>},
+      {"loaded tooth contact analysis", &make<LoadedContactStudy>},
+      {"lumped", &make<LumpedStudy>},
+      {"benchmark", &make<BenchmarkStudy>},
+      {"sweep", &make<SweepStudy>},
+    };
+    return kinds;
+  }
+
+  void StudyOptions::declare(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Study");
+    declare_choice(prm, "kind", kind, study_kinds(), "What is done");
+    declare_text(prm,
+                 "output folder",
+                 output_folder,
+                 "Folder of the results, made where it is missing");
+  }
+} // namespace vfife

@@ -1,0 +1,193 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/command_line.h>
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/log.h>
+#include <vfife/base/parameter_file.h>
+#include <vfife/base/parameters.h>
+#include <vfife/study/study.h>
+#include <vfife/study/sweep_study.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    std::string trim(const std::string &text)
+    {
+      const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+      return first == std::string::npos ? "" : text.substr(first, last + 1 - first);
+    }
+  } // namespace
+
+  std::string SweepStudy::folder_of_run(const std::size_t i)
+  {
+    std::ostringstream name;
+    name << "run_" << std::setw(2) << std::setfill('0') << i + 1;
+    return name.str();
+  }
+
+  unsigned int SweepStudy::count_groups(const Communicator &communicator) const
+  {
+    const unsigned int all = communicator.size();
+    return all / (ranks_per_run_ == 0 ? all : std::min(ranks_per_run_, all));
+  }
+
+  std::size_t
+  SweepStudy::go_on(const std::string &, const EntryValues &, const Communicator &, Log &)
+  {
+    restart_ = true; // each run is looked at by itself
+    return std::numeric_limits<std::size_t>::max();
+  }
+
+  std::vector<std::string> SweepStudy::Parameter::list_values() const
+  {
+    // Vectors have commas of their own.
+    const char               separator = values.find(';') == std::string::npos ? ',' : ';';
+    std::vector<std::string> list;
+    std::istringstream       text(values);
+    for (std::string value; std::getline(text, value, separator);)
+      list.push_back(trim(value));
+    return list;
+  }
+
+  void SweepStudy::declare_own(dealii::ParameterHandler &prm)
+  {
+    static const Choices<Combination> combinations = {{"product", Combination::product},
+                                                      {"list", Combination::list}};
+    declare_text(prm, "base", base_, "Parameter file of the case, relative to this file");
+    declare_names(prm, "parameters", names_, "What is varied: a section Parameter NAME each");
+    declare_choice(
+      prm,
+      "combination",
+      combination_,
+      combinations,
+      "Runs for all combinations of values (the last parameter changes fastest), or for "
+      "the first values of all parameters, the second ones and so on");
+    declare_integer(prm,
+                    "ranks per run",
+                    ranks_per_run_,
+                    "Ranks that do a run together, while others do other runs; 0: all");
+  }
+
+  void SweepStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    folder_of_file_ = fs::path(file.path()).parent_path().string();
+    {
+      dealii::ParameterHandler first;
+      {
+        Subsection section(first, "Sweep");
+        declare_own(first);
+      }
+      file.read_known(first);
+    }
+    parameters_.resize(names_.size());
+    Subsection section(prm, "Sweep");
+    declare_own(prm);
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      {
+        parameters_[i].name = names_[i];
+        Subsection parameter(prm, "Parameter " + names_[i]);
+        declare_text(prm,
+                     "entry",
+                     parameters_[i].entry,
+                     "The entry with its sections, as Gear pair/Gear/Body/web thickness");
+        declare_text(prm,
+                     "values",
+                     parameters_[i].values,
+                     "Values separated by commas; by semicolons where a value has commas");
+      }
+  }
+
+  std::vector<SweepStudy::Values> SweepStudy::list_runs() const
+  {
+    std::vector<Values> runs(1);
+    if (combination_ == Combination::list)
+      runs.resize(parameters_.front().list_values().size());
+    for (const Parameter &parameter : parameters_)
+      {
+        const std::vector<std::string> values = parameter.list_values();
+        if (combination_ == Combination::list)
+          {
+            for (std::size_t i = 0; i < runs.size(); ++i)
+              runs[i].push_back(values[i]);
+            continue;
+          }
+        std::vector<Values> more;
+        for (const Values &run : runs)
+          for (const std::string &value : values)
+            {
+              more.push_back(run);
+              more.back().push_back(value);
+            }
+        runs = std::move(more);
+      }
+    return runs;
+  }
+
+  CommandLine SweepStudy::command_line(const Values &values) const
+  {
+    CommandLine line;
+    line.parameter_file = (fs::path(folder_of_file_) / base_).string();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      line.overrides.push_back(parameters_[i].entry + "=" + values[i]);
+    return line;
+  }
+
+  std::string SweepStudy::describe(const Values &values) const
+  {
+    std::string text;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      text += (i > 0 ? ", " : "") + parameters_[i].name + " = " + values[i];
+    return text;
+  }
+
+  void SweepStudy::check() const
+  {
+    if (base_.empty())
+      throw InputError("Sweep/base", "the parameter file of the case is missing");
+    if (parameters_.empty())
+      throw InputError("Sweep/parameters", "there is nothing to vary");
+    for (const Parameter &parameter : parameters_)
+      {
+        const std::string section = "Sweep/Parameter " + parameter.name;
+        const auto        values  = parameter.list_values();
+        if (parameter.entry.empty())
+          throw InputError(section + "/entry", "the entry to vary is missing");
+        if (values.empty() || std::count(values.begin(), values.end(), "") > 0)
+          throw InputError(section + "/values", "a value is missing");
+        const std::size_t n = parameters_.front().list_values().size();
+        if (combination_ == Combination::list && values.size() != n)
+          throw InputError(section + "/values",
+                           std::to_string(values.size()) + " values, but \"" +
+                             parameters_.front().name + "\" has " + std::to_string(n) +
+                             ": with combination = list there must be as many");
+      }
+    for (const Values &values : list_runs())
+      try
+        {
+          read_case(command_line(values));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("run with " + describe(values) + ": " + error.what());
+        }
+  }
+
+  void SweepStudy::inspect(Communicator &communicator, Log &log)
+  {
+    const auto runs = list_runs();
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      log.line(folder_of_run(i), ": ", describe(runs[i]));
+    log.line(runs.size(), " runs, ", count_groups(communicator), " at a time");
+  }
+} // namespace vfife

@@ -1,0 +1,216 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of SweepStudy that does the runs.
+#include <vfife/base/command_line.h>
+#include <vfife/base/communicator.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/log.h>
+#include <vfife/base/table.h>
+#include <vfife/output/output_folder.h>
+#include <vfife/output/run_figures.h>
+#include <vfife/study/continuation.h>
+#include <vfife/study/study.h>
+#include <vfife/study/sweep_study.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <ostream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Some of the ranks. */
+    class Split
+    {
+    public:
+      Split(const Communicator &all, const unsigned int index)
+      {
+        MPI_Comm_split(all.mpi(), static_cast<int>(index), static_cast<int>(all.rank()), &comm_);
+      }
+      ~Split()
+      {
+        MPI_Comm_free(&comm_);
+      }
+      Split(const Split &)            = delete;
+      Split &operator=(const Split &) = delete;
+
+      MPI_Comm mpi() const
+      {
+        return comm_;
+      }
+
+    private:
+      MPI_Comm comm_ = MPI_COMM_NULL;
+    };
+  } // namespace
+
+  bool SweepStudy::is_finished(const CommandLine &line, const Communicator &communicator) const
+  {
+    // One rank looks: files may appear on the others later.
+    bool finished = false;
+    if (communicator.is_root() && read_run_figures(line.output_folder).status == "finished")
+      try
+        {
+          CommandLine before;
+          before.parameter_file = line.output_folder + "/parameters.prm";
+          refuse_changes(read_case(before), read_case(line), false);
+          finished = true;
+        }
+      catch (const InputError &)
+        {
+          finished = false;
+        }
+    return communicator.any(finished);
+  }
+
+  SweepStudy::Report SweepStudy::do_run(CommandLine line, Communicator &group) const
+  {
+    std::ostream nowhere(nullptr); // the run has a log of its own
+    Log          log(nowhere, group.is_root(), Verbosity::quiet);
+    if (restart_)
+      {
+        if (is_finished(line, group))
+          return {Outcome::finished, "was finished before"};
+        line.restart = group.any(group.is_root() &&
+                                 std::filesystem::exists(line.output_folder + "/checkpoint.bin"));
+      }
+    try
+      {
+        run_study(line, group, log);
+      }
+    catch (const Interrupted &interruption)
+      {
+        return {Outcome::interrupted, interruption.what()};
+      }
+    catch (const InputError &error)
+      {
+        return {Outcome::failed, error.what()};
+      }
+    catch (const NumericalError &error)
+      {
+        return {Outcome::failed, error.what()};
+      }
+    return {Outcome::finished, line.restart ? "went on from a checkpoint" : ""};
+  }
+
+  std::string SweepStudy::word_for(const Outcome outcome)
+  {
+    switch (outcome)
+      {
+      case Outcome::waits:
+        return "waits";
+      case Outcome::finished:
+        return "finished";
+      case Outcome::failed:
+        return "failed";
+      case Outcome::interrupted:
+        return "interrupted";
+      }
+    return "";
+  }
+
+  void SweepStudy::write_results(const OutputFolder        &folder,
+                                 const std::vector<Values> &runs,
+                                 const std::vector<Report> &reports) const
+  {
+    if (!folder.is_writer())
+      return;
+    std::vector<RunFigures> all;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      all.push_back(read_run_figures(folder.file(folder_of_run(i))));
+    // Figures that no run has are left out.
+    std::vector<std::size_t> known;
+    for (std::size_t f = 0; f < all.front().figures.size(); ++f)
+      if (std::any_of(all.begin(), all.end(), [f](const RunFigures &run) {
+            return std::isfinite(run.figures[f].second.value);
+          }))
+        known.push_back(f);
+
+    Table table;
+    table.add_text_column("run");
+    for (const Parameter &parameter : parameters_)
+      table.add_text_column(parameter.name);
+    table.add_text_column("status");
+    for (const std::size_t f : known)
+      table.add_column(all.front().figures[f].first, all.front().figures[f].second.unit);
+    Json json = Json::array();
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      {
+        const std::string        word = word_for(reports[i].outcome);
+        std::vector<Table::Cell> row  = {folder_of_run(i)};
+        Json                     one  = {{"run", folder_of_run(i)}};
+        NamedFigures             figures;
+        for (std::size_t p = 0; p < parameters_.size(); ++p)
+          {
+            row.emplace_back(runs[i][p]);
+            one["values"][parameters_[p].entry] = runs[i][p];
+          }
+        row.emplace_back(word);
+        for (const std::size_t f : known)
+          {
+            row.emplace_back(all[i].figures[f].second.value);
+            figures.push_back(all[i].figures[f]);
+          }
+        one["status"]  = word;
+        one["message"] = reports[i].message;
+        one["figures"] = figures_json(figures);
+        table.add_row(row);
+        json.push_back(one);
+      }
+    folder.write_file("sweep.csv", [&table](std::ostream &out) { table.write_csv(out); });
+    write_json(folder, "sweep.json", Json{{"base", base_}, {"runs", json}});
+  }
+
+  void SweepStudy::run(OutputFolder &folder, Log &log)
+  {
+    const Communicator       &all      = folder.communicator();
+    const std::vector<Values> runs     = list_runs();
+    const unsigned int        n_groups = count_groups(all);
+    // Ranks that an uneven division leaves over join the last group.
+    const unsigned int  index = std::min(all.rank() / (all.size() / n_groups), n_groups - 1);
+    const Split         split(all, index);
+    Communicator        group(split.mpi());
+    std::vector<Report> reports(runs.size());
+    bool                stops = false;
+    for (std::size_t first = 0; first < runs.size() && !stops; first += n_groups)
+      {
+        const std::size_t end = std::min(first + n_groups, runs.size());
+        for (std::size_t i = first; i < end; ++i)
+          log.line(folder_of_run(i), " begins: ", describe(runs[i]));
+        Report report;
+        if (first + index < end)
+          {
+            CommandLine line   = command_line(runs[first + index]);
+            line.output_folder = folder.file(folder_of_run(first + index));
+            report             = do_run(line, group);
+          }
+
+        const auto outcomes = all.all_gather(group.is_root() ? report.outcome : Outcome::waits);
+        const auto messages = all.all_gather(report.message);
+        const auto groups   = all.all_gather(index);
+        for (unsigned int rank = 0; rank < all.size(); ++rank)
+          if (outcomes[rank] != Outcome::waits)
+            {
+              const std::size_t i = first + groups[rank];
+              reports[i]          = {outcomes[rank], messages[rank]};
+              stops               = stops || outcomes[rank] == Outcome::interrupted;
+              log.line(folder_of_run(i),
+                       " ",
+                       word_for(outcomes[rank]),
+                       messages[rank].empty() ? "" : ": " + messages[rank]);
+            }
+        write_results(folder, runs, reports);
+      }
+    if (stops)
+      throw Interrupted("the sweep is stopped; to go on: the same command with --restart");
+    const auto n_failed = std::count_if(reports.begin(), reports.end(), [](const Report &report) {
+      return report.outcome == Outcome::failed;
+    });
+    if (n_failed > 0)
+      throw NumericalError(std::to_string(n_failed) + " of " + std::to_string(runs.size()) +
+                           " runs have failed; \"" + folder.file("sweep.json") + "\" says why");
+  }
+} // namespace vfife

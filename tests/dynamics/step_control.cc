@@ -1,0 +1,174 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The step: power iteration against the exact largest frequency of a small assembly, and selective
+// mass scaling.
+#include "../tests.h"
+#include "one_solver.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/dynamics/mass_scaling.h>
+#include <vfife/dynamics/step_bound.h>
+#include <vfife/element/stable_step.h>
+#include <vfife/mesh/body_mesh.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <sstream>
+
+using namespace vfife;
+
+namespace
+{
+  /** A block of 5 x 2 x 2 cells; the layer in its middle is thinner by @p thinness. */
+  Model make_model(const double thinness)
+  {
+    const auto             block = make_block(Vector3(5, 2, 2), {{5, 2, 2}});
+    std::vector<Vector3>   nodes;
+    std::vector<CellNodes> cells;
+    for (const auto &v : block->triangulation.get_vertices())
+      nodes.emplace_back(v[0] > 2.5 ? v[0] - 1 + thinness : v[0], v[1], v[2]);
+    for (const auto &cell : block->triangulation.active_cell_iterators())
+      {
+        CellNodes corners;
+        for (unsigned int i = 0; i < 8; ++i)
+          corners[i] = cell->vertex_index(i);
+        cells.push_back(corners);
+      }
+    auto mesh  = std::make_unique<BodyMesh>();
+    mesh->name = "layered block";
+    create_triangulation(*mesh, nodes, cells);
+    mesh->sector.assign(cells.size(), 0);
+    Model model;
+    model.add_body(Body("block", std::move(mesh), Material()));
+    return model;
+  }
+
+  /** Largest circular frequency of the free body, from its assembled matrices [rad/s]. */
+  double exact_frequency(const Body &body)
+  {
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * body.n_nodes(), 3 * body.n_nodes());
+    for (unsigned int e = 0; e < body.n_elements(); ++e)
+      {
+        const Matrix24 Ke = compute_stiffness(body.element_nodes(e),
+                                              body.material(),
+                                              StiffnessKind::incompatible_modes);
+        for (unsigned int a = 0; a < 8; ++a)
+          for (unsigned int b = 0; b < 8; ++b)
+            K.block<3, 3>(3 * body.elements()[e][a], 3 * body.elements()[e][b]) +=
+              Ke.block<3, 3>(3 * a, 3 * b);
+      }
+    Eigen::VectorXd scale(K.rows());
+    for (unsigned int i = 0; i < body.n_nodes(); ++i)
+      scale.segment<3>(3 * i).setConstant(1 / std::sqrt(body.node_masses()[i]));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * K *
+                                                                  scale.asDiagonal(),
+                                                                Eigen::EigenvaluesOnly);
+    return std::sqrt(solver.eigenvalues().tail<1>()[0]);
+  }
+
+  void power_iteration()
+  {
+    for (const double thinness : {1., 0.3})
+      {
+        const std::string name  = thinness < 1 ? "thin layer: " : "equal cells: ";
+        const Model       model = make_model(thinness);
+        DynamicsOptions   options;
+        options = undamped();
+        OneSolver    element(model, options);
+        const double exact = exact_frequency(model.bodies[0]);
+        auto        &vfife = element.solver.vfife_operator();
+        const auto   found = iterate_largest_frequency(model, vfife, element.communicator);
+        check(name + "element bound is a bound", vfife.limiting_element().frequency >= exact);
+        check(name + "quotient is below the largest eigenvalue",
+              found.quotient <=
+                exact * exact * (1 + 1e-5)); // difference of forces: strains of 1e-6
+        // The deviation is 1 % of the square: 0.5 % either way.
+        check_close(name + "frequency over the exact one", found.frequency / exact, 1., 0.01);
+        check(name + "at most the element's",
+              found.frequency <= vfife.limiting_element().frequency);
+
+        // Right at the limit a run is stable; 10 % beyond it is not.
+        options.step_bound = StepBound::power_iteration;
+        options.safety     = 1;
+        OneSolver run(model, options);
+        check_close(name + "solver's step", run.solver.element_step(), 2 / found.frequency, 0.);
+        Model shaken = make_model(thinness);
+        for (const Vector3 &X : shaken.bodies[0].node_positions())
+          shaken.bodies[0].initial_velocity.push_back(
+            10 * Vector3(std::sin(7 * X[0]), std::sin(5 * X[1] + X[0]), std::cos(3 * X[2])));
+        for (const double factor : {0.98, 1.1})
+          {
+            OneSolver trial(shaken, options);
+            trial.solver.set_step(factor * 2 / exact);
+            trial.solver.start(trial.state);
+            Observers none;
+            bool      failed = false;
+            try
+              {
+                trial.solver.run(trial.state, 3000 * factor * 2 / exact, none);
+              }
+            catch (const NumericalError &)
+              {
+                failed = true;
+              }
+            check(name + (factor < 1 ? "just below the limit: stable" : "beyond it: given up"),
+                  failed == (factor > 1));
+          }
+      }
+  }
+
+  void mass_scaling()
+  {
+    std::ostringstream nothing;
+    Log                log(nothing, true, Verbosity::quiet);
+    Model              model   = make_model(0.3);
+    const double       mass    = model.bodies[0].mass();
+    const auto        &middle  = model.bodies[0].element_nodes(2);
+    const double       density = model.bodies[0].material().density;
+    const double       thin    = compute_largest_frequency(
+      compute_stiffness(middle, model.bodies[0].material(), StiffnessKind::incompatible_modes),
+      compute_lumped_mass(middle, density));
+
+    DynamicsOptions options    = undamped();
+    options.mass_scaling_step  = 1.2 * 2 / thin;
+    options.largest_added_mass = 0.05;
+    scale_masses(options, model, log);
+    // Four cells of 0.3 mm^3 in 16.8 mm^3, their mass times 1.44.
+    check_close("added mass", model.bodies[0].added_mass() / (0.44 * 4 * 0.3 * density), 1., 1e-9);
+    check_close("mass of the body",
+                model.bodies[0].mass() / (mass + model.bodies[0].added_mass()),
+                1.,
+                1e-12);
+    OneSolver run(model, options);
+    check_close("step of the elements",
+                run.solver.element_step(),
+                options.mass_scaling_step,
+                1e-18);
+    check("is a bound of the scaled body",
+          2 / exact_frequency(model.bodies[0]) >= options.mass_scaling_step);
+
+    options.largest_added_mass = 0.01;
+    Model other                = make_model(0.3);
+    try
+      {
+        scale_masses(options, other, log);
+        check("too much mass is refused", false);
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+
+    Model equal = make_model(1.);
+    options.mass_scaling_step /= 10;
+    scale_masses(options, equal, log);
+    check("a step below that of all elements adds nothing", equal.bodies[0].added_mass() == 0);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  power_iteration();
+  mass_scaling();
+}

@@ -1,0 +1,101 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// rim.csv of a turning ring with waves of known amplitudes, about an axis askew.
+#include "../tests.h"
+
+#include <vfife/base/communicator.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/mesh/primitives.h>
+#include <vfife/model/body_frame.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+#include <vfife/output/output_folder.h>
+#include <vfife/output/rim_writer.h>
+
+#include <numeric>
+
+using namespace vfife;
+
+namespace
+{
+  /** The driven gear is a ring of 24 sectors that has turned by 2.5 rad, all of it the rim. */
+  Model make_model()
+  {
+    Model model;
+    Body  ring("gear", make_ring(20, 30, 5, {{2, 24, 2}}), Material());
+    ring.axis.point     = Vector3(1, 2, 3);
+    ring.axis.direction = Vector3(1, 2, 2) / 3.;
+    ring.placement.rotation =
+      Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), ring.axis.direction).toRotationMatrix();
+    ring.placement.translation = ring.axis.point;
+    ring.turns_on_axis         = true;
+    Transmission pair;
+    pair.driven       = model.add_body(std::move(ring));
+    pair.driven_teeth = 24;
+    pair.driven_rim.resize(model.bodies[0].n_nodes());
+    std::iota(pair.driven_rim.begin(), pair.driven_rim.end(), 0u);
+    model.transmission = pair;
+    return model;
+  }
+
+  State make_state(const Model &model)
+  {
+    const Body        &ring = model.bodies[0];
+    const Matrix3      turn = rotation_about(ring.axis.direction, 2.5);
+    const unsigned int n    = ring.n_nodes();
+    State              state;
+    state.partition.owned.assign(n, 1);
+    state.partition.first_local_node = {0, n};
+    RigidMotion now;
+    now.rotation    = turn * ring.placement.rotation;
+    now.translation = ring.axis.point;
+    state.body_motion.push_back(now);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        state.partition.global_node.push_back(i);
+        state.partition.local_node.push_back(i);
+        const Vector3 &X     = ring.node_positions()[i];
+        const double   alpha = std::atan2(X[1], X[0]);
+        // r: 3 um; theta: 2 sin(10 alpha); z: 5 cos(alpha) - 4 sin(3 alpha)
+        const Vector3 u =
+          1e-3 *
+          Vector3(3, 2 * std::sin(10 * alpha), 5 * std::cos(alpha) - 4 * std::sin(3 * alpha));
+        const Vector3 moved = ring.placement.rotation * (X + compute_cylindrical_axes(ring, X) * u);
+        const Vector3 x     = ring.axis.point + turn * moved;
+        state.position.insert(state.position.end(), {x[0], x[1], x[2], 0.});
+      }
+    state.velocity.assign(4 * n, 0.);
+    state.time = 1e-3;
+    state.step = 10;
+    return state;
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession   session(argc, argv);
+  const Model  model = make_model();
+  State        state = make_state(model);
+  OutputFolder folder("rim_waves_results", session.world());
+  RimWriter    rim(folder, model, 10);
+  rim.observe(model, state);
+  state.step = 11;
+  rim.observe(model, state);
+  rim.finish(model, state);
+  const Table &table = rim.table();
+  check("a row at samples only", table.n_rows() == 1);
+  check("time and three components of 21 waves", table.columns().size() == 64);
+  // Round-off of coordinates of 30 mm is 1e-11 um; a ring of 24 sectors has waves of 10 diameters.
+  for (const Table::Column &column : table.columns())
+    {
+      const double known = column.name == "time"           ? 1e-3
+                           : column.name == "r cos 0"      ? 3
+                           : column.name == "theta sin 10" ? 2
+                           : column.name == "z cos 1"      ? 5
+                           : column.name == "z sin 3"      ? -4
+                                                           : 0;
+      if (known != 0)
+        check_close(column.name, column.numbers[0], known, 1e-10);
+      else if (!(std::abs(column.numbers[0]) < 1e-10))
+        check_below(column.name, column.numbers[0], 1e-10);
+    }
+}

@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The numbers of reports against closed forms: periodicity, lines, passages, waves, ledger, words."""
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from made_up_run import make_parameters, write_run  # first: ends the test without numpy
+
+import numpy as np
+
+from ledger import list_ledger_rows, read_ledger
+from lines import find_harmonics, find_lines
+from parameters import read_parameters
+from passages import find_engagement, find_passage
+from periodicity import fold_meshes, measure_periodicity
+from run_folder import RunFolder, Table
+from waves import compute_wave_spectrum, list_wave_lines, read_wave, split_wave
+from words import make_title, name_variants
+
+SAMPLES = 50.0
+MESHES = np.arange(26 * 50 + 1) / SAMPLES
+
+
+class Periodicity(unittest.TestCase):
+    def test_fold(self):
+        folded = fold_meshes(3.0 * np.arange(200), 12.5)
+        self.assertEqual(folded.shape, (15, 12))
+        # Between samples a line is met exactly.
+        self.assertLess(np.abs(np.diff(folded, axis=0) - 37.5).max(), 1e-10)
+
+    def test_periodic(self):
+        found = measure_periodicity(4 + 2 * np.cos(2 * np.pi * MESHES), SAMPLES)
+        self.assertEqual(found.meshes, 26)
+        self.assertAlmostEqual(found.ripple, 4)
+        for number in (found.change, found.largest_change, found.trend, found.remainder):
+            self.assertLess(abs(number), 1e-12)
+        self.assertAlmostEqual(found.periodic_share, 1)
+
+    def test_slow_line(self):
+        """Four periods of 6.5 meshes: the mean mesh knows nothing of them, consecutive meshes differ
+        by 2 A sin(pi/6.5) at most."""
+        values = 2 * np.cos(2 * np.pi * MESHES) + 0.5 * np.cos(2 * np.pi * MESHES / 6.5)
+        found = measure_periodicity(values, SAMPLES)
+        self.assertAlmostEqual(found.ripple, 4)
+        self.assertAlmostEqual(found.remainder, 0.5 / np.sqrt(2))
+        # 25 differences are not whole periods: an allowance of one in 25.
+        change = 2 * 0.5 * np.sin(np.pi / 6.5)
+        self.assertAlmostEqual(found.change / (change / np.sqrt(2)), 1, delta=0.02)
+        self.assertAlmostEqual(found.largest_change / change, 1, delta=0.01)
+        self.assertAlmostEqual(found.periodic_share, 2 / (2 + 0.125))
+
+    def test_trend(self):
+        found = measure_periodicity(0.3 * MESHES + np.sin(2 * np.pi * MESHES), SAMPLES)
+        self.assertAlmostEqual(found.trend, 0.3)
+        self.assertIsNone(measure_periodicity(np.zeros(60), SAMPLES))
+
+    def test_harmonics(self):
+        values = (0.3 * np.sin(2 * np.pi * MESHES / 6.5) + 2.5 * np.cos(2 * np.pi * 3 * MESHES)
+                  + 0.2 * np.sin(2 * np.pi * MESHES))
+        for amplitude, known in zip(find_harmonics(values, SAMPLES, 4), (0.2, 0, 2.5, 0)):
+            self.assertAlmostEqual(amplitude, known)
+
+    def test_lines(self):
+        """Two lines between the harmonics at any place between the bins (346 Hz apart), beside a
+        harmonic a hundred times as large."""
+        for shift in np.linspace(0, 1, 7):
+            low, side = 1385 + 346 * shift, 20400 + 346 * shift
+            time = MESHES / 9000
+            values = (100 * np.cos(2 * np.pi * MESHES) + np.cos(2 * np.pi * low * time)
+                      + 0.5 * np.sin(2 * np.pi * side * time))
+            lines = find_lines(values, SAMPLES, 9000, 0, 6000, 3)
+            self.assertEqual(len(lines), 1)
+            self.assertAlmostEqual(lines[0].frequency, low, delta=0.02 * 346)
+            # The mean mesh takes what lies at multiples of 9 kHz, little of the line.
+            self.assertAlmostEqual(lines[0].amplitude, 1, delta=0.01)
+            above = find_lines(values, SAMPLES, 9000, 9000, 31500, 3)
+            self.assertAlmostEqual(above[0].frequency, side, delta=0.02 * 346)
+            self.assertAlmostEqual(above[0].amplitude, 0.5, delta=0.005)
+        self.assertEqual(find_lines(np.cos(2 * np.pi * MESHES) * 0, SAMPLES, 9000, 0, 9000, 3), [])
+
+
+class Passages(unittest.TestCase):
+    def test_bump(self):
+        """A Gaussian over 20 MPa reaches a tenth at 2.146 standard deviations on either side."""
+        time = np.linspace(0, 4, 2001)
+        found = find_passage(time, 20 + 80 * np.exp(-0.5 * ((time - 3) / 0.1) ** 2))
+        self.assertAlmostEqual(found.peak, 100, places=6)
+        self.assertAlmostEqual(found.peak_time, 3, delta=0.002)
+        self.assertAlmostEqual(found.steady, 20, delta=0.01)
+        self.assertAlmostEqual(found.duration, 0.2 * np.sqrt(2 * np.log(10)), delta=0.004)
+        self.assertTrue(found.whole)
+
+    def test_cut(self):
+        time = np.linspace(0, 3.05, 1000)
+        self.assertFalse(find_passage(time, 20 + 80 * np.exp(-0.5 * ((time - 3) / 0.1) ** 2)).whole)
+        self.assertIsNone(find_passage(time, np.ones(1000)))
+
+    def test_engagement(self):
+        with tempfile.TemporaryDirectory() as name:
+            path = Path(name) / "teeth.csv"
+            rows = [(t, side, tooth) for tooth, side, first, last in (
+                (0, "drive", 0, 5), (26, "drive", 2, 6), (25, "drive", 4, 8), (24, "drive", 7, 9),
+                (1, "coast", 3, 4)) for t in range(first, last + 1)]
+            path.write_text("time [s],side,pinion tooth [-],gear tooth [-],force [N]\n" + "".join(
+                f"{t},{side},{tooth},{27 - tooth},1\n" for t, side, tooth in sorted(rows)))
+            teeth = Table(path)
+            found = find_engagement(teeth, 0, 9)
+            self.assertEqual((found.pinion_tooth, found.whole), (25, True))
+            self.assertEqual(list(teeth["time"][found.rows]), [4, 5, 6, 7, 8])
+            self.assertFalse(find_engagement(teeth, 2, 6).whole)
+
+
+class Waves(unittest.TestCase):
+    def test_pattern_and_wave(self):
+        with tempfile.TemporaryDirectory() as name:
+            write_run(Path(name), fields=False)
+            run = RunFolder(name)
+            rim, rate = run.rim, run.gear_rate()
+            self.assertAlmostEqual(rate, -200 * np.pi)
+            pattern, rest = split_wave(read_wave(rim, "z", 1), rim["time"], 1, rate)
+            self.assertAlmostEqual(abs(pattern), 20, places=6)  # digits of the file
+            self.assertLess(np.abs(rest).max(), 1e-6)
+            rows = rim["time"] < 0.9999e-3  # nine periods of 9 kHz
+            wave = read_wave(rim, "z", 3)[rows]
+            frequency, amplitude = compute_wave_spectrum(wave, 1e-5)
+            top = np.argmax(amplitude)
+            self.assertAlmostEqual(frequency[top], 9000, places=3)
+            self.assertAlmostEqual(amplitude[top], 0.1, places=6)
+            self.assertLess(amplitude[frequency < 0].max(), 1e-6)  # travels in the + sense only
+            # The gear turns in the - sense; the steady part is 7.2 periods.
+            lines = [line for line in list_wave_lines(run) if line[0] == "3"]
+            self.assertEqual(lines[0][1], "against the turning of the gear")
+            self.assertAlmostEqual(lines[0][2], 9000, delta=100)
+            self.assertAlmostEqual(lines[0][3], 0.1, delta=0.002)
+
+
+class Texts(unittest.TestCase):
+    def test_parameters(self):
+        with tempfile.TemporaryDirectory() as name:
+            path = Path(name) / "parameters.prm"
+            path.write_text(make_parameters("5.0"))
+            found = read_parameters(path)
+            self.assertEqual(found["Gear pair/Gear/Body/web thickness"], "5.0 mm")
+            self.assertEqual(found["Gear pair/Gear/Body/web angle"], "70 deg")
+            self.assertEqual(found["Gear pair/Pinion/Blank/number of teeth"], "27")
+            self.assertEqual(found["Operation/speed"], "20000 rpm")
+
+    def test_names(self):
+        with tempfile.TemporaryDirectory() as name:
+            runs = []
+            for thickness in ("5", "3.5 mm"):
+                folder = Path(name) / thickness
+                folder.mkdir()
+                write_run(folder, thickness, fields=False)
+                runs.append(RunFolder(folder))
+            self.assertEqual(make_title(runs[0]),
+                             "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, 20000 rpm, 800 N m")
+            self.assertEqual(name_variants(runs), ["web 5 mm at 70 deg", "web 3.5 mm at 70 deg"])
+            self.assertEqual(name_variants(runs[:1]), ["5"])
+
+    def test_ledger(self):
+        row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0,
+               "reference kind": "FEM", "difference": -4.0, "tolerance": 5.0, "verdict": "agrees",
+               "reason": "finer mesh"}
+        with tempfile.TemporaryDirectory() as name:
+            path = Path(name) / "comparison.json"
+
+            def read(**changes):
+                path.write_text(json.dumps({"title": "t", "rows": [{**row, **changes}]}))
+                return read_ledger(path)[1]
+
+            self.assertEqual(list(list_ledger_rows(read()))[0][4:6], [-4.0, -5.0])
+            read(verdict="not judged", tolerance=None)
+            read(verdict="not judged", value=None, difference=None)
+            for wrong in ({"verdict": "fine"}, {"verdict": "differs"}, {"difference": 4.0},
+                          {"tolerance": None}, {"value": None}, {"tolerance": 3.0}):
+                with self.assertRaisesRegex(ValueError, "mean dte"):
+                    read(**wrong)
+            path.write_text(json.dumps({"rows": [{"quantity": "mean dte"}]}))
+            with self.assertRaisesRegex(ValueError, '"unit" is missing'):
+                read_ledger(path)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Geometry and averages of the plots against closed forms, and all plots and pictures of a small made-up
+run. Ends with 77 (skipped) without numpy or matplotlib."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from made_up_run import CORNERS, make_ring, write_run  # first: ends the test without numpy
+
+import numpy as np
+
+import plot_run
+from canvas import Camera, Canvas
+from fields import Fields
+from hexahedra import Section, find_axis, find_outer_faces
+from histories import compute_mesh_average
+from run_folder import Table
+from spectra import compute_spectrum
+
+
+def make_block(cells):
+    """Unit cubes, (cells, 8, 3)."""
+    places = np.stack(np.meshgrid(*[np.arange(n) for n in cells], indexing="ij"), axis=-1)
+    return places.reshape(-1, 1, 3) + CORNERS
+
+
+def make_fields(points, body=0.0):
+    return Fields([(points, {"body": np.full(points.shape[:2], body)})], 0.0)
+
+
+class Geometry(unittest.TestCase):
+    def test_outer_faces(self):
+        cells, faces = find_outer_faces(make_fields(make_block((3, 2, 4))))
+        self.assertEqual(len(faces), 2 * (6 + 8 + 12))
+        self.assertEqual(np.count_nonzero((faces == 0)), 6)  # below
+
+    def test_section(self):
+        """Area of the regular hexagon in a cube, and a linear field on it."""
+        normal = np.ones(3) / np.sqrt(3)
+        points = CORNERS[None]
+        section = Section(points, np.full(3, 0.5), normal)
+        corners = section.corners[0]
+        area = 0.5 * np.linalg.norm(np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0))
+        self.assertAlmostEqual(area, 0.75 * np.sqrt(3), places=5)  # the plane is moved
+        values = points @ np.array([1.0, -2.0, 3.0])
+        difference = section.interpolate(values)[0] - corners @ np.array([1.0, -2.0, 3.0])
+        self.assertLess(np.abs(difference).max(), 1e-14)  # round-off of numbers near one
+        along_faces = Section(make_block((2, 2, 2)), np.ones(3), np.array([0, 0, 1.0]))
+        self.assertEqual(len(along_faces.cells), 4)
+
+    def test_axis(self):
+        turn = np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))[0]
+        centre = 50 * turn[:, 2]
+        found = find_axis(make_ring(20, 30, 5, 24) @ turn.T + centre)[1]
+        self.assertLess(np.linalg.norm(found - turn[:, 2]), 1e-12)
+
+    def test_canvas(self):
+        """The nearer of two squares hides the farther; half the picture stays empty."""
+        square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
+        for order in (1, -1):
+            camera = Camera(np.array([0.5, 0.5, 0]), np.array([0, 0, 1.0]), np.array([0, 1.0, 0]),
+                            2.0, (40, 20))
+            canvas = Canvas(camera)
+            near, far = square + [0, 0, 1], square
+            quads, values = np.stack([near, far])[::order], np.array([[3.0] * 4, [1.0] * 4])[::order]
+            canvas.draw(quads, values)
+            drawn = np.isfinite(canvas.height)
+            self.assertAlmostEqual(drawn.mean(), 0.5, delta=0.05)  # a pixel at each edge
+            self.assertLess(np.abs(canvas.value[drawn] - 3).max(), 1e-6)  # single precision
+
+
+class Histories(unittest.TestCase):
+    def test_mesh_average(self):
+        """Harmonics of the mesh vanish, a line stays, also with 12.5 samples a mesh."""
+        at = np.arange(200)
+        wave = 7 + 0.1 * at + np.sin(2 * np.pi * at / 10)
+        average = compute_mesh_average(wave, 10.0)
+        inside = np.isfinite(average)
+        self.assertEqual(np.count_nonzero(inside), 190)
+        self.assertLess(np.abs(average - 7 - 0.1 * at)[inside].max(), 1e-11)
+        line = compute_mesh_average(3.0 * at, 12.5)
+        self.assertLess(np.nanmax(np.abs(line - 3 * at)), 1e-10)
+
+    def test_spectrum(self):
+        at = np.arange(512)
+        orders, amplitudes = compute_spectrum(4 + 2.5 * np.cos(2 * np.pi * at * 3 / 50), 50.0)
+        self.assertAlmostEqual(orders[np.argmax(amplitudes)], 3)
+        self.assertAlmostEqual(amplitudes.max(), 2.5, places=10)
+        self.assertLess(np.sort(amplitudes)[-2], 1e-10)
+
+
+class WholeRun(unittest.TestCase):
+    def test_all_pictures(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            write_run(folder)
+            plot_run.main([name])
+            drawn = {path.name for path in (folder / "pictures").iterdir() if path.suffix != ".csv"}
+            self.assertEqual(drawn, {
+                "dte.svg", "contact_force.svg", "load_sharing.svg", "contact_pattern.svg",
+                "tooth_engagement.svg", "energies.svg", "probes.svg", "spectra.svg",
+                "rim_content.svg", "rim_history.svg", "rim_waves.svg",
+                "bodies.png", "teeth_in_mesh.png", "meridian_section.png", "deformation.png"})
+            # The numbers beside a plot are those of the history; maps have none.
+            table = Table(folder / "pictures" / "contact_force.csv")
+            total = table["curve"] == "total"
+            self.assertEqual(np.count_nonzero(total), 101)
+            self.assertTrue(np.all(table["y"][total] == 9000))
+            self.assertFalse((folder / "pictures" / "contact_pattern.csv").exists())
+
+    def test_no_run(self):
+        with tempfile.TemporaryDirectory() as name:
+            for folder, words in ((name, "neither histories nor fields"), (name + "/a", "no folder")):
+                with self.assertRaisesRegex(SystemExit, words):
+                    plot_run.main([folder])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,69 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// A gear pair that goes on from checkpoints: same digits in all files, no second equilibrium.
+#include "../tests.h"
+#include "child_program.h"
+#include "quick_pair.h"
+
+#include <vfife/base/mpi_session.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  void run(const std::string              &folder,
+           const std::vector<std::string> &overrides,
+           const bool                      restart,
+           Communicator                   &communicator)
+  {
+    CommandLine line;
+    line.parameter_file = "gear.prm";
+    line.output_folder  = folder;
+    line.overrides      = overrides;
+    line.restart        = restart;
+    std::ostringstream nothing;
+    Log                log(nothing, communicator.is_root(), Verbosity::quiet);
+    run_study(line, communicator, log);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession    session(argc, argv);
+  Communicator &world = session.world();
+  std::filesystem::remove_all("whole");
+  std::filesystem::remove_all("parts");
+  // Friction and damping of the contact, so that everything that contact remembers is needed.
+  std::ofstream("gear.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-4")
+                            << "subsection Contact\n  set friction coefficient = 0.1\n"
+                               "  set damping ratio = 0.1\nend\n";
+  const std::string steps = "Dynamics/largest number of steps=";
+  run("whole", {}, false, world);
+  run("parts", {steps + "333"}, false, world);
+  run("parts", {steps + "1200"}, true, world);
+  run("parts", {}, true, world);
+
+  for (const char *name : {"history.csv", "teeth.csv", "probes.csv", "pattern.csv"})
+    {
+      const std::string whole = read_text("whole/" + std::string(name));
+      check(std::string(name) + ": same digits",
+            whole.size() > 100 && whole == read_text("parts/" + std::string(name)));
+    }
+  auto whole = nlohmann::ordered_json::parse(read_text("whole/summary.json")),
+       parts = nlohmann::ordered_json::parse(read_text("parts/summary.json"));
+  for (const char *section : {"transmission error",
+                              "figures",
+                              "steady part",
+                              "energy",
+                              "damping audit",
+                              "contact losses",
+                              "warnings"})
+    check(std::string(section) + ": same", whole.at(section) == parts.at(section));
+  const std::string log   = read_text("parts/run.log");
+  const std::string start = "equilibrium before the start";
+  check("one equilibrium",
+        log.find(start) != std::string::npos && log.find(start) == log.rfind(start));
+}

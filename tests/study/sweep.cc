@@ -1,0 +1,118 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// A sweep over a tiny model: combinations, a run that fails, going on, two runs at a time.
+#include "../tests.h"
+#include "child_program.h"
+
+#include <filesystem>
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  void write_cases()
+  {
+    std::ofstream("bars.prm") << "include " << SOURCE_DIR
+                              << "/../../prm/verification/two_bars.prm\n"
+                                 "subsection Study\n  set output folder = unused\nend\n"
+                                 "subsection Model\n"
+                                 "  subsection Body flying\n    set cells x = 20\n  end\n"
+                                 "  subsection Body resting\n    set cells x = 20\n  end\nend\n"
+                                 "subsection Output\n  set pictures = no\nend\n";
+    std::ofstream("sweep.prm") << "subsection Study\n  set kind = sweep\nend\n"
+                                  "subsection Sweep\n  set base = bars.prm\n"
+                                  "  set parameters = limit, damping\n"
+                                  "  subsection Parameter limit\n"
+                                  "    set entry  = Dynamics/energy limit\n"
+                                  "    set values = 2, 1e-9\n  end\n"
+                                  "  subsection Parameter damping\n"
+                                  "    set entry  = Dynamics/damping\n"
+                                  "    set values = 0, 100 1/s, 200 1/s\n  end\nend\n";
+  }
+
+  Ending sweep(const std::string &folder, const std::vector<std::string> &more = {})
+  {
+    std::vector<std::string> words = {VFIFE_PROGRAM, "sweep.prm", "-o", folder};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words);
+  }
+
+  /** Columns run to status of the table of a sweep. */
+  void show_table(const std::string &folder)
+  {
+    std::ifstream file(folder + "/sweep.csv");
+    for (std::string line; std::getline(file, line);)
+      {
+        std::size_t end = 0;
+        for (unsigned int column = 0; column < 4; ++column)
+          end = line.find(',', end + 1);
+        std::cout << line.substr(0, end) << std::endl;
+      }
+  }
+
+  void show(const std::string &name, const Ending &ending)
+  {
+    std::cout << name << ": exit code " << ending.exit_code << "\n" << ending.text;
+  }
+
+  std::string history(const std::string &folder)
+  {
+    return read_text(folder + "/history.csv");
+  }
+} // namespace
+
+int main()
+{
+  for (const char *folder : {"all", "list", "two_ranks"})
+    fs::remove_all(folder);
+  write_cases();
+
+  const Ending ending = sweep("all");
+  check("failing runs do not stop the others, and are said",
+        ending.exit_code == 2 &&
+          ending.text.find("vfife: 3 of 6 runs have failed; \"all/sweep.json\" says why") !=
+            std::string::npos);
+  show_table("all");
+  check("runs differ",
+        history("all/run_01").size() > 1000 && history("all/run_01") != history("all/run_02"));
+  const std::string json = read_text("all/sweep.json");
+  check("sweep.json has the failure",
+        json.find("\"message\": \"the energy error is") != std::string::npos);
+
+  // Finished runs are kept, one without a result is done again, one goes on from its checkpoint.
+  const std::string first = history("all/run_01"), second = history("all/run_02"),
+                    third = history("all/run_03");
+  const auto time         = fs::last_write_time("all/run_01/summary.json");
+  fs::remove_all("all/run_02");
+  fs::remove("all/run_03/summary.json");
+  check("goes on", sweep("all", {"--restart"}).exit_code == 2);
+  show_table("all");
+  check("a finished run is kept", fs::last_write_time("all/run_01/summary.json") == time);
+  check("the others have the same digits",
+        history("all/run_02") == second && history("all/run_03") == third);
+  const std::string log = read_text("all/run.log");
+  check("is said",
+        log.find("run_01 finished: was finished before") != std::string::npos &&
+          log.find("run_02 finished\n") != std::string::npos &&
+          log.find("run_03 finished: went on from a checkpoint") != std::string::npos);
+
+  check("two at a time",
+        run_program({"mpirun",
+                     "-np",
+                     "2",
+                     VFIFE_PROGRAM,
+                     "sweep.prm",
+                     "-o",
+                     "two_ranks",
+                     "--set",
+                     "Sweep/ranks per run=1"})
+            .exit_code == 2);
+  show_table("two_ranks");
+  check("the same digits",
+        history("two_ranks/run_01") == first && history("two_ranks/run_02") == second);
+
+  show("list", sweep("list", {"--set", "Sweep/combination=list", "--check"}));
+  show("unknown entry", sweep("list", {"--set", "Sweep/Parameter damping/entry=Dynamics/dampin"}));
+  show("wrong value", sweep("list", {"--set", "Sweep/Parameter damping/values=0, 1 mm"}));
+  show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));
+  return 0;
+}
