@@ -35,6 +35,17 @@ namespace vfife
       return values;
     }
 
+    /** Sphere around the corners' box. */
+    template <typename Sphere, typename Points>
+    Sphere sphere_around(const Points &corners)
+    {
+      const Box box    = Box::around(corners, 0.);
+      Sphere    sphere = {0.5 * (box.low + box.high), 0.};
+      for (const Vector3 &x : corners)
+        sphere.radius = std::max(sphere.radius, (x - sphere.centre).norm());
+      return sphere;
+    }
+
     std::array<Vector3, 4> reference_corners(const SurfaceGeometry &surface,
                                              const unsigned int     facet)
     {
@@ -92,15 +103,23 @@ namespace vfife
     , master_spheres_(group_spheres(master))
   {
     slave_facets_.resize(slave.n_groups());
+    slave_facet_spheres_.resize(slave.n_groups());
     for (unsigned int g = 0; g < slave.n_groups(); ++g)
       for (const unsigned int f : slave.group_facets(g))
-        slave_facets_[g].push_back(reference_corners(slave, f));
+        {
+          slave_facets_[g].push_back(reference_corners(slave, f));
+          slave_facet_spheres_[g].push_back(sphere_around<Sphere>(slave_facets_[g].back()));
+        }
     for (unsigned int g = 0; g < master.n_groups(); ++g)
       {
         std::vector<Box> boxes;
         for (const unsigned int f : master.group_facets(g))
           boxes.push_back(Box::around(reference_corners(master, f), master.largest_offset()));
         master_trees_.emplace_back(boxes);
+        Box all = boxes.empty() ? Box{Vector3::Zero(), Vector3::Zero()} : boxes.front();
+        for (const Box &box : boxes)
+          all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
+        master_boxes_.push_back(all);
       }
   }
 
@@ -114,37 +133,33 @@ namespace vfife
         for (const unsigned int f : surface.group_facets(g))
           for (const unsigned int n : surface.corners(f))
             corners.push_back(surface.reference(n));
-        if (corners.empty())
-          continue;
-        const Box box     = Box::around(corners, 0.);
-        spheres[g].centre = 0.5 * (box.low + box.high);
-        for (const Vector3 &x : corners)
-          spheres[g].radius = std::max(spheres[g].radius, (x - spheres[g].centre).norm());
+        if (!corners.empty())
+          spheres[g] = sphere_around<Sphere>(corners);
       }
     return spheres;
   }
 
 
-  std::vector<std::pair<unsigned int, unsigned int>> BroadSearch::find_pairs(
-    const RigidMotion &slave, const RigidMotion &master, const double margin) const
+  std::vector<std::pair<unsigned int, unsigned int>>
+  BroadSearch::find_pairs(const RigidMotion &from, const RigidMotion &to, const double margin) const
   {
-    RigidMotion slave_to_master;
-    slave_to_master.rotation = master.rotation.transpose() * slave.rotation;
-    slave_to_master.translation =
-      master.rotation.transpose() * (slave.translation - master.translation);
-
+    // A point at r from a group's centre goes no farther than the centre and the turn times r.
+    const double                                       turn = (to.rotation - from.rotation).norm();
     std::vector<std::pair<unsigned int, unsigned int>> pairs;
     for (unsigned int s = 0; s < slave_spheres_.size(); ++s)
       {
         if (slave_spheres_[s].radius < 0.)
           continue; // no facets in this group
-        const Vector3 centre = slave_to_master(slave_spheres_[s].centre);
+        const Vector3 centre = from(slave_spheres_[s].centre);
+        const double  way =
+          (to(slave_spheres_[s].centre) - centre).norm() + turn * slave_spheres_[s].radius;
         for (unsigned int m = 0; m < master_spheres_.size(); ++m)
           {
-            const double reach = slave_spheres_[s].radius + master_spheres_[m].radius + margin;
+            const double reach =
+              slave_spheres_[s].radius + master_spheres_[m].radius + margin + way;
             if (master_spheres_[m].radius >= 0. &&
                 (centre - master_spheres_[m].centre).squaredNorm() <= reach * reach &&
-                facets_near(s, m, slave_to_master, margin))
+                facets_near(s, m, from, margin + way))
               pairs.emplace_back(s, m);
           }
       }
@@ -157,11 +172,15 @@ namespace vfife
                                 const RigidMotion &slave_to_master,
                                 const double       margin) const
   {
-    for (const auto &corners : slave_facets_[slave_group])
+    for (std::size_t i = 0; i < slave_facets_[slave_group].size(); ++i)
       {
+        const Sphere &sphere = slave_facet_spheres_[slave_group][i];
+        if (master_boxes_[master_group].square_distance(slave_to_master(sphere.centre)) >
+            (sphere.radius + margin) * (sphere.radius + margin))
+          continue;
         std::array<Vector3, 4> moved;
         for (unsigned int k = 0; k < 4; ++k)
-          moved[k] = slave_to_master(corners[k]);
+          moved[k] = slave_to_master(slave_facets_[slave_group][i][k]);
         if (master_trees_[master_group].overlaps(Box::around(moved, margin)))
           return true;
       }

@@ -27,6 +27,15 @@ namespace vfife
       return passes;
     }
 
+    /** From the slave's undeformed frame into the master's. */
+    RigidMotion slave_to_master(const RigidMotion &slave, const RigidMotion &master)
+    {
+      RigidMotion motion;
+      motion.rotation    = master.rotation.transpose() * slave.rotation;
+      motion.translation = master.rotation.transpose() * (slave.translation - master.translation);
+      return motion;
+    }
+
     using GroupPair = std::pair<unsigned int, unsigned int>;
 
     GroupPair swapped(const GroupPair &pair)
@@ -63,7 +72,22 @@ namespace vfife
   void
   Contact::find_candidates(const RigidMotion &slave, const RigidMotion &master, const double margin)
   {
-    candidate_pairs_ = broad_search_.find_pairs(slave, master, margin);
+    find_candidates(slave, master, slave, master, margin);
+  }
+
+
+  void Contact::find_candidates(const RigidMotion &slave,
+                                const RigidMotion &master,
+                                const RigidMotion &slave_later,
+                                const RigidMotion &master_later,
+                                const double       margin)
+  {
+    auto pairs = broad_search_.find_pairs(slave_to_master(slave, master),
+                                          slave_to_master(slave_later, master_later),
+                                          margin);
+    if (pairs == candidate_pairs_)
+      return;
+    candidate_pairs_ = std::move(pairs);
     passes_[0].set_pairs(candidate_pairs_);
     if (passes_.size() == 2)
       {

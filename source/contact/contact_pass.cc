@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/byte_stream.h>
-#include <vfife/contact/broad_search.h>
+#include <vfife/base/machine_speed.h>
 #include <vfife/contact/contact_pass.h>
 
 #include <algorithm>
@@ -96,7 +96,19 @@ namespace vfife
   }
 
 
-  bool ContactPass::find_closest(const std::vector<unsigned int> &facets,
+  std::vector<Box> ContactPass::facet_boxes(const unsigned int group) const
+  {
+    std::vector<Box> boxes;
+    boxes.reserve(master_.group_facets(group).size());
+    for (const unsigned int f : master_.group_facets(group))
+      boxes.push_back(Box::around(current_corners(master_, f), 0.));
+    return boxes;
+  }
+
+
+  bool ContactPass::find_closest(const std::vector<unsigned int> &group,
+                                 const std::vector<Box>          &boxes,
+                                 std::vector<unsigned int>       &near,
                                  const Vector3                   &x,
                                  const Vector3                   &slave_normal,
                                  const double                     reach,
@@ -105,15 +117,16 @@ namespace vfife
     // A point that lies over a facet is preferred to the border of another that is a little nearer.
     constexpr double border_handicap = 1.5;
 
-    double nearest = reach;
-    bool   found   = false;
-    for (const unsigned int facet : facets)
+    double      nearest = reach;
+    std::size_t found   = near.size();
+    for (std::size_t i = 0; i < near.size(); ++i)
       {
-        if (Box::around(current_corners(master_, facet), 0.).distance(x) > nearest)
+        if (boxes[near[i]].square_distance(x) > nearest * nearest)
           continue;
-        const FacetState &state  = master_.state(facet);
-        const Vector3     normal = state.normal(0.5, 0.5);
-        Projection        projection;
+        const unsigned int facet  = group[near[i]];
+        const FacetState  &state  = master_.state(facet);
+        const Vector3      normal = state.normal(0.5, 0.5);
+        Projection         projection;
         projection.facet  = facet;
         projection.lambda = (x - state.position(0.5, 0.5)).dot(normal) / normal.squaredNorm();
         if (!project_on_facet(state, master_.border_sides(facet), x, projection))
@@ -129,10 +142,13 @@ namespace vfife
           {
             nearest = distance;
             best    = projection;
-            found   = true;
+            found   = i;
           }
       }
-    return found;
+    if (found == near.size())
+      return false;
+    std::swap(near.front(), near[found]);
+    return true;
   }
 
 
@@ -144,12 +160,10 @@ namespace vfife
   {
     ++n_wide_searches_;
     pair.points.clear();
-    const auto      &group = master_.group_facets(pair.master_group);
-    std::vector<Box> boxes;
-    boxes.reserve(group.size());
-    for (const unsigned int f : group)
-      boxes.push_back(Box::around(current_corners(master_, f), 0.));
-    const BoxTree tree(boxes);
+    pair.touching.clear();
+    const auto            &group = master_.group_facets(pair.master_group);
+    const std::vector<Box> boxes = facet_boxes(pair.master_group);
+    const BoxTree          tree(boxes);
 
     // 1.5: the handicap of border points in find_closest().
     const double reach = 1.5 * (std::max(open_reach, depth_reach) + slave_.largest_offset() +
@@ -162,14 +176,12 @@ namespace vfife
         tree.find(Box::around(current_corners(slave_, facet), reach), near);
         if (near.empty())
           continue;
-        for (unsigned int &f : near)
-          f = group[f];
         const Vector3 slave_normal = slave_.vector_area(facet);
         for (unsigned int q = 0; q < rule_.size(); ++q)
           {
             const Vector3 x = slave_point(facet, q);
             ListedPoint   point;
-            if (!find_closest(near, x, slave_normal, reach, point.projection))
+            if (!find_closest(group, boxes, near, x, slave_normal, reach, point.projection))
               continue;
             // The neighbour decides about points at the very edge of two facets.
             Projection walked = point.projection;
@@ -182,7 +194,6 @@ namespace vfife
             point.rule_point    = q;
             point.area          = point_areas_[i];
             point.slave_offset  = point_offsets_[i];
-            point.awake_at      = -std::numeric_limits<double>::infinity();
             point.pressure      = 0.;
             point.gap           = std::numeric_limits<double>::infinity();
             if (p.inside)
@@ -195,6 +206,7 @@ namespace vfife
             pair.points.push_back(point);
           }
       }
+    pair.awake_at.assign(pair.points.size(), -std::numeric_limits<double>::infinity());
   }
 
 
@@ -207,6 +219,22 @@ namespace vfife
   }
 
 
+  void ContactPass::list_points(const unsigned int part, const unsigned int n_parts)
+  {
+    for (Pair &pair : pairs_)
+      {
+        const double path =
+          slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
+        if (pair.listed && path - pair.built_at <= skin_)
+          continue;
+        find_points(
+          pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_, part, n_parts);
+        pair.listed   = true;
+        pair.built_at = path;
+      }
+  }
+
+
   void ContactPass::add_forces(const SurfaceMotion &slave,
                                const SurfaceMotion &master,
                                const ContactLaw    &law,
@@ -215,31 +243,39 @@ namespace vfife
                                double              *slave_forces,
                                double              *master_forces)
   {
-    update_paths(slave, master);
     if (part != part_ || n_parts != n_parts_)
       for (Pair &pair : pairs_)
         pair.listed = false;
     part_    = part;
     n_parts_ = n_parts;
 
+    double     last     = times_ != nullptr ? processor_time() : 0.;
+    const auto add_time = [&](double ContactTimes::*part_of_step) {
+      if (times_ == nullptr)
+        return;
+      const double now = processor_time();
+      times_->*part_of_step += now - last;
+      last = now;
+    };
+    update_paths(slave, master);
+    add_time(&ContactTimes::motion);
+    list_points(part, n_parts);
+    add_time(&ContactTimes::wide_search);
+    for (Pair &pair : pairs_)
+      find_gaps(pair);
+    add_time(&ContactTimes::projection);
+
     results_.resize(pairs_.size());
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
-        Pair        &pair = pairs_[i];
-        const double path =
-          slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
-        if (!pair.listed || path - pair.built_at > skin_)
-          {
-            find_points(
-              pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_, part, n_parts);
-            pair.listed   = true;
-            pair.built_at = path;
-          }
+        Pair &pair               = pairs_[i];
         results_[i]              = GroupPairResult();
         results_[i].slave_group  = pair.slave_group;
         results_[i].master_group = pair.master_group;
-        add_pair(pair, law, results_[i], slave_forces, master_forces);
+        for (const unsigned int p : pair.touching)
+          press(pair.points[p], law, results_[i], slave_forces, master_forces);
       }
+    add_time(&ContactTimes::forces);
   }
 
 
@@ -249,7 +285,12 @@ namespace vfife
     stream.pass(n, part_, n_parts_, n_wide_searches_);
     pairs_.resize(n);
     for (Pair &pair : pairs_)
-      stream.pass(pair.slave_group, pair.master_group, pair.listed, pair.built_at, pair.points);
+      stream.pass(pair.slave_group,
+                  pair.master_group,
+                  pair.listed,
+                  pair.built_at,
+                  pair.points,
+                  pair.awake_at);
     slave_path_.exchange(stream);
     master_path_.exchange(stream);
   }

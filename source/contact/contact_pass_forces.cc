@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace vfife
 {
@@ -59,26 +59,31 @@ namespace vfife
   }
 
 
-  bool
-  ContactPass::locate(const Pair &pair, ListedPoint &point, const Vector3 &x, const double path)
+  bool ContactPass::locate(
+    const Pair &pair, ListedPoint &point, const Vector3 &x, const double path, double &awake_at)
   {
     Projection &p = point.projection;
     if (!project_walking(master_, x, p))
       {
         // Lost: look through the whole group. Finding nothing means out of reach until the next
         // wide search.
-        const double reach = 1.5 * (depth_limit_ + 3. * skin_);
-        if (!find_closest(master_.group_facets(pair.master_group),
+        const double              reach = 1.5 * (depth_limit_ + 3. * skin_);
+        const auto               &group = master_.group_facets(pair.master_group);
+        std::vector<unsigned int> all(group.size());
+        std::iota(all.begin(), all.end(), 0u);
+        if (!find_closest(group,
+                          facet_boxes(pair.master_group),
+                          all,
                           x,
                           slave_.vector_area(point.slave_facet),
                           reach,
                           p))
           {
             // Start the next attempt from a defined state, not at once.
-            p.xi = p.eta   = 0.5;
-            p.lambda       = 0.;
-            p.inside       = false;
-            point.awake_at = path + 0.25 * skin_;
+            p.xi = p.eta = 0.5;
+            p.lambda     = 0.;
+            p.inside     = false;
+            awake_at     = path + 0.25 * skin_;
             return false;
           }
       }
@@ -90,50 +95,46 @@ namespace vfife
     const double      eta     = std::min(1., std::max(0., p.eta));
     const double      lateral = (state.position(p.xi, p.eta) - state.position(xi, eta)).norm();
     // The last part is for the tolerance beyond the border, within which a point is inside.
-    point.awake_at = path + std::max(0., 0.5 * lateral - 0.002 * master_.mean_facet_size());
+    awake_at = path + std::max(0., 0.5 * lateral - 0.002 * master_.mean_facet_size());
     return false;
   }
 
 
-  void ContactPass::add_pair(Pair             &pair,
-                             const ContactLaw &law,
-                             GroupPairResult  &result,
-                             double           *slave_forces,
-                             double           *master_forces)
+  void ContactPass::find_gaps(Pair &pair)
   {
     const double path =
       slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
-    for (ListedPoint &point : pair.points)
+    pair.touching.clear();
+    for (unsigned int i = 0; i < pair.points.size(); ++i)
       {
-        if (path < point.awake_at)
+        if (path < pair.awake_at[i])
           continue;
-        point.pressure  = 0.;
-        const Vector3 x = slave_point(point.slave_facet, point.rule_point);
-        if (!locate(pair, point, x, path))
+        ListedPoint  &point = pair.points[i];
+        const Vector3 x     = slave_point(point.slave_facet, point.rule_point);
+        point.pressure      = 0.;
+        if (!locate(pair, point, x, path, pair.awake_at[i]))
           continue;
         const Projection &p      = point.projection;
-        const Vector3     m      = master_.state(p.facet).normal(p.xi, p.eta);
-        const double      length = std::sqrt(m.squaredNorm());
+        const double      length = master_.state(p.facet).normal(p.xi, p.eta).norm();
         point.gap = p.lambda * length - master_.offset(p.facet, p.xi, p.eta) - point.slave_offset;
         if (point.gap >= 0.)
-          {
-            point.awake_at = path + sleep_per_gap * point.gap;
-            continue;
-          }
-        if (point.gap > -depth_limit_)
-          press(point, x, m / length, law, result, slave_forces, master_forces);
+          pair.awake_at[i] = path + sleep_per_gap * point.gap;
+        else if (point.gap > -depth_limit_)
+          pair.touching.push_back(i);
       }
   }
 
 
   void ContactPass::press(ListedPoint      &point,
-                          const Vector3    &x,
-                          const Vector3    &normal,
                           const ContactLaw &law,
                           GroupPairResult  &result,
                           double           *slave_forces,
                           double           *master_forces)
   {
+    const Vector3 x      = slave_point(point.slave_facet, point.rule_point);
+    const Vector3 normal = master_.state(point.projection.facet)
+                             .normal(point.projection.xi, point.projection.eta)
+                             .normalized();
     const Vector3 slave_normal = slave_.vector_area(point.slave_facet);
     if (normal.dot(slave_normal) > facing_cosine * slave_normal.norm())
       return;

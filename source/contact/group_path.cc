@@ -31,20 +31,29 @@ namespace vfife
   void GroupPath::update(const SurfaceGeometry &surface, const RigidMotion &frame)
   {
     const Matrix3 back = frame.rotation.transpose();
+    const Vector3 to   = -(back * frame.translation);
     for (const unsigned int g : active_)
       {
         const auto &nodes    = surface.group_nodes(g);
         auto       &previous = previous_[g];
         const bool  known    = !previous.empty();
-        previous.resize(nodes.size());
-        double largest = 0., sum = 0.;
-        for (std::size_t i = 0; i < nodes.size(); ++i)
+        previous.resize(3 * nodes.size());
+        double *before  = previous.data();
+        double  largest = 0., sum = 0.;
+        for (const unsigned int node : nodes)
           {
-            const Vector3 now = back * (surface.node(nodes[i]) - frame.translation);
-            const double  d2  = known ? (now - previous[i]).squaredNorm() : now.squaredNorm();
-            largest           = std::max(largest, d2);
-            sum += d2; // unlike a maximum, a sum keeps a NaN
-            previous[i] = now;
+            const double *x      = surface.motion().positions + 3 * static_cast<std::size_t>(node);
+            double        square = 0.;
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                const double now =
+                  back(i, 0) * x[0] + back(i, 1) * x[1] + back(i, 2) * x[2] + to[i];
+                square += (now - before[i]) * (now - before[i]);
+                before[i] = now;
+              }
+            before += 3;
+            largest = std::max(largest, square);
+            sum += square; // unlike a maximum, a sum keeps a NaN
           }
         if (!std::isfinite(sum))
           throw NumericalError("contact: a position in group (tooth) " + std::to_string(g) +

@@ -316,6 +316,8 @@ namespace vfife
                 return observer->due(state);
               });
             compute_forces(state, due);
+            if (first && contact_.energy() > 0.)
+              log_.line("deepest point at the start: ", contact_.describe_deepest_point());
             contact_watch_.observe(state.time, dt_, contact_.energy() > 0);
             has_touched_        = has_touched_ || contact_.energy() > 0;
             const double strain = due ? take_measurements(state) : 0.;

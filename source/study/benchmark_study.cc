@@ -63,7 +63,10 @@ namespace vfife
           line << std::fixed << std::setprecision(1);
           for (const Table::Column &column : table.columns())
             if (column.is_text)
-              line << std::left << std::setw(column.name == "stiffness" ? 19 : 13)
+              line << std::left
+                   << std::setw(column.name == "stiffness" ? 19
+                                : column.name == "part"    ? 30
+                                                           : 13)
                    << column.texts[row];
             else
               line << std::right << std::setw(8) << column.numbers[row];
@@ -86,10 +89,25 @@ namespace vfife
                     1);
   }
 
+  void ContactBenchmarkOptions::declare(dealii::ParameterHandler &prm)
+  {
+    const Subsection section(prm, "Benchmark");
+    declare_quantity(prm,
+                     "closing",
+                     closing,
+                     "mm",
+                     "How far the flanks of the pair go into each other where its contact is "
+                     "measured",
+                     Range::positive());
+    declare_integer(
+      prm, "contact steps", steps, "Time steps of one measurement of the pair's contact", 1);
+  }
+
   void BenchmarkStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
     gear_case_.declare(prm, file);
     benchmark_.declare(prm);
+    contact_.declare(prm);
   }
 
   void BenchmarkStudy::check() const
@@ -147,9 +165,14 @@ namespace vfife
              general.n_nodes());
     const Table table = compare_operators(cases, benchmark_.repeats, benchmark_.steps);
     log_table(table, log);
+    cases.clear();
+    const Table cost = measure_contact_cost(pair, contact_, benchmark_.repeats, alone, log);
+    log_table(cost, log);
     if (!folder.is_writer())
       return;
     folder.write_file("benchmark.csv", [&](std::ostream &out) { table.write_csv(out); });
     folder.write_file("benchmark.json", [&](std::ostream &out) { table.write_json(out); });
+    folder.write_file("contact_cost.csv", [&](std::ostream &out) { cost.write_csv(out); });
+    folder.write_file("contact_cost.json", [&](std::ostream &out) { cost.write_json(out); });
   }
 } // namespace vfife

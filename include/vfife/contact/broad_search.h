@@ -30,10 +30,10 @@ namespace vfife
       return box;
     }
 
-    /** Distance to a point, 0 inside [mm]. */
-    double distance(const Vector3 &x) const
+    /** Square of the distance to a point, 0 inside [mm^2]. */
+    double square_distance(const Vector3 &x) const
     {
-      return (low - x).cwiseMax(x - high).cwiseMax(Vector3::Zero()).norm();
+      return (low - x).cwiseMax(x - high).cwiseMax(Vector3::Zero()).squaredNorm();
     }
   };
 
@@ -64,11 +64,11 @@ namespace vfife
 
     /**
      * Pairs (slave group, master group), sorted, of which some facets' undeformed boxes come nearer
-     * than @p margin [mm]. The margin must cover the deformation and the relative motion until the
-     * next call.
+     * than @p margin [mm] on the way from one place to another. Motions take the slave's undeformed
+     * frame into the master's. The margin must cover the deformation.
      */
     std::vector<std::pair<unsigned int, unsigned int>>
-    find_pairs(const RigidMotion &slave, const RigidMotion &master, double margin) const;
+    find_pairs(const RigidMotion &from, const RigidMotion &to, double margin) const;
 
   private:
     struct Sphere
@@ -84,9 +84,11 @@ namespace vfife
                      double             margin) const;
 
     std::vector<std::vector<std::array<Vector3, 4>>>
-                         slave_facets_; ///< corners, by group, body frame
-    std::vector<Sphere>  slave_spheres_, master_spheres_;
-    std::vector<BoxTree> master_trees_;
+                                     slave_facets_; ///< corners, by group, body frame
+    std::vector<std::vector<Sphere>> slave_facet_spheres_;
+    std::vector<Sphere>              slave_spheres_, master_spheres_;
+    std::vector<Box>                 master_boxes_; ///< of groups, body frame
+    std::vector<BoxTree>             master_trees_;
   };
 } // namespace vfife
 

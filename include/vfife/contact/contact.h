@@ -41,6 +41,14 @@ namespace vfife
      */
     void find_candidates(const RigidMotion &slave, const RigidMotion &master, double margin);
 
+    /** The same on the way to where the bodies will be at the next call, which @p margin then need
+     * not cover. */
+    void find_candidates(const RigidMotion &slave,
+                         const RigidMotion &master,
+                         const RigidMotion &slave_later,
+                         const RigidMotion &master_later,
+                         double             margin);
+
     /** Surface nodes whose positions and velocities must be valid in add_forces(), sorted. */
     const std::vector<unsigned int> &active_slave_nodes() const
     {
@@ -136,6 +144,14 @@ namespace vfife
      * means runaway: stop the run, or the force will vanish.
      */
     double depth_limit() const;
+
+    /** From now on adds the processor time of the parts of add_forces() to @p times, which must
+     * outlive the object; nullptr ends it. */
+    void measure_times(ContactTimes *times)
+    {
+      for (ContactPass &pass : passes_)
+        pass.measure_times(times);
+    }
 
     /** Points kept for possible contact, and wide searches so far. */
     std::size_t n_listed_points() const;

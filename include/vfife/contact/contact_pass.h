@@ -2,9 +2,11 @@
 #ifndef vfife_contact_contact_pass_h
 #define vfife_contact_contact_pass_h
 
+#include <vfife/contact/broad_search.h>
 #include <vfife/contact/contact_law.h>
 #include <vfife/contact/contact_results.h>
 #include <vfife/contact/contact_spring.h>
+#include <vfife/contact/contact_times.h>
 #include <vfife/contact/group_path.h>
 #include <vfife/contact/local_search.h>
 
@@ -91,10 +93,15 @@ namespace vfife
       return n_wide_searches_;
     }
 
+    /** From now on adds the processor time of the parts of add_forces(); nullptr ends it. */
+    void measure_times(ContactTimes *times)
+    {
+      times_ = times;
+    }
+
   private:
     struct ListedPoint
     {
-      double       awake_at; ///< path of the pair at which the point must be looked at again [mm]
       unsigned int slave_facet, rule_point;
       Projection   projection;
       double       area, slave_offset;
@@ -140,6 +147,9 @@ namespace vfife
       bool                     listed   = false;
       double                   built_at = 0.; ///< path at the wide search [mm]
       std::vector<ListedPoint> points;
+      /** Path of the pair at which each point must be looked at again [mm]. */
+      std::vector<double>       awake_at;
+      std::vector<unsigned int> touching; ///< points with a gap below zero in this step
     };
 
     /** Smallest gap over a slave facet, from its smallest sample on. */
@@ -148,20 +158,22 @@ namespace vfife
     Vector3      slave_point(unsigned int facet, unsigned int rule_point) const;
     void         find_points(
               Pair &pair, double open_reach, double depth_reach, unsigned int part, unsigned int n_parts);
-    bool   find_closest(const std::vector<unsigned int> &facets,
-                        const Vector3                   &x,
-                        const Vector3                   &slave_normal,
-                        double                           reach,
-                        Projection                      &projection);
-    void   add_pair(Pair             &pair,
-                    const ContactLaw &law,
-                    GroupPairResult  &result,
-                    double           *slave_forces,
-                    double           *master_forces);
-    bool   locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path);
+    /** Boxes of the master's facets of a group, in their order. */
+    std::vector<Box> facet_boxes(unsigned int group) const;
+    /** The nearest foot on the facets with the numbers @p near in @p group; the facet found goes to
+     * the front of @p near, where the next point's is most likely. */
+    bool find_closest(const std::vector<unsigned int> &group,
+                      const std::vector<Box>          &boxes,
+                      std::vector<unsigned int>       &near,
+                      const Vector3                   &x,
+                      const Vector3                   &slave_normal,
+                      double                           reach,
+                      Projection                      &projection);
+    void list_points(unsigned int part, unsigned int n_parts);
+    void find_gaps(Pair &pair);
+    bool
+    locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);
     void   press(ListedPoint      &point,
-                 const Vector3    &x,
-                 const Vector3    &normal,
                  const ContactLaw &law,
                  GroupPairResult  &result,
                  double           *slave_forces,
@@ -178,6 +190,7 @@ namespace vfife
     std::vector<GroupPairResult> results_;
     unsigned int                 part_ = 0, n_parts_ = 0;
     std::size_t                  n_wide_searches_ = 0;
+    ContactTimes                *times_           = nullptr;
   };
 } // namespace vfife
 

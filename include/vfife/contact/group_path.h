@@ -37,9 +37,9 @@ namespace vfife
     }
 
   private:
-    std::vector<unsigned int>         active_;
-    std::vector<double>               lengths_;
-    std::vector<std::vector<Vector3>> previous_; ///< empty: position unknown yet
+    std::vector<unsigned int>        active_;
+    std::vector<double>              lengths_;
+    std::vector<std::vector<double>> previous_; ///< 3 a node; empty: position unknown yet
   };
 } // namespace vfife
 

@@ -5,6 +5,7 @@
 #include <vfife/dynamics/nodal_update.h>
 #include <vfife/model/state.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ namespace vfife
 {
   class ByteStream;
   class Communicator;
+  struct ContactOfPair;
+  struct ContactTimes;
   struct Model;
 
   /**
@@ -86,22 +89,25 @@ namespace vfife
      */
     void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
 
+    /** From now on adds the processor time of the parts of search() and add_forces() to @p times,
+     * which must outlive the object; nullptr ends it. */
+    void measure_times(ContactTimes *times);
+
+    /** Points kept for possible contact on this rank. */
+    std::size_t n_listed_points() const;
+
   private:
-    struct Side;
-    struct Pair;
-
-    double largest_deformation(const std::vector<RigidMotion> &body_motion,
-                               const double                   *positions) const;
-    void   gather(const double *positions, const double *velocities);
-
-    const Model                       &model_;
-    const Partition                   &partition_;
-    const Communicator                &communicator_;
-    std::vector<std::unique_ptr<Pair>> pairs_;
-    std::vector<double> reach_; ///< largest distance of each body's nodes from its axis point [mm]
+    const Model                                &model_;
+    const Partition                            &partition_;
+    const Communicator                         &communicator_;
+    std::vector<std::unique_ptr<ContactOfPair>> pairs_;
+    bool                needs_velocities_ = false; ///< a pair has damping or friction
     std::vector<double> buffer_;
-    double              energy_ = 0, lost_power_ = 0, largest_penetration_ = 0;
-    bool                is_too_deep_ = false;
+    double              largest_penetration_ = 0;
+    /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
+     * that is too deep. */
+    std::array<double, 3> sums_  = {{0., 0., 0.}};
+    ContactTimes         *times_ = nullptr;
   };
 } // namespace vfife
 

@@ -89,10 +89,10 @@ namespace vfife
     /** The rigid motion of each body that follows from its momentum. */
     std::vector<RigidVelocity> compute_rigid_rates(const State &state) const;
 
-  private:
     /** Steps between broad searches of the contact. */
-    static constexpr unsigned int search_interval = 20;
+    static constexpr unsigned int search_interval = 40;
 
+  private:
     struct StepPowers
     {
       double drive = 0, torque = 0, damping = 0, mesh = 0, contact = 0;

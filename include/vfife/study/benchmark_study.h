@@ -2,6 +2,7 @@
 #ifndef vfife_study_benchmark_study_h
 #define vfife_study_benchmark_study_h
 
+#include <vfife/study/contact_benchmark.h>
 #include <vfife/study/gear_case.h>
 #include <vfife/study/study_kind.h>
 
@@ -22,7 +23,8 @@ namespace vfife
    * Study kind `benchmark`: element-steps per second of processor time, of whole time steps
    * (internal forces and nodal update, no contact) on the gear pair and on a mesh without two equal
    * elements, by frame, stiffness, layout and instruction set, beside what the core can do at that
-   * moment and beside a plain implementation. benchmark.csv, benchmark.json.
+   * moment and beside a plain implementation; then the share of the pair's contact in a step.
+   * benchmark.csv and .json, contact_cost.csv and .json.
    */
   class BenchmarkStudy : public StudyKind
   {
@@ -33,8 +35,9 @@ namespace vfife
     void run(OutputFolder &folder, Log &log) override;
 
   private:
-    GearCase         gear_case_;
-    BenchmarkOptions benchmark_;
+    GearCase                gear_case_;
+    BenchmarkOptions        benchmark_;
+    ContactBenchmarkOptions contact_;
   };
 } // namespace vfife
 
