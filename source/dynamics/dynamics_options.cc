@@ -113,13 +113,13 @@ namespace vfife
                    start_solvers,
                    "What finds the equilibrium of a gear pair before the start; a factorization is "
                    "fast and takes some 45 kB of memory a node");
-    declare_number(
-      prm,
-      "energy limit",
-      energy_limit,
-      "Energy error (residual of the ledger over its scale) at which the run stops as failed; "
-      "from two fifths of it there is a warning",
-      Range::positive());
+    declare_number(prm,
+                   "energy limit",
+                   energy_limit,
+                   "Energy error (residual of the ledger over its scale) beyond which the run "
+                   "stops as failed when it goes on growing; "
+                   "from two fifths of it there is a warning",
+                   Range::positive());
     declare_integer(prm,
                     "largest number of steps",
                     largest_steps,

@@ -123,16 +123,22 @@ namespace
     std::vector<std::string> words = command("ranks", {"--restart"});
     words.insert(words.begin(), {"mpirun", "-np", "2"});
     check("two ranks go on", run_program(words).exit_code == 0);
-    auto   one = read_columns("whole/history.csv"), two = read_columns("ranks/history.csv");
+    auto one = read_columns("whole/history.csv"), two = read_columns("ranks/history.csv");
+    // Components that vanish but for round-off are measured by those of their vector.
+    const auto quantity = [](std::string name) {
+      while (name.size() > 2 && name[name.size() - 2] == ' ' &&
+             std::string("xyz").find(name.back()) != std::string::npos)
+        name.resize(name.size() - 2);
+      return name;
+    };
+    std::map<std::string, double> sizes;
+    for (const auto &[name, values] : one)
+      for (const double value : values)
+        sizes[quantity(name)] = std::max(sizes[quantity(name)], std::abs(value));
     double error = 0;
     for (const auto &[name, values] : one)
-      {
-        const double size = *std::max_element(values.begin(), values.end(), [](double a, double b) {
-          return std::abs(a) < std::abs(b);
-        });
-        for (std::size_t i = 0; std::abs(size) > 0 && i < values.size(); ++i)
-          error = std::max(error, std::abs(two.at(name).at(i) - values[i]) / std::abs(size));
-      }
+      for (std::size_t i = 0; sizes[quantity(name)] > 0 && i < values.size(); ++i)
+        error = std::max(error, std::abs(two.at(name).at(i) - values[i]) / sizes[quantity(name)]);
     check("as many samples", one["time"].size() == two["time"].size());
     // Sums over ranks are rounded otherwise; that is what the conventions ask of short runs.
     check_below("histories over their largest values", error, 1e-8);

@@ -146,10 +146,12 @@ namespace vfife
     std::uint64_t                       first_step_ = 0; ///< of the run
     double                              start_time_ = 0; ///< of the run [s]
     std::vector<RigidVelocity>          rates_at_start_;
-    bool                                goes_on_       = false; ///< from a checkpoint
-    bool                                energy_warned_ = false;
-    bool                                search_now_    = false; ///< whatever the step
-    double                              element_step_;          ///< [s]
+    bool                                goes_on_               = false; ///< from a checkpoint
+    bool                                energy_warned_         = false;
+    unsigned int                        samples_beyond_limit_  = 0; ///< one after the other
+    double                              residual_beyond_limit_ = 0; ///< at the first of them [mJ]
+    bool                                search_now_            = false; ///< whatever the step
+    double                              element_step_;                  ///< [s]
   };
 } // namespace vfife
 
