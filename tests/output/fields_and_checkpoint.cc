@@ -249,7 +249,7 @@ namespace
     communicator.barrier();
     if (folder.is_writer())
       {
-        fs::resize_file(folder.file("checkpoint.bin"), 50);
+        fs::resize_file(folder.file("checkpoint.bin"), 20);
         std::ofstream(folder.file("checkpoint.previous.bin"))
           << "something else that is long enough to be a header";
       }
