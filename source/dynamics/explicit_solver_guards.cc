@@ -50,11 +50,10 @@ namespace vfife
     };
     if (!std::isfinite(error))
       throw NumericalError(says("is"));
-    if (std::abs(error) > energy_warning * options_.energy_limit && !energy_warned_)
-      {
-        log_.warning(says("has reached"));
-        energy_warned_ = true;
-      }
+    if (std::abs(error) < energy_warning * options_.energy_limit)
+      samples_to_warn_of_ = 0;
+    else if (++samples_to_warn_of_ == least_samples)
+      log_.warning(says("has reached"));
     if (std::abs(error) < options_.energy_limit)
       samples_beyond_limit_ = 0;
     else if (++samples_beyond_limit_ == 1)

@@ -148,7 +148,8 @@ namespace vfife
     std::vector<RigidVelocity>          rates_at_start_;
     bool                                goes_on_               = false; ///< from a checkpoint
     bool                                energy_warned_         = false;
-    unsigned int                        samples_beyond_limit_  = 0; ///< one after the other
+    unsigned int                        samples_to_warn_of_    = 0; ///< one after the other
+    unsigned int                        samples_beyond_limit_  = 0; ///< the same
     double                              residual_beyond_limit_ = 0; ///< at the first of them [mJ]
     bool                                search_now_            = false; ///< whatever the step
     double                              element_step_;                  ///< [s]
