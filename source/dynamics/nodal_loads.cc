@@ -212,11 +212,10 @@ namespace vfife
     for (const Group &group : groups_)
       if (group.load->kind == LoadKind::spring)
         for (const Node &node : group.nodes)
-          add_record(
-            forces,
-            node.local,
-            -node.weight *
-              group.load->vector.cwiseProduct(record(positions, node.local) - node.start));
+          add_record(forces,
+                     node.local,
+                     -node.weight *
+                       group.load->vector.cwiseProduct(record(positions, node.local) - node.start));
   }
 
   double NodalLoads::compute_spring_energy(const double *positions) const

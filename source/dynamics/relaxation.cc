@@ -191,8 +191,7 @@ namespace vfife
                       ignored);
   }
 
-  double Relaxation::compute_round_off(const State               &state,
-                                       const std::vector<double> &masses) const
+  double Relaxation::compute_round_off(const State &state, const std::vector<double> &masses) const
   {
     std::vector<double> forces(operator_.array_size(), 0.);
     for (std::size_t i = 0; i < state.partition.n_local(); ++i)
