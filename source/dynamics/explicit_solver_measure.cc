@@ -125,7 +125,8 @@ namespace vfife
     measure_momentum(observed_, operator_.masses(), communicator_);
     measure_contact();
     add_rate_difference(state);
-    return operator_.compute_strain_energy(state.position.data());
+    return operator_.compute_strain_energy(state.position.data()) +
+           loads_.compute_spring_energy(state.position.data());
   }
 
   void ExplicitSolver::measure_at_rest(State &state)

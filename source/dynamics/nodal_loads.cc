@@ -202,18 +202,39 @@ namespace vfife
       case LoadKind::pressure:
         add_pressure(group, factor * load.pressure, positions);
         break;
-      case LoadKind::spring:
-        for (const Node &node : group.nodes)
-          add_record(forces_.data(),
-                     node.local,
-                     -node.weight *
-                       load.vector.cwiseProduct(record(positions, node.local) - node.start));
+      case LoadKind::spring: // see add_springs()
         break;
       }
   }
 
-  void NodalLoads::finish(double *forces)
+  void NodalLoads::add_springs(const double *positions, double *forces) const
   {
+    for (const Group &group : groups_)
+      if (group.load->kind == LoadKind::spring)
+        for (const Node &node : group.nodes)
+          add_record(forces,
+                     node.local,
+                     -node.weight *
+                       group.load->vector.cwiseProduct(record(positions, node.local) - node.start));
+  }
+
+  double NodalLoads::compute_spring_energy(const double *positions) const
+  {
+    double energy = 0;
+    for (const Group &group : groups_)
+      if (group.load->kind == LoadKind::spring)
+        for (const Node &node : group.nodes)
+          if (node.owned)
+            {
+              const Vector3 way = record(positions, node.local) - node.start;
+              energy += 0.5 * node.weight * group.load->vector.dot(way.cwiseAbs2());
+            }
+    return communicator_.sum(energy);
+  }
+
+  void NodalLoads::finish(const double *positions, double *forces)
+  {
+    add_springs(positions, forces);
     if (has_pressure_)
       {
         operator_.add_over_ranks(face_forces_.data());
@@ -230,7 +251,7 @@ namespace vfife
     std::fill(forces_.begin(), forces_.end(), 0.);
     for (const Group &group : groups_)
       add(group, group.load->history.value(time), positions);
-    finish(forces);
+    finish(positions, forces);
   }
 
   void NodalLoads::add_part(const double part, const double *positions, double *forces)
@@ -238,7 +259,7 @@ namespace vfife
     std::fill(forces_.begin(), forces_.end(), 0.);
     for (const Group &group : groups_)
       add(group, part, positions);
-    finish(forces);
+    finish(positions, forces);
   }
 
   double NodalLoads::half_power(const double *velocities) const

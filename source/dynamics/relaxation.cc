@@ -169,11 +169,17 @@ namespace vfife
 
   void Relaxation::constrain(State &state) const
   {
+    ConstraintMotion constraints(model_, state.partition, communicator_);
+    constraints.read(state, MotionFrame::rotating);
+    place(state, constraints);
+    constraints.turn_bodies(model_, state);
+  }
+
+  void Relaxation::place(State &state, ConstraintMotion &constraints) const
+  {
     const std::vector<double>           zero(state.position.size(), 0.);
     std::vector<double>                 velocity = zero;
     std::vector<ConstraintMotion::Sums> ignored(model_.bodies.size());
-    ConstraintMotion                    constraints(model_, state.partition, communicator_);
-    constraints.read(state, MotionFrame::rotating);
     constraints.save(state.position.data(), velocity.data());
     constraints.apply(0.,
                       1.,
@@ -183,7 +189,14 @@ namespace vfife
                       state.position.data(),
                       velocity.data(),
                       ignored);
-    constraints.turn_bodies(model_, state);
+  }
+
+  double Relaxation::compute_round_off(const State &state, const std::vector<double> &masses) const
+  {
+    std::vector<double> forces(operator_.array_size(), 0.);
+    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
+      Eigen::Map<Vector3>(forces.data() + 4 * i) = masses[i] * state.node_position(i);
+    return 4. * std::numeric_limits<double>::epsilon() * norm(forces, state.partition);
   }
 
   RelaxationReport Relaxation::solve(State &state, const Loads &loads)
@@ -198,9 +211,14 @@ namespace vfife
       loads.hold_rotation ? std::vector<double>(masses.size(), std::numeric_limits<double>::max())
                           : masses);
 
+    // What is led goes where it belongs before the first look at the forces, which would find
+    // equilibrium in the old place.
+    place(state, constraints);
+
     std::vector<double> applied(operator_.array_size(), 0.);
     add_applied(state, loads, applied);
-    double reference = norm(applied, state.partition);
+    const double applied_norm = norm(applied, state.partition),
+                 round_off    = compute_round_off(state, masses);
 
     std::vector<double> velocity(operator_.array_size(), 0.), previous(operator_.array_size(), 0.);
     const bool          adaptive = !(options_.virtual_damping > 0);
@@ -216,15 +234,17 @@ namespace vfife
         if (loads.contact)
           add_contact(state, searches, forces_);
         add_applied(state, loads, forces_);
-        // Where nothing is applied but displacements, the reactions are what forces are measured
-        // by.
-        if (!(reference > 0))
-          reference = norm(forces_, state.partition);
+        // Where nothing is applied but displacements, the present reactions are what forces are
+        // measured by; they may vanish (rigid turn), and round-off is no imbalance.
+        const double reference =
+          applied_norm > round_off
+            ? applied_norm
+            : std::max(norm(forces_, state.partition), round_off / options_.tolerance);
         constraints.project(state.position.data(), forces_.data(), !loads.hold_rotation);
 
         StepSums sums = add_steps(state.partition, masses, velocity, previous, forces_);
         communicator_.sum(sums.values);
-        report.residual = reference > 0 ? std::sqrt(sums.force_square()) / reference : 0.;
+        report.residual = std::sqrt(sums.force_square()) / reference;
         if (!std::isfinite(report.residual))
           throw NumericalError("the equilibrium diverged at relaxation step " +
                                std::to_string(report.steps));

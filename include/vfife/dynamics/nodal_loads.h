@@ -27,11 +27,15 @@ namespace vfife
     void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
 
     /** Adds the forces at @p time to @p forces (4 a local node, all copies); remembers them for
-     * half_power(). Collective. */
+     * half_power(), all but those of springs. Collective. */
     void add_forces(double time, const double *positions, double *forces);
 
     /** The same with @p part of the values, whatever their histories. Collective. */
     void add_part(double part, const double *positions, double *forces);
+
+    /** Energy that springs to the ground store, k_i (x_i - X_i)^2/2 over all directions [mJ].
+     * Collective. */
+    double compute_spring_energy(const double *positions) const;
 
     /** Half of the power of the remembered forces with these velocities on this rank [mJ/s]. */
     double half_power(const double *velocities) const;
@@ -59,13 +63,14 @@ namespace vfife
     void add(const Group &group, double factor, const double *positions);
     void add_moment(const Group &group, const Vector3 &moment, const double *positions);
     void add_pressure(const Group &group, double pressure, const double *positions);
-    void finish(double *forces);
+    void add_springs(const double *positions, double *forces) const;
+    void finish(const double *positions, double *forces);
 
     const Model        &model_;
     VfifeOperator      &operator_;
     const Communicator &communicator_;
     std::vector<Group>  groups_;
-    std::vector<double> forces_; ///< of all loads; empty without loads
+    std::vector<double> forces_; ///< of all loads but springs; empty without loads
     std::vector<double> face_forces_;
     bool                has_pressure_       = false;
     double              largest_frequency2_ = 0; ///< k/m of springs [1/s^2]

@@ -85,6 +85,8 @@ namespace vfife
     void                add_contact(State &state, bool search, std::vector<double> &forces);
     std::vector<double> compute_masses(const Loads &loads, double dt);
     void   add_applied(const State &state, const Loads &loads, std::vector<double> &forces);
+    void   place(State &state, ConstraintMotion &constraints) const;
+    double compute_round_off(const State &state, const std::vector<double> &masses) const;
     double norm(const std::vector<double> &forces, const Partition &partition) const;
     void   move(State                     &state,
                 const std::vector<double> &masses,

@@ -34,7 +34,7 @@ namespace vfife
   {
     double kinetic           = 0; ///< now
     double kinetic_relative  = 0; ///< of the motion relative to the rigidly turning bodies, now
-    double strain            = 0; ///< now
+    double strain            = 0; ///< of bodies and springs to the ground, now
     double contact           = 0; ///< stored in the contact springs, now
     double drive_work        = 0;
     double torque_work       = 0;
