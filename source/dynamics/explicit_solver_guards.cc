@@ -6,6 +6,7 @@
 #include <vfife/dynamics/explicit_solver.h>
 
 #include <cmath>
+#include <utility>
 
 namespace vfife
 {
@@ -13,12 +14,6 @@ namespace vfife
   {
     /** Part of the energy limit from which on there is a warning. */
     constexpr double energy_warning = 0.4;
-
-    /** A load that is there at once leaves a residual of half its first step, which is large beside
-     * what little energy has moved until then, but does not grow. Samples beyond the limit, and
-     * growth of the residual since the first of them, that make a failure. */
-    constexpr unsigned int least_samples = 3;
-    constexpr double       growth        = 1.5;
   } // namespace
 
   void ExplicitSolver::check(const State &state, const bool measured)
@@ -43,22 +38,17 @@ namespace vfife
       throw NumericalError("an element is inverted" + where() + ": " + inverted);
     if (!measured)
       return;
-    const double error = ledger_.error(), residual = std::abs(ledger_.residual());
+    const double error = ledger_.error(), residual = ledger_.residual();
     const auto   says = [&](const std::string &verb) {
       return "the energy error " + verb + " " + std::to_string(error) + where() + " (limit " +
              std::to_string(options_.energy_limit) + ", Dynamics/energy limit)";
     };
     if (!std::isfinite(error))
       throw NumericalError(says("is"));
-    if (std::abs(error) < energy_warning * options_.energy_limit)
-      samples_to_warn_of_ = 0;
-    else if (++samples_to_warn_of_ == least_samples)
+    if (warning_watch_.exceeds(error, residual, energy_warning * options_.energy_limit) &&
+        !std::exchange(energy_warned_, true))
       log_.warning(says("has reached"));
-    if (std::abs(error) < options_.energy_limit)
-      samples_beyond_limit_ = 0;
-    else if (++samples_beyond_limit_ == 1)
-      residual_beyond_limit_ = residual;
-    if (samples_beyond_limit_ >= least_samples && residual > growth * residual_beyond_limit_)
+    if (failure_watch_.exceeds(error, residual, options_.energy_limit))
       throw NumericalError(says("is") + " and grows: the integration is unstable");
   }
 } // namespace vfife

@@ -6,6 +6,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/base/mpi_session.h>
+#include <vfife/mesh/primitives.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/output/history_writer.h>
@@ -37,7 +38,9 @@ namespace
 
   Model make_pair_model()
   {
-    Model        model;
+    Model model;
+    for (const char *name : {"pinion", "gear"})
+      model.add_body(Body(name, make_block({1, 1, 1}, {{1, 1, 1}}), Material()));
     Transmission pair;
     pair.driver        = 0;
     pair.driven        = 1;

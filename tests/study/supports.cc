@@ -153,6 +153,7 @@ subsection Model
   end
   subsection Probe inner
     set point = 20, 0, 0 mm
+    set axes  = r, theta, z
   end
   subsection Probe outer
     set point = 40, 0, 0 mm

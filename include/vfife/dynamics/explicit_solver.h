@@ -7,6 +7,7 @@
 #include <vfife/dynamics/contact_system.h>
 #include <vfife/dynamics/contact_watch.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/energy_watch.h>
 #include <vfife/dynamics/nodal_loads.h>
 #include <vfife/dynamics/rigid_walls.h>
 #include <vfife/dynamics/torque_loads.h>
@@ -146,13 +147,11 @@ namespace vfife
     std::uint64_t                       first_step_ = 0; ///< of the run
     double                              start_time_ = 0; ///< of the run [s]
     std::vector<RigidVelocity>          rates_at_start_;
-    bool                                goes_on_               = false; ///< from a checkpoint
-    bool                                energy_warned_         = false;
-    unsigned int                        samples_to_warn_of_    = 0; ///< one after the other
-    unsigned int                        samples_beyond_limit_  = 0; ///< the same
-    double                              residual_beyond_limit_ = 0; ///< at the first of them [mJ]
-    bool                                search_now_            = false; ///< whatever the step
-    double                              element_step_;                  ///< [s]
+    bool                                goes_on_       = false; ///< from a checkpoint
+    bool                                energy_warned_ = false;
+    EnergyWatch                         warning_watch_, failure_watch_;
+    bool                                search_now_ = false; ///< whatever the step
+    double                              element_step_;       ///< [s]
   };
 } // namespace vfife
 
