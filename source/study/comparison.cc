@@ -76,13 +76,9 @@ namespace vfife
       declare_number(prm, name, value, meaning, Range::not_negative());
     };
     fraction("frequency tolerance", frequency, "Of frequencies, part of the reference");
-    fraction("displacement tolerance",
-             displacement,
-             "Of static displacements, part of the probe's displacement");
     fraction("transmission error tolerance",
              error,
              "Of transmission errors of a slow pair, part of the static mean");
-    fraction("stress tolerance", stress, "Of stresses, part of the reference");
     fraction("force tolerance", force, "Of contact forces and torques, part of the reference");
     declare_quantity(prm,
                      "slow",

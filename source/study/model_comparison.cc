@@ -4,7 +4,6 @@
 #include <vfife/study/spectrum_lines.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vfife
 {
@@ -33,53 +32,6 @@ namespace vfife
           probes.back().displacements.push_back(column.name);
         }
       return probes;
-    }
-
-    double last(const Table &table, const std::string &column)
-    {
-      const std::vector<double> &numbers = table.numbers(column);
-      return numbers.empty() ? std::numeric_limits<double>::quiet_NaN() : numbers.back();
-    }
-
-    bool has_column(const Table &table, const std::string &name)
-    {
-      return std::any_of(table.columns().begin(), table.columns().end(), [&](const auto &column) {
-        return column.name == name;
-      });
-    }
-
-    void add_static(const ComparedCase         &relaxed,
-                    const ComparedCase         &fem,
-                    const ComparisonTolerances &tolerances,
-                    ComparisonRows             &rows)
-    {
-      const Table ours = relaxed.table("history.csv"), theirs = fem.table("history.csv");
-      for (const ProbeColumns &probe : find_probes(theirs))
-        {
-          double length = 0;
-          for (const std::string &column : probe.displacements)
-            length = std::hypot(length, last(theirs, column));
-          for (const std::string &column : probe.displacements)
-            // What symmetry makes zero is round-off.
-            if (has_column(ours, column) && std::abs(last(theirs, column)) > 0.01 * length)
-              rows.push_back({column,
-                              "mm",
-                              last(ours, column),
-                              last(theirs, column),
-                              "FEM",
-                              tolerances.displacement * length,
-                              "small displacements of the same mesh; part of the probe's "
-                              "displacement"});
-          const std::string stress = probe.name + " von mises";
-          if (has_column(ours, stress))
-            rows.push_back({stress,
-                            "MPa",
-                            last(ours, stress),
-                            last(theirs, stress),
-                            "FEM",
-                            tolerances.stress * last(theirs, stress),
-                            "both are averages of the elements' values at the node"});
-        }
     }
 
     void add_ring_down(const ComparedCase         &run,
@@ -128,12 +80,8 @@ namespace vfife
   ComparisonRows compare_models(const ComparedCases &cases, const ComparisonTolerances &tolerances)
   {
     ComparisonRows            rows;
-    const ComparedCase *const relaxed = find_case(cases, "static", "history.csv");
-    const ComparedCase *const fem     = find_case(cases, "fem static", "history.csv");
-    const ComparedCase *const run     = find_case(cases, "run", "history.csv");
-    const ComparedCase *const modal   = find_case(cases, "modal", "modes.csv");
-    if (relaxed != nullptr && fem != nullptr)
-      add_static(*relaxed, *fem, tolerances, rows);
+    const ComparedCase *const run   = find_case(cases, "run", "history.csv");
+    const ComparedCase *const modal = find_case(cases, "modal", "modes.csv");
     if (run != nullptr && !run->is_pair && modal != nullptr)
       add_ring_down(*run, *modal, tolerances, rows);
     return rows;
