@@ -49,13 +49,26 @@ namespace vfife
         }
       return std::numeric_limits<double>::quiet_NaN();
     }
+
+    /** Null where there is no file, discarded where it is no JSON. */
+    Json read_json(const std::string &path)
+    {
+      std::ifstream file(path);
+      return file ? Json::parse(file, nullptr, false) : Json();
+    }
   } // namespace
+
+  double read_figure(const std::string &path, const std::string &pointer)
+  {
+    const Json json = read_json(path);
+    return json.is_structured() ? read_number(json, pointer)
+                                : std::numeric_limits<double>::quiet_NaN();
+  }
 
   RunFigures read_run_figures(const std::string &folder)
   {
-    RunFigures    run;
-    std::ifstream file(folder + "/summary.json");
-    const Json    json = file ? Json::parse(file, nullptr, false) : Json();
+    RunFigures run;
+    const Json json = read_json(folder + "/summary.json");
     if (json.is_object())
       {
         run.status  = json.value("status", "");

@@ -3,6 +3,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/base/nearest_name.h>
+#include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/mode_writer.h>
@@ -30,15 +31,27 @@ namespace vfife
 
   void ModalStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    gear_case_.declare(prm, file);
+    is_general_ = file.contains("Model") && !file.contains("Gear pair");
+    if (is_general_)
+      model_.declare(prm, file);
+    else
+      gear_case_.declare(prm, file);
     Subsection section(prm, "Fem");
     fem_.declare(prm);
   }
 
   void ModalStudy::check() const
   {
-    gear_case_.check();
+    if (is_general_)
+      model_.check();
+    else
+      gear_case_.check();
     fem_.check("Fem");
+  }
+
+  Model ModalStudy::make_model(Log &log) const
+  {
+    return is_general_ ? model_.make_model() : gear_case_.make_model(false, log);
   }
 
   std::vector<unsigned int> ModalStudy::find_bodies(const Model &model) const
@@ -61,7 +74,7 @@ namespace vfife
 
   void ModalStudy::inspect(Communicator &, Log &log)
   {
-    const Model model = gear_case_.make_model(false, log);
+    const Model model = make_model(log);
     for (const unsigned int b : find_bodies(model))
       log.line("modes of the ",
                model.bodies[b].name(),
@@ -74,7 +87,7 @@ namespace vfife
 
   void ModalStudy::run(OutputFolder &folder, Log &log)
   {
-    const Model model = gear_case_.make_model(false, log);
+    const Model model = make_model(log);
     folder.make_subfolder("modes");
     for (const unsigned int b : find_bodies(model))
       solve_body(model, b, folder, log);

@@ -13,6 +13,7 @@
 #include <vfife/output/field_writer.h>
 #include <vfife/output/history_writer.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/output/pictures.h>
 #include <vfife/output/progress_line.h>
 #include <vfife/study/model_run.h>
 #include <vfife/study/stepping.h>
@@ -220,6 +221,8 @@ namespace vfife
       solver.set_rigid_velocities(state);
     };
     stepping.run(checkpoint_ ? &*checkpoint_ : nullptr, end_time, end_time_, parts);
+    if (output_.pictures)
+      draw_pictures(folder, log);
   }
 
   void StaticRun::inspect(Communicator &communicator, Log &log)
@@ -289,5 +292,7 @@ namespace vfife
     write_summary(folder, summary);
     log.line(
       "finished: ", n_relaxation_steps, " relaxation steps in ", duration_text(summary.run_time));
+    if (output_.pictures)
+      draw_pictures(folder, log);
   }
 } // namespace vfife

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameter_file.h>
 #include <vfife/study/benchmark_study.h>
+#include <vfife/study/compare_study.h>
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/loaded_contact_study.h>
 #include <vfife/study/lumped_study.h>
@@ -45,6 +46,7 @@ namespace vfife
       {"lumped", &make<LumpedStudy>},
       {"benchmark", &make<BenchmarkStudy>},
       {"sweep", &make<SweepStudy>},
+      {"compare", &make<CompareStudy>},
     };
     return kinds;
   }

@@ -77,6 +77,10 @@ namespace vfife
                     "ranks per run",
                     ranks_per_run_,
                     "Ranks that do a run together, while others do other runs; 0: all");
+    declare_switch(prm,
+                   "pictures",
+                   pictures_,
+                   "Whether the report of all runs is written at the end");
   }
 
   void SweepStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)

@@ -6,16 +6,15 @@
 #include <vfife/base/log.h>
 #include <vfife/base/table.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/output/pictures.h>
 #include <vfife/output/run_figures.h>
-#include <vfife/study/continuation.h>
-#include <vfife/study/study.h>
+#include <vfife/study/inner_case.h>
 #include <vfife/study/sweep_study.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <ostream>
 
 namespace vfife
@@ -47,74 +46,9 @@ namespace vfife
     };
   } // namespace
 
-  bool SweepStudy::is_finished(const CommandLine &line, const Communicator &communicator) const
-  {
-    // One rank looks: files may appear on the others later.
-    bool finished = false;
-    if (communicator.is_root() && read_run_figures(line.output_folder).status == "finished")
-      try
-        {
-          CommandLine before;
-          before.parameter_file = line.output_folder + "/parameters.prm";
-          refuse_changes(read_case(before), read_case(line), false);
-          finished = true;
-        }
-      catch (const InputError &)
-        {
-          finished = false;
-        }
-    return communicator.any(finished);
-  }
-
-  SweepStudy::Report SweepStudy::do_run(CommandLine line, Communicator &group) const
-  {
-    std::ostream nowhere(nullptr); // the run has a log of its own
-    Log          log(nowhere, group.is_root(), Verbosity::quiet);
-    if (restart_)
-      {
-        if (is_finished(line, group))
-          return {Outcome::finished, "was finished before"};
-        line.restart = group.any(group.is_root() &&
-                                 std::filesystem::exists(line.output_folder + "/checkpoint.bin"));
-      }
-    try
-      {
-        run_study(line, group, log);
-      }
-    catch (const Interrupted &interruption)
-      {
-        return {Outcome::interrupted, interruption.what()};
-      }
-    catch (const InputError &error)
-      {
-        return {Outcome::failed, error.what()};
-      }
-    catch (const NumericalError &error)
-      {
-        return {Outcome::failed, error.what()};
-      }
-    return {Outcome::finished, line.restart ? "went on from a checkpoint" : ""};
-  }
-
-  std::string SweepStudy::word_for(const Outcome outcome)
-  {
-    switch (outcome)
-      {
-      case Outcome::waits:
-        return "waits";
-      case Outcome::finished:
-        return "finished";
-      case Outcome::failed:
-        return "failed";
-      case Outcome::interrupted:
-        return "interrupted";
-      }
-    return "";
-  }
-
-  void SweepStudy::write_results(const OutputFolder        &folder,
-                                 const std::vector<Values> &runs,
-                                 const std::vector<Report> &reports) const
+  void SweepStudy::write_results(const OutputFolder            &folder,
+                                 const std::vector<Values>     &runs,
+                                 const std::vector<CaseReport> &reports) const
   {
     if (!folder.is_writer())
       return;
@@ -170,22 +104,22 @@ namespace vfife
     const std::vector<Values> runs     = list_runs();
     const unsigned int        n_groups = count_groups(all);
     // Ranks that an uneven division leaves over join the last group.
-    const unsigned int  index = std::min(all.rank() / (all.size() / n_groups), n_groups - 1);
-    const Split         split(all, index);
-    Communicator        group(split.mpi());
-    std::vector<Report> reports(runs.size());
-    bool                stops = false;
+    const unsigned int      index = std::min(all.rank() / (all.size() / n_groups), n_groups - 1);
+    const Split             split(all, index);
+    Communicator            group(split.mpi());
+    std::vector<CaseReport> reports(runs.size());
+    bool                    stops = false;
     for (std::size_t first = 0; first < runs.size() && !stops; first += n_groups)
       {
         const std::size_t end = std::min(first + n_groups, runs.size());
         for (std::size_t i = first; i < end; ++i)
           log.line(folder_of_run(i), " begins: ", describe(runs[i]));
-        Report report;
+        CaseReport report;
         if (first + index < end)
           {
             CommandLine line   = command_line(runs[first + index]);
             line.output_folder = folder.file(folder_of_run(first + index));
-            report             = do_run(line, group);
+            report             = do_case(line, restart_, group);
           }
 
         const auto outcomes = all.all_gather(group.is_root() ? report.outcome : Outcome::waits);
@@ -206,9 +140,12 @@ namespace vfife
       }
     if (stops)
       throw Interrupted("the sweep is stopped; to go on: the same command with --restart");
-    const auto n_failed = std::count_if(reports.begin(), reports.end(), [](const Report &report) {
-      return report.outcome == Outcome::failed;
-    });
+    if (pictures_)
+      draw_pictures(folder, log);
+    const auto n_failed =
+      std::count_if(reports.begin(), reports.end(), [](const CaseReport &report) {
+        return report.outcome == Outcome::failed;
+      });
     if (n_failed > 0)
       throw NumericalError(std::to_string(n_failed) + " of " + std::to_string(runs.size()) +
                            " runs have failed; \"" + folder.file("sweep.json") + "\" says why");

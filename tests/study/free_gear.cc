@@ -53,7 +53,10 @@ int main(int argc, char **argv)
   const std::string file = std::filesystem::absolute("mesh/gear.msh").string();
   run_file("verification/free_gear_spin.prm",
            "spin",
-           {"Model/Body gear/file=" + file, "Dynamics/end time=0.1 ms", "Output/verbosity=quiet"},
+           {"Model/Body gear/file=" + file,
+            "Dynamics/end time=0.1 ms",
+            "Output/verbosity=quiet",
+            "Output/pictures=no"},
            world);
 
   auto         h       = read_columns("spin/history.csv");

@@ -19,7 +19,7 @@ namespace
                                  "  subsection Body resting\n    set cells x = 20\n  end\nend\n"
                                  "subsection Output\n  set pictures = no\nend\n";
     std::ofstream("sweep.prm") << "subsection Study\n  set kind = sweep\nend\n"
-                                  "subsection Sweep\n  set base = bars.prm\n"
+                                  "subsection Sweep\n  set base = bars.prm\n  set pictures = no\n"
                                   "  set parameters = limit, damping\n"
                                   "  subsection Parameter limit\n"
                                   "    set entry  = Dynamics/energy limit\n"

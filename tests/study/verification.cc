@@ -22,6 +22,7 @@ namespace
     line.output_folder  = "results_" + name;
     line.overrides      = overrides;
     line.overrides.emplace_back("Output/verbosity=quiet");
+    line.overrides.emplace_back("Output/pictures=no");
     return line;
   }
 

@@ -73,7 +73,8 @@ int main(int argc, char **argv)
   line.output_folder  = "plate";
   line.overrides      = {"Model/Body plate/radial cells=" + std::to_string(radial),
                          "Model/Body plate/cells around=" + std::to_string(around),
-                         "Output/verbosity=quiet"};
+                         "Output/verbosity=quiet",
+                         "Output/pictures=no"};
   std::ostringstream nothing;
   Log                log(nothing, true, Verbosity::quiet);
   run_study(line, world, log);

@@ -19,6 +19,9 @@ namespace vfife
   /** Reads summary.json in @p folder: steps, times, energy error, means and peaks of contact force
    * and transmission error over the steady part, parts of the transmission error. */
   RunFigures read_run_figures(const std::string &folder);
+
+  /** The number at a JSON pointer of a JSON file; NaN where there is none. */
+  double read_figure(const std::string &path, const std::string &pointer);
 } // namespace vfife
 
 #endif

@@ -4,13 +4,14 @@
 
 #include <vfife/fem/campbell.h>
 #include <vfife/fem/fem_options.h>
+#include <vfife/model/model_options.h>
 #include <vfife/study/gear_case.h>
 #include <vfife/study/study_kind.h>
 
 namespace vfife
 {
-  /** Study kind `modal`: natural vibrations of the bodies, each for itself, at rest and at speed.
-   */
+  /** Study kind `modal`: natural vibrations of the bodies of a gear pair or a general model, each
+   * for itself, at rest and at speed. */
   class ModalStudy : public StudyKind
   {
   public:
@@ -20,14 +21,17 @@ namespace vfife
     void run(OutputFolder &folder, Log &log) override;
 
   private:
+    Model                     make_model(Log &log) const;
     std::vector<unsigned int> find_bodies(const Model &model) const;
     void solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
 
-    GearCase   gear_case_;
-    FemOptions fem_;
-    Table      modes_      = make_mode_table();
-    Table      campbell_   = make_campbell_table();
-    Table      resonances_ = make_resonance_table();
+    bool         is_general_ = false; ///< section Model and no Gear pair
+    GearCase     gear_case_;
+    ModelOptions model_;
+    FemOptions   fem_;
+    Table        modes_      = make_mode_table();
+    Table        campbell_   = make_campbell_table();
+    Table        resonances_ = make_resonance_table();
   };
 } // namespace vfife
 

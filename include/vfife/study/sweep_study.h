@@ -2,6 +2,7 @@
 #ifndef vfife_study_sweep_study_h
 #define vfife_study_sweep_study_h
 
+#include <vfife/study/inner_case.h>
 #include <vfife/study/study_kind.h>
 
 #include <string>
@@ -50,22 +51,6 @@ namespace vfife
       product ///< each with each; the last parameter changes fastest
     };
 
-    enum class Outcome
-    {
-      waits,
-      finished,
-      failed,
-      interrupted
-    };
-
-    /** How a run has ended. */
-    struct Report
-    {
-      Outcome     outcome = Outcome::waits;
-      std::string message;
-    };
-
-    static std::string word_for(Outcome outcome);
     static std::string folder_of_run(std::size_t i);
 
     void                declare_own(dealii::ParameterHandler &prm);
@@ -73,11 +58,9 @@ namespace vfife
     CommandLine         command_line(const Values &values) const;
     unsigned int        count_groups(const Communicator &communicator) const;
     std::string         describe(const Values &values) const;
-    bool   is_finished(const CommandLine &line, const Communicator &communicator) const;
-    Report do_run(CommandLine line, Communicator &group) const;
-    void   write_results(const OutputFolder        &folder,
-                         const std::vector<Values> &runs,
-                         const std::vector<Report> &reports) const;
+    void                write_results(const OutputFolder            &folder,
+                                      const std::vector<Values>     &runs,
+                                      const std::vector<CaseReport> &reports) const;
 
     bool                     restart_ = false;
     std::string              base_, folder_of_file_;
@@ -85,6 +68,7 @@ namespace vfife
     std::vector<Parameter>   parameters_;
     Combination              combination_   = Combination::product;
     unsigned int             ranks_per_run_ = 0;
+    bool                     pictures_      = true;
   };
 } // namespace vfife
 

@@ -1,0 +1,161 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Study kind compare: a coarse pair beside finite elements and the lumped model, a ring-down beside
+// modes, and the spectrum that both are read from.
+#include "../tests.h"
+#include "quick_pair.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/output/table_reader.h>
+#include <vfife/study/nearest_mode.h>
+#include <vfife/study/spectrum_lines.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  void show(const Table &table)
+  {
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      std::cout << table.column("quantity").texts[i] << " ("
+                << table.column("reference kind").texts[i]
+                << "): " << table.column("verdict").texts[i] << std::endl;
+  }
+
+  std::size_t find_row(const Table &table, const std::string &quantity, const std::string &kind)
+  {
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      if (table.column("quantity").texts[i] == quantity &&
+          table.column("reference kind").texts[i] == kind)
+        return i;
+    return table.n_rows();
+  }
+
+  void write_pair_cases()
+  {
+    const std::string pair = quick_pair("set web = none", "set rim rows = 2", "1e-5");
+    std::ofstream("compare_run.prm") << pair;
+    const std::string bodies = pair.substr(0, pair.find("subsection Dynamics"));
+    std::ofstream("compare_loaded.prm")
+      << pair << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
+      << "subsection Loaded contact\n set positions = 2\n set coupled modes = 3\nend\n";
+    std::ofstream("compare_lumped.prm")
+      << bodies << "subsection Study\n set kind = lumped\nend\n"
+      << "subsection Lumped\n set mesh = loaded contact\n set damping ratio = 0.1\nend\n";
+    std::ofstream("compare.prm")
+      << "subsection Study\n set kind = compare\nend\n"
+      << "subsection Compare\n set cases = run, loaded, lumped\n set pictures = no\n"
+      << " set title = coarse\n"
+      << " subsection Case run\n  set base = compare_run.prm\n end\n"
+      << " subsection Case loaded\n  set base = compare_loaded.prm\n end\n"
+      << " subsection Case lumped\n  set base = compare_lumped.prm\n"
+      << "  set entries = Lumped/table = {loaded}/loaded_contact.csv\n end\nend\n";
+  }
+
+  void pair(Communicator &world)
+  {
+    const std::string folder = "compare_results";
+    std::filesystem::remove_all(folder);
+    write_pair_cases();
+    run_pair("compare.prm", folder, world);
+    const Table table = read_result_table(folder + "/comparison.csv");
+    show(table);
+    const std::size_t row = find_row(table, "mean dte", "FEM");
+    // One mesh at 20,000 rpm is no steady state: both solve the same equilibrium at the start, and
+    // the swing of one mesh stays small.
+    check_close("mean dte over that of finite elements",
+                table.numbers("value")[row] / table.numbers("reference")[row],
+                1.,
+                0.05);
+    check("the reference is the mean of the static curve",
+          std::abs(table.numbers("reference")[row] -
+                   .5 * (read_result_table(folder + "/loaded/loaded_contact.csv")
+                           .numbers("transmission error")[0] +
+                         read_result_table(folder + "/loaded/loaded_contact.csv")
+                           .numbers("transmission error")[1])) < 1e-9);
+
+    // The same once more: all cases are read.
+    const auto time = std::filesystem::last_write_time(folder + "/run/history.csv");
+    run_pair("compare.prm", folder, world);
+    check("finished cases are read",
+          std::filesystem::last_write_time(folder + "/run/history.csv") == time);
+    const Table again = read_result_table(folder + "/comparison.csv");
+    check("with the same numbers", again.numbers("value") == table.numbers("value"));
+  }
+
+  void ring_down(Communicator &world)
+  {
+    std::filesystem::remove_all("compare_beam");
+    std::ofstream("compare_beam.prm")
+      << "subsection Study\n set kind = compare\nend\n"
+      << "subsection Compare\n set pictures = no\n set cases = ring, modes\n"
+      << " set entries = Model/Body beam/cells along length = 10;"
+         " Model/Body beam/cells over height = 2\n"
+      << " subsection Case ring\n  set base = " << SOURCE_DIR
+      << "/../../prm/verification/vibrating_cantilever.prm\n"
+      << "  set entries = Output/pictures = no\n end\n"
+      << " subsection Case modes\n  set base = " << SOURCE_DIR
+      << "/../../prm/fem/cantilever_modes.prm\n end\nend\n";
+    run_pair("compare_beam.prm", "compare_beam", world);
+    const Table table = read_result_table("compare_beam/comparison.csv");
+    show(table);
+    // 8 periods under Hann's window: the line of the negative frequency is 16 bins away.
+    check_close("line over mode",
+                table.numbers("value")[0] / table.numbers("reference")[0],
+                1.,
+                2e-4);
+  }
+
+  void spectrum()
+  {
+    std::vector<double> time, signal;
+    for (unsigned int i = 0; i < 1000; ++i)
+      {
+        time.push_back(1e-4 * i);
+        signal.push_back(5 + std::sin(2 * pi * 123.4 * time[i]) +
+                         .3 * std::cos(2 * pi * 456.7 * time[i]));
+      }
+    const auto lines = find_spectrum_lines(time, signal, 2000., .1);
+    check("two lines", lines.size() == 2);
+    // Window lobes fall with the third power of the distance: 33 bins leave 1e-5.
+    check_close("first line", lines[0].frequency / 123.4, 1., 1e-4);
+    check_close("its amplitude", lines[0].amplitude, 1., 1e-3);
+    check_close("second line", lines[1].frequency / 456.7, 1., 1e-4);
+    check_close("its amplitude", lines[1].amplitude, .3, 1e-3);
+
+    const std::vector<double> modes = {100, 1000, 1040};
+    check("agrees", compare_with_modes("", 100.5, .1, modes, .01).verdict() == "agrees");
+    check("differs", compare_with_modes("", 104, .1, modes, .01).verdict() == "differs");
+    check("modes that the record does not separate",
+          compare_with_modes("", 1001, .04, modes, .01).verdict() == "not judged");
+  }
+
+  void errors(Communicator &world)
+  {
+    std::ofstream("compare_wrong.prm") << "subsection Study\n set kind = compare\nend\n"
+                                       << "subsection Compare\n set cases = a, b\n"
+                                       << " subsection Case a\n  set base = compare_run.prm\n"
+                                       << "  set entries = Operation/sped = 1 rpm\n end\nend\n";
+    try
+      {
+        run_pair("compare_wrong.prm", "unused", world);
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  spectrum();
+  pair(session.world());
+  ring_down(session.world());
+  errors(session.world());
+}
