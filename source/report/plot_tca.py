@@ -18,6 +18,8 @@ except ImportError as error:
 
 import style
 from matplotlib import pyplot as plt
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path as Outline
 
 
 TEXTS = ("side", "contact")
@@ -61,7 +63,8 @@ def plot_lag(axes, rows):
         axes.plot(place, least, "-", lw=3, alpha=0.25, color=style.COLOURS[0], label="touching pair")
         axes.set_ylim(max(1.5 * max(least), 1.2 * max(r["lag"] for r in rows if r["contact"] == "flanks" and r["inside"])), min(0, min(least)) - 0.3)
     axes.set(xlabel="pinion rotation, pitches", ylabel="lag of the gear, arcsec (down)")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, ncol=4, loc="lower right", bbox_to_anchor=(1, 1), frameon=False,
+                borderaxespad=0.2, columnspacing=1, handlelength=1.2)
 
 
 def least_lag(rows):
@@ -76,19 +79,22 @@ def least_lag(rows):
 
 
 def plot_pattern(axes, rows, border):
+    """Ellipses end at the flank's border (full), the path drawn over them."""
     axes.plot(*zip(*border), color=style.EDGE, lw=0.8)
+    flank = PathPatch(Outline(border), transform=axes.transData)
     angles = [math.pi * i / 30 for i in range(61)]
     for row in rows[::2]:
-        axes.plot(
+        (ellipse,) = axes.plot(
             [row["gear L"] + math.cos(a) * row["gear major L"] + math.sin(a) * row["gear minor L"] for a in angles],
             [row["gear h"] + math.cos(a) * row["gear major h"] + math.sin(a) * row["gear minor h"] for a in angles],
             color=style.COLOURS[1],
             lw=0.7,
         )
+        ellipse.set_clip_path(flank)
     axes.plot([r["gear L"] for r in rows], [r["gear h"] for r in rows], ".-",
               color=style.COLOURS[2], label="path of contact")
     axes.set(xlabel="gear L, mm (heel to the right)", ylabel="gear h, mm", aspect="equal")
-    axes.legend()
+    axes.legend(loc="lower right", bbox_to_anchor=(1, 1), fontsize=8, frameon=False, borderaxespad=0)
 
 
 def plot_ease_off(axes, rows):
@@ -123,7 +129,7 @@ def draw(folder):
             [row for row in tables[name] if row["side"] == side]
             for name in ("tca", "path", "ease_off")
         )
-        grid[0][column].set_title(f"{side} side")
+        grid[0][column].set_title(f"{side} side", loc="left")
         plot_lag(grid[0][column], lag)
         plot_pattern(grid[1][column], path, outline(ease_off))
         plot_ease_off(grid[2][column], ease_off)
