@@ -15,14 +15,19 @@ namespace vfife
   {
   public:
     /** To be called at every sample: whether the error has been beyond @p limit at three samples
-     * one after the other and the residual has grown by half since the first of them. */
+     * one after the other, has not fallen since the first of them, and the residual has grown by
+     * half. */
     bool exceeds(const double error, const double residual, const double limit)
     {
       if (std::abs(error) < limit)
         samples_ = 0;
       else if (++samples_ == 1)
-        first_residual_ = std::abs(residual);
-      return samples_ >= least_samples && std::abs(residual) > growth * first_residual_;
+        {
+          first_error_    = std::abs(error);
+          first_residual_ = std::abs(residual);
+        }
+      return samples_ >= least_samples && std::abs(error) >= first_error_ &&
+             std::abs(residual) > growth * first_residual_;
     }
 
   private:
@@ -30,6 +35,7 @@ namespace vfife
     static constexpr double       growth        = 1.5;
 
     unsigned int samples_        = 0; ///< beyond the limit, without a break
+    double       first_error_    = 0; ///< at the first of them [-]
     double       first_residual_ = 0; ///< at the first of them [mJ]
   };
 } // namespace vfife
