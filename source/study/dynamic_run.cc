@@ -71,6 +71,10 @@ namespace vfife
   {
     gear_case_.check();
     dynamics_.check("Dynamics");
+    if (dynamics_.start == Start::undeformed)
+      throw InputError("Dynamics/start",
+                       "a gear pair starts by \"static preload\" or \"ramp\"; \"undeformed\" is "
+                       "for models of the section Model");
     output_.check("Output");
   }
 
