@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/mpi_session.h>
+#include <vfife/base/wall_clock.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -42,12 +43,11 @@ namespace vfife
     /** Waits until the request is done; false if that takes longer than @p patience seconds. */
     bool wait_for(MPI_Request &request, const double patience)
     {
-      const auto start = std::chrono::steady_clock::now();
+      const auto start = WallClock::now();
       int        done  = 0;
       while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0)
         {
-          if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
-              patience)
+          if (seconds_since(start) > patience)
             return false;
           std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }

@@ -9,37 +9,16 @@ namespace vfife
 {
   namespace generic
   {
-    void update_kernel(const UpdateCoefficients &,
-                       std::size_t,
-                       std::size_t,
-                       const unsigned char *,
-                       const double *,
-                       double *,
-                       double *,
-                       double *);
+    UpdateFunction update_kernel;
   }
 #ifdef __x86_64__
   namespace avx2
   {
-    void update_kernel(const UpdateCoefficients &,
-                       std::size_t,
-                       std::size_t,
-                       const unsigned char *,
-                       const double *,
-                       double *,
-                       double *,
-                       double *);
+    UpdateFunction update_kernel;
   }
   namespace avx512
   {
-    void update_kernel(const UpdateCoefficients &,
-                       std::size_t,
-                       std::size_t,
-                       const unsigned char *,
-                       const double *,
-                       double *,
-                       double *,
-                       double *);
+    UpdateFunction update_kernel;
   }
 #endif
 

@@ -14,14 +14,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    double seconds_since(const std::chrono::steady_clock::time_point &begin)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    }
-  } // namespace
-
   std::string duration_text(const double seconds)
   {
     if (!(seconds >= 0) || seconds > 1e8)
@@ -51,7 +43,7 @@ namespace vfife
     , end_time_(end_time)
     , whole_end_time_(whole_end_time)
     , steps_between_(steps_between)
-    , begin_(Clock::now())
+    , begin_(WallClock::now())
     , last_line_(begin_)
   {
   }
@@ -110,7 +102,7 @@ namespace vfife
   {
     if (!has_begun_)
       {
-        begin_ = last_line_ = Clock::now();
+        begin_ = last_line_ = WallClock::now();
         first_step_         = state.step;
         first_fraction_     = (state.time - start_time_) / (end_time_ - start_time_);
         has_begun_          = true;
@@ -136,7 +128,7 @@ namespace vfife
       }
     else
       return;
-    last_line_ = Clock::now();
+    last_line_ = WallClock::now();
   }
 
   void ProgressLine::finish(const Model &model, const State &state)

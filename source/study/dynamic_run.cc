@@ -3,6 +3,7 @@
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
+#include <vfife/base/wall_clock.h>
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/dynamics/mass_scaling.h>
 #include <vfife/dynamics/relaxation.h>
@@ -19,9 +20,9 @@
 #include <vfife/study/dynamic_run.h>
 #include <vfife/study/pair_start.h>
 #include <vfife/study/run_checks.h>
+#include <vfife/study/start_summary.h>
 #include <vfife/study/stepping.h>
 
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -30,13 +31,6 @@ namespace vfife
 {
   namespace
   {
-    using Clock = std::chrono::steady_clock;
-
-    double seconds_since(const Clock::time_point start)
-    {
-      return std::chrono::duration<double>(Clock::now() - start).count();
-    }
-
     /** Seconds by section. */
     NamedFigures list_times(const Table &report)
     {
@@ -53,7 +47,7 @@ namespace vfife
       constexpr unsigned int n = 10;
       std::vector<double>    forces(vfife.array_size());
       vfife.compute_internal_forces(state.position.data(), forces.data()); // warms the caches
-      const auto start = Clock::now();
+      const auto start = WallClock::now();
       for (unsigned int i = 0; i < n; ++i)
         vfife.compute_internal_forces(state.position.data(), forces.data());
       return seconds_since(start) / n;
@@ -136,7 +130,7 @@ namespace vfife
 
   void DynamicRun::inspect(Communicator &communicator, Log &log)
   {
-    const auto start = Clock::now();
+    const auto start = WallClock::now();
     Model      model = gear_case_.make_model(dynamics_.start == Start::ramp, log);
     scale_masses(dynamics_, model, log);
     Timers         timers;
@@ -207,7 +201,7 @@ namespace vfife
                                           const Communicator &communicator,
                                           Log                &log) const
   {
-    const auto      start = Clock::now();
+    const auto      start = WallClock::now();
     Relaxation      relaxation(model,
                           dynamics_.relaxation,
                           solver.vfife_operator(),
@@ -300,7 +294,8 @@ namespace vfife
     const HertzContact hertz = gear_case_.hertz_contact();
     Stepping           stepping(folder, log, model, solver, output_, history_steps);
     RunSummary        &summary = stepping.summary();
-    summary                    = start_summary(model, solver, dt, communicator);
+    summary                    = start_summary("run", model, solver, dt, communicator);
+    summary.figures            = list_figures(model, solver);
     const Table &history       = stepping.add<HistoryWriter>(model, history_steps).table();
     const Table &teeth         = stepping.add<TeethWriter>(model, history_steps, hertz).table();
     stepping.add<PatternWriter>(model,

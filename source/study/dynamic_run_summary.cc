@@ -1,45 +1,22 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What DynamicRun tells of a run in summary.json.
-#include <vfife/base/communicator.h>
 #include <vfife/base/log.h>
-#include <vfife/base/revision.h>
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/study/dynamic_run.h>
 
 namespace vfife
 {
-  RunSummary DynamicRun::start_summary(const Model        &model,
-                                       ExplicitSolver     &solver,
-                                       const double        dt,
-                                       const Communicator &communicator) const
+  NamedFigures DynamicRun::list_figures(const Model &model, ExplicitSolver &solver) const
   {
-    RunSummary summary;
-    summary.study           = "run";
-    summary.version         = program_version();
-    summary.revision        = program_revision();
-    summary.instruction_set = solver.vfife_operator().instruction_set();
-    summary.ranks           = communicator.size();
-    summary.dt              = dt;
-    for (const Body &body : model.bodies)
-      summary.bodies.push_back({body.name(),
-                                body.n_elements(),
-                                body.n_nodes(),
-                                body.mass(),
-                                body.axial_inertia(),
-                                body.rate,
-                                body.added_mass()});
-
     const Transmission &t      = *model.transmission;
     const double        torque = gear_case_.operation().torque;
-    summary.figures            = {{"mesh frequency", {t.mesh_frequency(), "Hz"}},
-                                  {model.bodies[t.driver].name() + " speed",
-                                   {t.driver_rate * 30. / pi, "rpm"}},
-                                  {model.bodies[t.driven].name() + " torque", {1e-3 * torque, "N m"}},
-                                  {"effective arm", {t.arm, "mm"}},
-                                  {"torque over effective arm", {torque / t.arm, "N"}},
-                                  {"stable step of the elements", {1e9 * solver.element_step(), "ns"}},
-                                  {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
-    return summary;
+    return {{"mesh frequency", {t.mesh_frequency(), "Hz"}},
+            {model.bodies[t.driver].name() + " speed", {t.driver_rate * 30. / pi, "rpm"}},
+            {model.bodies[t.driven].name() + " torque", {1e-3 * torque, "N m"}},
+            {"effective arm", {t.arm, "mm"}},
+            {"torque over effective arm", {torque / t.arm, "N"}},
+            {"stable step of the elements", {1e9 * solver.element_step(), "ns"}},
+            {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
   }
 
   void DynamicRun::complete_summary(const Model   &model,

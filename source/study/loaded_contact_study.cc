@@ -2,6 +2,7 @@
 #include <vfife/base/communicator.h>
 #include <vfife/base/log.h>
 #include <vfife/base/timers.h>
+#include <vfife/base/wall_clock.h>
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/fem/static_solver.h>
 #include <vfife/mesh/node_set_names.h>
@@ -11,20 +12,12 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <chrono>
 #include <cmath>
 
 namespace vfife
 {
   namespace
   {
-    using LoadedClock = std::chrono::steady_clock;
-
-    double seconds(const LoadedClock::time_point start)
-    {
-      return std::chrono::duration<double>(LoadedClock::now() - start).count();
-    }
-
     /** Largest von Mises stress of some named sets of a body [MPa], 0 where it has none. */
     double largest_stress(const Body                      &body,
                           const std::vector<Stress>       &stresses,
@@ -132,7 +125,7 @@ namespace vfife
   {
     const Model               model     = gear_case_.make_model(false, log);
     const std::vector<double> penalties = find_penalties(model, folder.communicator(), log);
-    auto                      start     = LoadedClock::now();
+    auto                      start     = WallClock::now();
     Compliance                compliance(model, fem_, options_.centrifugal, folder.communicator());
     log.line("penalty ",
              penalties.front(),
@@ -141,7 +134,7 @@ namespace vfife
              " unknowns, factors of ",
              compliance.memory(),
              " MB in ",
-             seconds(start),
+             seconds_since(start),
              " s");
 
     const double        pitch = 2 * pi / model.transmission->driver_teeth;
@@ -151,7 +144,7 @@ namespace vfife
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
     for (const double turn : turns)
       {
-        start                              = LoadedClock::now();
+        start                              = WallClock::now();
         const unsigned int          before = compliance.n_prepared();
         const PairEquilibriumResult result = equilibrium.solve(turn, 1.);
         add_position(model, compliance, turn / pitch, result, log);
@@ -162,7 +155,7 @@ namespace vfife
                  ", ",
                  compliance.n_prepared() - before,
                  " unit forces, ",
-                 seconds(start),
+                 seconds_since(start),
                  " s");
         if (turn == turns.front() && options_.coupled_modes > 0)
           find_modes(model, compliance, result, folder, log);

@@ -5,6 +5,7 @@
 #include <vfife/base/nearest_name.h>
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
+#include <vfife/base/wall_clock.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/mode_writer.h>
 #include <vfife/output/output_folder.h>
@@ -12,7 +13,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -109,10 +109,9 @@ namespace vfife
     std::vector<ModesAtSpeed> speeds;
     for (const double rate : fem_.rates())
       {
-        const auto   start = std::chrono::steady_clock::now();
-        ModesAtSpeed found = rotating.find_modes(rate);
-        const double seconds =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const auto   start   = WallClock::now();
+        ModesAtSpeed found   = rotating.find_modes(rate);
+        const double seconds = seconds_since(start);
         log.line(body.name(),
                  " at ",
                  rate * 30. / pi,

@@ -3,8 +3,8 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
 #include <vfife/base/parameters.h>
-#include <vfife/base/revision.h>
 #include <vfife/base/timers.h>
+#include <vfife/base/wall_clock.h>
 #include <vfife/dynamics/explicit_solver.h>
 #include <vfife/dynamics/mass_scaling.h>
 #include <vfife/dynamics/relaxation.h>
@@ -16,24 +16,14 @@
 #include <vfife/output/pictures.h>
 #include <vfife/output/progress_line.h>
 #include <vfife/study/model_run.h>
+#include <vfife/study/start_summary.h>
 #include <vfife/study/stepping.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace vfife
 {
-  namespace
-  {
-    using Clock = std::chrono::steady_clock;
-
-    double seconds_since(const Clock::time_point start)
-    {
-      return std::chrono::duration<double>(Clock::now() - start).count();
-    }
-  } // namespace
-
   ModelStudy::ModelStudy()
   {
     // A general model moves as it is told: no start of a gear pair, no dampers.
@@ -115,30 +105,6 @@ namespace vfife
       observers.push_back(std::make_unique<FieldWriter>(
         folder, model, field_steps, dynamics_.stiffness, dynamics_.frame));
     return observers;
-  }
-
-  RunSummary ModelStudy::start_summary(const std::string  &study,
-                                       const Model        &model,
-                                       ExplicitSolver     &solver,
-                                       const double        dt,
-                                       const Communicator &communicator) const
-  {
-    RunSummary summary;
-    summary.study           = study;
-    summary.version         = program_version();
-    summary.revision        = program_revision();
-    summary.instruction_set = solver.vfife_operator().instruction_set();
-    summary.ranks           = communicator.size();
-    summary.dt              = dt;
-    for (const Body &body : model.bodies)
-      summary.bodies.push_back({body.name(),
-                                body.n_elements(),
-                                body.n_nodes(),
-                                body.mass(),
-                                body.axial_inertia(),
-                                body.rate,
-                                body.added_mass()});
-    return summary;
   }
 
   void ModelRun::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
@@ -259,7 +225,7 @@ namespace vfife
                           log);
     State      state;
     solver.start(state);
-    const auto         start              = Clock::now();
+    const auto         start              = WallClock::now();
     const unsigned int n_steps            = dynamics_.relaxation.load_steps;
     std::uint64_t      n_relaxation_steps = 0;
     for (unsigned int step = 1; step <= n_steps; ++step)

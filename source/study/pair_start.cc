@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
 #include <vfife/base/log.h>
+#include <vfife/base/wall_clock.h>
 #include <vfife/study/pair_start.h>
 
-#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -46,8 +46,7 @@ namespace vfife
     , relaxation_(relaxation)
     , communicator_(communicator)
   {
-    using Clock      = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const auto start = WallClock::now();
     compliance_ =
       std::make_unique<Compliance>(model, fem_options(options), any_turns(model), communicator);
     pair_ =
@@ -55,7 +54,7 @@ namespace vfife
     log.line("  stiffness of ",
              compliance_->n_unknowns(),
              " unknowns factorized in ",
-             std::chrono::duration<double>(Clock::now() - start).count(),
+             seconds_since(start),
              " s, factors of ",
              compliance_->memory(),
              " MB");

@@ -25,11 +25,6 @@ namespace vfife
     {
       return "time " + std::to_string(1e3 * state.time) + " ms, step " + std::to_string(state.step);
     }
-
-    double seconds_since(const std::chrono::steady_clock::time_point start)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
   } // namespace
 
   Stepping::Stepping(OutputFolder        &folder,
@@ -45,7 +40,7 @@ namespace vfife
     , solver_(solver)
     , output_(output)
     , sample_steps_(sample_steps)
-    , begin_(Clock::now())
+    , begin_(WallClock::now())
     , last_checkpoint_(begin_)
   {
     solver_.start(state_);
@@ -105,7 +100,7 @@ namespace vfife
     exchange(common, &own);
     write_checkpoint(folder_, common.bytes(), own.bytes(), has_checkpoint_);
     has_checkpoint_  = true;
-    last_checkpoint_ = Clock::now();
+    last_checkpoint_ = WallClock::now();
   }
 
   void Stepping::restore(const Checkpoint &checkpoint)
@@ -190,7 +185,7 @@ namespace vfife
     observers_.push_back(
       std::make_unique<ProgressLine>(log_, communicator_, 0., end_time, whole_time, sample_steps_));
     exchange_parts_ = parts.exchange;
-    begin_          = Clock::now();
+    begin_          = WallClock::now();
     try
       {
         if (checkpoint != nullptr)
@@ -199,7 +194,7 @@ namespace vfife
         folder_.remove_file("summary.json");
         if (checkpoint == nullptr)
           parts.prepare(state_);
-        begin_ = last_checkpoint_     = Clock::now();
+        begin_ = last_checkpoint_     = WallClock::now();
         const std::uint64_t last_step = std::llround(end_time / state_.dt);
         RunSignals          signals;
         solver_.run(state_, end_time, observers_, [&](State &) {

@@ -42,14 +42,15 @@ namespace vfife
   };
 
   /** Updates nodes [@p first, @p last) and adds to @p sums; arrays as in update_nodes(). */
-  using UpdateKernel = void (*)(const UpdateCoefficients &coefficients,
-                                std::size_t               first,
-                                std::size_t               last,
-                                const unsigned char      *owned,
-                                const double             *forces,
-                                double                   *positions,
-                                double                   *velocities,
-                                double                   *sums);
+  using UpdateFunction = void(const UpdateCoefficients &coefficients,
+                              std::size_t               first,
+                              std::size_t               last,
+                              const unsigned char      *owned,
+                              const double             *forces,
+                              double                   *positions,
+                              double                   *velocities,
+                              double                   *sums);
+  using UpdateKernel   = UpdateFunction *;
 } // namespace vfife
 
 #endif

@@ -2,9 +2,9 @@
 #ifndef vfife_output_progress_line_h
 #define vfife_output_progress_line_h
 
+#include <vfife/base/wall_clock.h>
 #include <vfife/model/observer.h>
 
-#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -36,22 +36,20 @@ namespace vfife
     void finish(const Model &model, const State &state) override;
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     void        say_expected_time(const State &state);
     std::string compose(const Model &model, const State &state) const;
 
-    Log              &log_;
-    bool              is_writer_;
-    bool              is_terminal_;
-    double            start_time_, end_time_, whole_end_time_;
-    std::uint64_t     steps_between_;
-    Clock::time_point begin_, last_line_; ///< set when the first state is seen
-    std::uint64_t     first_step_    = 0;
-    bool              has_begun_     = false;
-    bool              said_expected_ = false;
-    double            last_fraction_ = 0, first_fraction_ = 0;
-    std::size_t       shown_ = 0; ///< characters of the overwritten line
+    Log                  &log_;
+    bool                  is_writer_;
+    bool                  is_terminal_;
+    double                start_time_, end_time_, whole_end_time_;
+    std::uint64_t         steps_between_;
+    WallClock::time_point begin_, last_line_; ///< set when the first state is seen
+    std::uint64_t         first_step_    = 0;
+    bool                  has_begun_     = false;
+    bool                  said_expected_ = false;
+    double                last_fraction_ = 0, first_fraction_ = 0;
+    std::size_t           shown_ = 0; ///< characters of the overwritten line
   };
 
   /** "3 h 12 min", "2 min 05 s", "41 s". */

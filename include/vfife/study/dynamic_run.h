@@ -42,30 +42,27 @@ namespace vfife
       double          penalty_lag = 0; ///< [rad]
     };
 
-    void       log_step(const Model &model, ExplicitSolver &solver, double dt, Log &log) const;
-    double     expect_run_time(ExplicitSolver &solver, const State &state, double dt) const;
-    void       report_contradictions(const Model              &model,
-                                     ExplicitSolver           &solver,
-                                     double                    dt,
-                                     double                    run_time,
-                                     std::vector<std::string> &found,
-                                     Log                      &log) const;
-    Preload    preload(const Model        &model,
-                       ExplicitSolver     &solver,
-                       State              &state,
-                       const Communicator &communicator,
-                       Log                &log) const;
-    void       log_preload(const Model &model, const Preload &preload, Log &log) const;
-    RunSummary start_summary(const Model        &model,
-                             ExplicitSolver     &solver,
-                             double              dt,
-                             const Communicator &communicator) const;
-    void       add_preload(const Preload &preload, RunSummary &summary) const;
-    void       complete_summary(const Model   &model,
-                                const Table   &history,
-                                const Preload &preload,
-                                RunSummary    &summary,
-                                Log           &log) const;
+    void         log_step(const Model &model, ExplicitSolver &solver, double dt, Log &log) const;
+    double       expect_run_time(ExplicitSolver &solver, const State &state, double dt) const;
+    void         report_contradictions(const Model              &model,
+                                       ExplicitSolver           &solver,
+                                       double                    dt,
+                                       double                    run_time,
+                                       std::vector<std::string> &found,
+                                       Log                      &log) const;
+    Preload      preload(const Model        &model,
+                         ExplicitSolver     &solver,
+                         State              &state,
+                         const Communicator &communicator,
+                         Log                &log) const;
+    void         log_preload(const Model &model, const Preload &preload, Log &log) const;
+    NamedFigures list_figures(const Model &model, ExplicitSolver &solver) const;
+    void         add_preload(const Preload &preload, RunSummary &summary) const;
+    void         complete_summary(const Model   &model,
+                                  const Table   &history,
+                                  const Preload &preload,
+                                  RunSummary    &summary,
+                                  Log           &log) const;
 
     GearCase        gear_case_;
     DynamicsOptions dynamics_;

@@ -26,17 +26,12 @@ namespace vfife
     void check() const override;
 
   protected:
-    void       log_model(const Model &model, Log &log) const;
-    void       log_step(ExplicitSolver &solver, double dt, Log &log) const;
-    Observers  make_observers(const OutputFolder &folder,
-                              const Model        &model,
-                              std::uint64_t       history_steps,
-                              std::uint64_t       field_steps) const;
-    RunSummary start_summary(const std::string  &study,
+    void      log_model(const Model &model, Log &log) const;
+    void      log_step(ExplicitSolver &solver, double dt, Log &log) const;
+    Observers make_observers(const OutputFolder &folder,
                              const Model        &model,
-                             ExplicitSolver     &solver,
-                             double              dt,
-                             const Communicator &communicator) const;
+                             std::uint64_t       history_steps,
+                             std::uint64_t       field_steps) const;
 
     ModelOptions    model_;
     DynamicsOptions dynamics_;

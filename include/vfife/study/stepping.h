@@ -2,12 +2,12 @@
 #ifndef vfife_study_stepping_h
 #define vfife_study_stepping_h
 
+#include <vfife/base/wall_clock.h>
 #include <vfife/model/observer.h>
 #include <vfife/model/state.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/summary.h>
 
-#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -77,8 +77,6 @@ namespace vfife
     void run(const Checkpoint *checkpoint, double end_time, double whole_time, const Parts &parts);
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     void   before_step(RunSignals &signals, std::uint64_t last_step);
     void   stop(int signal) const;
     void   write();
@@ -100,7 +98,7 @@ namespace vfife
     RunSummary           summary_;
 
     std::function<void(ByteStream &)> exchange_parts_;
-    Clock::time_point                 begin_, last_checkpoint_;
+    WallClock::time_point             begin_, last_checkpoint_;
     double                            earlier_time_   = 0; ///< run time before the checkpoint [s]
     bool                              has_checkpoint_ = false; ///< of this run
   };

@@ -1,0 +1,24 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_start_summary_h
+#define vfife_study_start_summary_h
+
+#include <vfife/output/summary.h>
+
+#include <string>
+
+namespace vfife
+{
+  class Communicator;
+  class ExplicitSolver;
+  struct Model;
+
+  /** What is known of any run before its first step: program, bodies, step @p dt [s]. @p study: the
+   * word of its kind. */
+  RunSummary start_summary(const std::string  &study,
+                           const Model        &model,
+                           ExplicitSolver     &solver,
+                           double              dt,
+                           const Communicator &communicator);
+} // namespace vfife
+
+#endif

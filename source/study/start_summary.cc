@@ -1,0 +1,32 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/communicator.h>
+#include <vfife/base/revision.h>
+#include <vfife/dynamics/explicit_solver.h>
+#include <vfife/study/start_summary.h>
+
+namespace vfife
+{
+  RunSummary start_summary(const std::string  &study,
+                           const Model        &model,
+                           ExplicitSolver     &solver,
+                           const double        dt,
+                           const Communicator &communicator)
+  {
+    RunSummary summary;
+    summary.study           = study;
+    summary.version         = program_version();
+    summary.revision        = program_revision();
+    summary.instruction_set = solver.vfife_operator().instruction_set();
+    summary.ranks           = communicator.size();
+    summary.dt              = dt;
+    for (const Body &body : model.bodies)
+      summary.bodies.push_back({body.name(),
+                                body.n_elements(),
+                                body.n_nodes(),
+                                body.mass(),
+                                body.axial_inertia(),
+                                body.rate,
+                                body.added_mass()});
+    return summary;
+  }
+} // namespace vfife
