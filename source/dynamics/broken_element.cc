@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
 #include <vfife/dynamics/broken_element.h>
+#include <vfife/dynamics/vfife_operator.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
@@ -19,26 +20,33 @@ namespace vfife
       double        least_jacobian = std::numeric_limits<double>::infinity();
     };
 
-    /** Of this rank; Jacobians over those of the undeformed elements where @p relative. */
-    Distortion find_most_distorted(const Model &model, const State &state, const bool relative)
+    /** Of an element of the model, relative to the undeformed one. */
+    Distortion
+    find_distortion(const Model &model, const State &state, const std::uint32_t model_element)
     {
-      Distortion  worst;
       std::size_t b = 0;
+      while (model_element >= model.bodies[b].first_element + model.bodies[b].n_elements())
+        ++b;
+      const Body         &body    = model.bodies[b];
+      const std::uint32_t element = model_element - body.first_element;
+      HexahedronNodes     x;
+      for (unsigned int i = 0; i < 8; ++i)
+        x.col(i) = state.node_position(
+          state.partition.local_node[body.first_node + body.elements()[element][i]]);
+      return {b,
+              element,
+              compute_least_jacobian(x) / compute_least_jacobian(body.element_nodes(element))};
+    }
+
+    /** Of this rank. */
+    Distortion find_most_distorted(const Model &model, const State &state)
+    {
+      Distortion worst;
       for (const std::uint32_t e : state.partition.elements)
         {
-          while (e >= model.bodies[b].first_element + model.bodies[b].n_elements())
-            ++b;
-          const Body         &body    = model.bodies[b];
-          const std::uint32_t element = e - body.first_element;
-          HexahedronNodes     x;
-          for (unsigned int i = 0; i < 8; ++i)
-            x.col(i) = state.node_position(
-              state.partition.local_node[body.first_node + body.elements()[element][i]]);
-          double least = compute_least_jacobian(x);
-          if (relative)
-            least /= compute_least_jacobian(body.element_nodes(element));
-          if (least < worst.least_jacobian || std::isnan(least))
-            worst = {b, element, least};
+          const Distortion one = find_distortion(model, state, e);
+          if (one.least_jacobian < worst.least_jacobian || std::isnan(one.least_jacobian))
+            worst = one;
         }
       return worst;
     }
@@ -69,18 +77,18 @@ namespace vfife
             }
       }
 
-    text << "most distorted before: "
-         << describe(model, find_most_distorted(model, last_measured, true));
+    text << "most distorted before: " << describe(model, find_most_distorted(model, last_measured));
     return text.str();
   }
 
-  std::string
-  find_inverted_element(const Model &model, const State &state, const Communicator &communicator)
+  std::string find_inverted_element(const Model           &model,
+                                    const State           &state,
+                                    const ElementMeasures &measures,
+                                    const Communicator    &communicator)
   {
-    // The sign alone needs no undeformed element: this is done at every sample.
     std::string text;
-    if (!(find_most_distorted(model, state, false).least_jacobian > 0))
-      text = describe(model, find_most_distorted(model, state, true));
+    if (measures.least_jacobian <= 0)
+      text = describe(model, find_distortion(model, state, measures.least_element));
     if (!communicator.any(!text.empty()))
       return "";
     for (const std::string &found : communicator.all_gather(text))

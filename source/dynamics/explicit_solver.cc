@@ -177,22 +177,25 @@ namespace vfife
     has_touched_      = false;
   }
 
-  void ExplicitSolver::compute_forces(State &state, const bool keep_contact_forces)
+  void ExplicitSolver::compute_forces(State &state, const bool measured)
   {
     {
       const auto scope = timers_.time(timers_.section("element forces"));
-      operator_.compute_internal_forces(state.position.data(), forces_.data());
+      if (measured)
+        measures_ = operator_.measure_internal_forces(state.position.data(), forces_.data());
+      else
+        operator_.compute_internal_forces(state.position.data(), forces_.data());
     }
     {
       const auto scope = timers_.time(timers_.section("contact"));
       if (state.step % search_interval == 0 || search_now_)
         contact_.search(state.body_motion, rigid_, state.position.data(), search_interval * dt_);
       search_now_ = false;
-      if (keep_contact_forces)
+      if (measured)
         state.contact_force = forces_;
       contact_.add_forces(
         state.body_motion, state.position.data(), state.velocity.data(), dt_, forces_.data());
-      if (keep_contact_forces)
+      if (measured)
         for (std::size_t i = 0; i < forces_.size(); ++i)
           state.contact_force[i] = forces_[i] - state.contact_force[i];
     }

@@ -33,7 +33,7 @@ namespace vfife
       throw NumericalError("runaway penetration" + where() + ": " +
                            contact_.describe_deepest_point());
     const std::string inverted =
-      measured ? find_inverted_element(model_, observed_, communicator_) : "";
+      measured ? find_inverted_element(model_, observed_, measures_, communicator_) : "";
     if (!inverted.empty())
       throw NumericalError("an element is inverted" + where() + ": " + inverted);
     if (!measured)

@@ -125,13 +125,12 @@ namespace vfife
     measure_momentum(observed_, operator_.masses(), communicator_);
     measure_contact();
     add_rate_difference(state);
-    return operator_.compute_strain_energy(state.position.data()) +
-           loads_.compute_spring_energy(state.position.data());
+    return measures_.strain_energy + loads_.compute_spring_energy(state.position.data());
   }
 
   void ExplicitSolver::measure_at_rest(State &state)
   {
-    operator_.compute_internal_forces(state.position.data(), forces_.data());
+    measures_ = operator_.measure_internal_forces(state.position.data(), forces_.data());
     contact_.search(state.body_motion,
                     std::vector<RigidVelocity>(model_.bodies.size()),
                     state.position.data(),

@@ -3,8 +3,6 @@
 #include <vfife/dynamics/halo_exchange.h>
 #include <vfife/model/model.h>
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -48,14 +46,17 @@ namespace vfife
       }
     shared_.assign(shared.begin(), shared.end());
     own_.resize(3 * shared_.size());
+    requests_.resize(2 * neighbours_.size());
   }
 
   void HaloExchange::add_over_ranks(double *values)
   {
-    if (neighbours_.empty())
-      return;
+    start(values);
+    finish(values);
+  }
 
-    std::vector<MPI_Request> requests(2 * neighbours_.size());
+  void HaloExchange::start(double *values)
+  {
     for (std::size_t i = 0; i < neighbours_.size(); ++i)
       {
         Neighbour &n = neighbours_[i];
@@ -67,14 +68,14 @@ namespace vfife
                   n.rank,
                   0,
                   communicator_.mpi(),
-                  &requests[2 * i]);
+                  &requests_[2 * i]);
         MPI_Isend(n.sent.data(),
                   n.sent.size(),
                   MPI_DOUBLE,
                   n.rank,
                   0,
                   communicator_.mpi(),
-                  &requests[2 * i + 1]);
+                  &requests_[2 * i + 1]);
       }
 
     for (std::size_t k = 0; k < shared_.size(); ++k)
@@ -83,7 +84,11 @@ namespace vfife
         std::copy_n(v, 3, own_.data() + 3 * k);
         std::fill_n(v, 3, 0.);
       }
-    MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
+  }
+
+  void HaloExchange::finish(double *values)
+  {
+    MPI_Waitall(requests_.size(), requests_.data(), MPI_STATUSES_IGNORE);
 
     const auto add_own = [&] {
       for (std::size_t k = 0; k < shared_.size(); ++k)

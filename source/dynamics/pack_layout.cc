@@ -5,7 +5,8 @@
 #include <vfife/model/model.h>
 
 #include <algorithm>
-#include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace vfife
 {
@@ -22,7 +23,23 @@ namespace vfife
       packs.insert(packs.end(), n_lanes - n, Partition::absent);
     }
 
-    void fill_packs(BodyPacks &body, const bool share_constants)
+    /** Nodes of the body that elements of other ranks touch: 1. */
+    std::vector<std::uint8_t> find_border(const Body                       &body,
+                                          const std::vector<std::uint32_t> &rank_of_element,
+                                          const unsigned int                rank)
+    {
+      std::vector<std::uint8_t> border(body.n_nodes(), 0);
+      for (std::uint32_t e = 0; e < body.n_elements(); ++e)
+        if (rank_of_element[body.first_element + e] != rank)
+          for (const std::uint32_t node : body.elements()[e])
+            border[node] = 1;
+      return border;
+    }
+
+    /** @p at_border: 1 for rows of `elements` that touch nodes of other ranks. */
+    void fill_packs(BodyPacks                       &body,
+                    const std::vector<std::uint8_t> &at_border,
+                    const bool                       share_constants)
     {
       std::vector<std::vector<std::uint32_t>> members(body.classes.size.size());
       for (std::uint32_t row = 0; row < body.elements.size(); ++row)
@@ -31,29 +48,42 @@ namespace vfife
       struct Pack
       {
         std::uint32_t first, class_index, offset, n;
+        bool          inside;
       };
       std::vector<Pack>          shared;
       std::vector<std::uint32_t> own;
       for (std::uint32_t c = 0; c < members.size(); ++c)
         if (share_constants && members[c].size() >= least_shared_size)
           for (std::uint32_t i = 0; i < members[c].size(); i += n_lanes)
-            shared.push_back(
-              {members[c][i], c, i, std::min<std::uint32_t>(n_lanes, members[c].size() - i)});
+            {
+              const std::uint32_t n   = std::min<std::uint32_t>(n_lanes, members[c].size() - i);
+              const auto          row = members[c].begin() + i;
+              shared.push_back(
+                {*row, c, i, n, std::none_of(row, row + n, [&](const std::uint32_t r) {
+                   return at_border[r];
+                 })});
+            }
         else
           own.insert(own.end(), members[c].begin(), members[c].end());
 
       std::sort(shared.begin(), shared.end(), [](const Pack &a, const Pack &b) {
-        return a.first < b.first;
+        return std::tie(a.inside, a.first) < std::tie(b.inside, b.first);
       });
       for (const Pack &pack : shared)
         {
           append_padded(body.shared_packs, &members[pack.class_index][pack.offset], pack.n);
           body.shared_class.push_back(pack.class_index);
+          body.n_shared_at_border += !pack.inside;
         }
 
-      std::sort(own.begin(), own.end());
+      std::sort(own.begin(), own.end(), [&](const std::uint32_t a, const std::uint32_t b) {
+        return std::make_pair(!at_border[a], a) < std::make_pair(!at_border[b], b);
+      });
       for (std::size_t i = 0; i < own.size(); i += n_lanes)
-        append_padded(body.own_packs, &own[i], std::min<std::size_t>(n_lanes, own.size() - i));
+        {
+          append_padded(body.own_packs, &own[i], std::min<std::size_t>(n_lanes, own.size() - i));
+          body.n_own_at_border += at_border[own[i]];
+        }
     }
   } // namespace
 
@@ -92,7 +122,17 @@ namespace vfife
           if (rank_of_element[body.first_element + e] == rank)
             packs[b].elements.push_back(e);
         packs[b].classes = find_congruence_classes(body, packs[b].elements);
-        fill_packs(packs[b], share_constants);
+
+        const std::vector<std::uint8_t> border = find_border(body, rank_of_element, rank);
+        std::vector<std::uint8_t>       at_border;
+        for (const std::uint32_t e : packs[b].elements)
+          {
+            const auto &nodes = body.elements()[e];
+            at_border.push_back(std::any_of(nodes.begin(), nodes.end(), [&](const std::uint32_t i) {
+              return border[i];
+            }));
+          }
+        fill_packs(packs[b], at_border, share_constants);
       }
     return packs;
   }

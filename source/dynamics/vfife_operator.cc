@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace vfife
 {
@@ -46,11 +47,11 @@ namespace vfife
         masses_.push_back(
           model.bodies[b].node_masses()[partition_.global_node[i] - model.bodies[b].first_node]);
 
-    energy_forces_.resize(array_size());
     std::size_t largest_group = 0;
     for (const Group &group : groups_)
       largest_group = std::max(largest_group, group.element.size());
     element_energies_.resize(largest_group);
+    element_jacobians_.resize(largest_group);
     find_limiting_element(model);
   }
 
@@ -103,6 +104,7 @@ namespace vfife
     const std::uint32_t dummy = partition_.n_local();
     const ClassData    &data  = class_data_[b];
     Group               group;
+    group.n_at_border = shared ? packs.n_shared_at_border : packs.n_own_at_border;
     group.nodes.resize(8 * rows.size());
     for (std::size_t slot = 0; slot < rows.size(); ++slot)
       {
@@ -206,30 +208,56 @@ namespace vfife
     return 2. / worst.back();
   }
 
-  void VfifeOperator::compute_internal_forces(const double *positions, double *forces)
+  template <typename Add>
+  void VfifeOperator::for_all_packs(double *forces, const Add &add)
   {
     std::fill_n(forces, array_size(), 0.);
     for (const Group &group : groups_)
-      kernels_->add_internal_forces(group.packs, 0, group.packs.n_packs, positions, forces);
-    halo_.add_over_ranks(forces);
+      add(group, 0, group.n_at_border);
+    halo_.start(forces);
+    for (const Group &group : groups_)
+      add(group, group.n_at_border, group.packs.n_packs);
+    halo_.finish(forces);
+  }
+
+  void VfifeOperator::compute_internal_forces(const double *positions, double *forces)
+  {
+    for_all_packs(forces, [&](const Group &group, const std::size_t first, const std::size_t last) {
+      kernels_->add_internal_forces(group.packs, first, last, positions, forces);
+    });
+  }
+
+  ElementMeasures VfifeOperator::measure_internal_forces(const double *positions, double *forces)
+  {
+    ElementMeasures measures;
+    measures.least_jacobian = std::numeric_limits<double>::infinity();
+    for_all_packs(forces, [&](const Group &group, const std::size_t first, const std::size_t last) {
+      kernels_->measure_internal_forces(group.packs,
+                                        first,
+                                        last,
+                                        positions,
+                                        forces,
+                                        element_energies_.data(),
+                                        element_jacobians_.data());
+      for (std::size_t slot = n_lanes * first; slot < n_lanes * last; ++slot)
+        if (group.element[slot] != Partition::absent)
+          {
+            measures.strain_energy += element_energies_[slot];
+            if (element_jacobians_[slot] < measures.least_jacobian)
+              {
+                measures.least_jacobian = element_jacobians_[slot];
+                measures.least_element  = group.element[slot];
+              }
+          }
+    });
+    measures.strain_energy = communicator_.sum(measures.strain_energy);
+    return measures;
   }
 
   double VfifeOperator::compute_strain_energy(const double *positions)
   {
-    double sum = 0;
-    for (const Group &group : groups_)
-      {
-        kernels_->add_internal_forces_and_energies(group.packs,
-                                                   0,
-                                                   group.packs.n_packs,
-                                                   positions,
-                                                   energy_forces_.data(),
-                                                   element_energies_.data());
-        for (std::size_t slot = 0; slot < group.element.size(); ++slot)
-          if (group.element[slot] != Partition::absent)
-            sum += element_energies_[slot];
-      }
-    return communicator_.sum(sum);
+    measured_forces_.resize(array_size());
+    return measure_internal_forces(positions, measured_forces_.data()).strain_energy;
   }
 
   std::vector<double> VfifeOperator::compute_relaxation_masses(const double fraction)

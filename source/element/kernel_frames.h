@@ -103,7 +103,8 @@ namespace vfife
      * F = R U with E = (F^T F - I) / 2: U^-1 = (I + 2 E)^-1/2 by its series to the eighth power.
      * Powers above the second are folded back by Cayley and Hamilton, E^3 = I1 E^2 - I2 E + I3, so
      * a power costs three multiplications and there is no division, square root or iteration. First
-     * term left out: 95 E^9, round-off up to |E| = 1/50; beyond, the pack is computed exactly.
+     * term left out: 95 E^9, below 3e-12 of the strain up to |E| = 1/50; beyond, the pack is
+     * computed exactly.
      */
     template <unsigned int N>
     VFIFE_INLINE Frame<N> compute_polar_frame(const Vec<double, N> (&F)[3][3])
@@ -171,8 +172,10 @@ namespace vfife
           frame.R[i][1] = F[i][0] * S[3] + F[i][1] * S[1] + F[i][2] * S[4];
           frame.R[i][2] = F[i][0] * S[5] + F[i][1] * S[4] + F[i][2] * S[2];
         }
+      // Empty lanes have F = 0 and E = -I/2: they must not send their pack to the exact frame.
       constexpr double largest = 0.02;
-      if (__builtin_expect(any_above(E2[0] + E2[1] + E2[2], V(largest * largest)), 0))
+      const V          size = E2[0] + E2[1] + E2[2], trace = 3. + 2. * I1; // of E^2 and F^T F
+      if (__builtin_expect(any_above(size, V(largest * largest), trace, V(1e-12)), 0))
         compute_exact_polar_frame<N>(F, frame);
       return frame;
     }

@@ -86,6 +86,28 @@ namespace vfife
     }
 
 
+    /** Least det(dx/dxi) of the corners: an eighth of the triple product of the edges there. */
+    VFIFE_INLINE V compute_least_corner(const V (&d)[8][3])
+    {
+      V least = 1e300;
+      for (unsigned int a = 0; a < 8; ++a)
+        {
+          V edge[3][3];
+          for (unsigned int direction = 0; direction < 3; ++direction)
+            for (unsigned int i = 0; i < 3; ++i)
+              edge[direction][i] = d[a | (1u << direction)][i] - d[a & ~(1u << direction)][i];
+          V triple = 0.;
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              const unsigned int j = (i + 1) % 3, k = (i + 2) % 3;
+              triple += edge[0][i] * (edge[1][j] * edge[2][k] - edge[1][k] * edge[2][j]);
+            }
+          least = min(least, triple);
+        }
+      return .125 * least;
+    }
+
+
     /** Mean deformation gradient F from the positions @p d relative to node 0. */
     template <typename Constants>
     VFIFE_INLINE void
@@ -176,7 +198,7 @@ namespace vfife
      * Forces f = dW/dx of the nodes (in place of the positions @p d relative to node 0), returns
      * twice the strain energy W.
      */
-    template <FrameKind frame_kind, bool with_energy, typename Constants>
+    template <FrameKind frame_kind, bool measures, typename Constants>
     VFIFE_INLINE V compute_element(const Constants &constants, V (&d)[8][3])
     {
       V F[3][3], g[12];
@@ -209,7 +231,7 @@ namespace vfife
       compute_stress(constants, strain, stress);
 
       V twice_energy = 0.;
-      if constexpr (with_energy)
+      if constexpr (measures)
         {
           for (unsigned int i = 0; i < 3; ++i)
             twice_energy += stress[i] * strain[i] + 2. * (stress[3 + i] * strain[3 + i]);
@@ -237,12 +259,13 @@ namespace vfife
     }
 
 
-    template <FrameKind frame_kind, bool with_energy, typename Constants>
+    template <FrameKind frame_kind, bool measures, typename Constants>
     VFIFE_INLINE void add_lanes(const Constants     &constants,
                                 const std::uint32_t *nodes,
                                 const double        *positions,
                                 double              *forces,
-                                double              *energies)
+                                double              *energies,
+                                double              *jacobians)
     {
       V d[8][3];
       for (unsigned int a = 0; a < 8; ++a)
@@ -253,51 +276,57 @@ namespace vfife
       for (unsigned int i = 0; i < 3; ++i)
         d[0][i] = 0.;
 
-      const V twice_energy = compute_element<frame_kind, with_energy>(constants, d);
+      if constexpr (measures)
+        compute_least_corner(d).store(jacobians);
+      const V twice_energy = compute_element<frame_kind, measures>(constants, d);
       for (unsigned int a = 0; a < 8; ++a)
         subtract_from_records<width>(forces, nodes + n_lanes * a, d[a]);
-      if constexpr (with_energy)
+      if constexpr (measures)
         (0.5 * twice_energy).store(energies);
     }
 
 
-    template <FrameKind frame_kind, bool with_energy>
+    template <FrameKind frame_kind, bool measures>
     VFIFE_INLINE void add_packs(const ElementPacks &packs,
                                 const std::size_t   first,
                                 const std::size_t   last,
                                 const double       *positions,
                                 double             *forces,
-                                double             *element_energies)
+                                double             *energies,
+                                double             *jacobians)
     {
       for (std::size_t pack = first; pack < last; ++pack)
         for (unsigned int lane = 0; lane < n_lanes; lane += width)
           {
             const std::uint32_t *nodes = packs.nodes + 8 * n_lanes * pack + lane;
-            double *energies = with_energy ? element_energies + n_lanes * pack + lane : nullptr;
+            const std::size_t    slot  = measures ? n_lanes * pack + lane : 0;
             if (packs.constants_row != nullptr)
-              add_lanes<frame_kind, with_energy>(
+              add_lanes<frame_kind, measures>(
                 SharedConstants{packs.constants +
                                 n_element_constants * std::size_t(packs.constants_row[pack])},
                 nodes,
                 positions,
                 forces,
-                energies);
+                energies + slot,
+                jacobians + slot);
             else if (packs.hourglass != nullptr)
-              add_lanes<frame_kind, with_energy>(
+              add_lanes<frame_kind, measures>(
                 OwnConstantsSingle{packs.constants + OwnConstantsSingle::n_kept * n_lanes * pack +
                                      lane,
                                    packs.hourglass + n_hourglass_constants * n_lanes * pack + lane},
                 nodes,
                 positions,
                 forces,
-                energies);
+                energies + slot,
+                jacobians + slot);
             else
-              add_lanes<frame_kind, with_energy>(
+              add_lanes<frame_kind, measures>(
                 OwnConstants{packs.constants + n_element_constants * n_lanes * pack + lane},
                 nodes,
                 positions,
                 forces,
-                energies);
+                energies + slot,
+                jacobians + slot);
           }
     }
 
@@ -309,19 +338,20 @@ namespace vfife
                              const double       *positions,
                              double             *forces)
     {
-      add_packs<frame_kind, false>(packs, first, last, positions, forces, nullptr);
+      add_packs<frame_kind, false>(packs, first, last, positions, forces, nullptr, nullptr);
     }
 
 
     template <FrameKind frame_kind>
-    void add_internal_forces_and_energies(const ElementPacks &packs,
-                                          const std::size_t   first,
-                                          const std::size_t   last,
-                                          const double       *positions,
-                                          double             *forces,
-                                          double             *element_energies)
+    void measure_internal_forces(const ElementPacks &packs,
+                                 const std::size_t   first,
+                                 const std::size_t   last,
+                                 const double       *positions,
+                                 double             *forces,
+                                 double             *energies,
+                                 double             *jacobians)
     {
-      add_packs<frame_kind, true>(packs, first, last, positions, forces, element_energies);
+      add_packs<frame_kind, true>(packs, first, last, positions, forces, energies, jacobians);
     }
 
 
@@ -330,9 +360,9 @@ namespace vfife
     const ElementKernels        element_kernels[n_frame_kinds] = {
              {VFIFE_INSTRUCTION_SET_TEXT,
               &add_internal_forces<FrameKind::polar>,
-              &add_internal_forces_and_energies<FrameKind::polar>},
+              &measure_internal_forces<FrameKind::polar>},
              {VFIFE_INSTRUCTION_SET_TEXT,
               &add_internal_forces<FrameKind::three_nodes>,
-              &add_internal_forces_and_energies<FrameKind::three_nodes>}};
+              &measure_internal_forces<FrameKind::three_nodes>}};
   } // namespace VFIFE_SIMD_NAMESPACE
 } // namespace vfife

@@ -106,6 +106,23 @@ namespace
     check("partition: numbering and its inverse", inverse);
   }
 
+  /** A bar of 2 x 2 x 24 cells cut across in two: the four cells at the cut are in the first pack.
+   */
+  void check_border(const bool share_constants)
+  {
+    Model model;
+    model.add_body(Body("bar", make_block(Vector3(2, 2, 24), {{2, 2, 24}}), Material()));
+    const auto        rank_of_element = assign_elements(model, 2);
+    const auto        packs           = make_packs(model, rank_of_element, 0, share_constants)[0];
+    const auto       &rows            = share_constants ? packs.shared_packs : packs.own_packs;
+    const std::size_t first  = share_constants ? packs.n_shared_at_border : packs.n_own_at_border;
+    bool              inside = true;
+    for (std::size_t slot = n_lanes * first; slot < rows.size(); ++slot)
+      inside = inside && packs.elements[rows[slot]] < 44;
+    check(std::string("packs at the border come first, ") + (share_constants ? "shared" : "own"),
+          rows.size() == 48 && first == 1 && inside);
+  }
+
   void check_forces(const StiffnessKind stiffness, const FrameKind frame, const std::string &name)
   {
     Material material;
@@ -252,6 +269,8 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   check_classes();
   check_packs();
+  check_border(true);
+  check_border(false);
   check_forces(StiffnessKind::incompatible_modes,
                FrameKind::polar,
                "incompatible modes, polar frame");

@@ -17,8 +17,9 @@ namespace
   /** Largest differences over the elements of a run, relative to the round-off scales. */
   struct Differences
   {
-    double force  = 0.; ///< over |K| x largest coordinate
-    double energy = 0.; ///< over |K| x largest coordinate x largest displacement
+    double force    = 0.; ///< over |K| x largest coordinate
+    double energy   = 0.; ///< over |K| x largest coordinate x largest displacement
+    double jacobian = 0.; ///< of the corners' least one
   };
 
   /**
@@ -71,10 +72,15 @@ namespace
     packs.set_position(8 * n_elements, {50., 60., 70.});
 
     std::vector<double> forces(packs.positions.size(), 1.), again(forces),
-      energies(n_packs * n_lanes, -1.);
+      energies(n_packs * n_lanes, -1.), jacobians(energies);
     const ElementKernels &kernels = select_kernels(frame, set);
-    kernels.add_internal_forces_and_energies(
-      packs.view(), 0, n_packs, packs.positions.data(), forces.data(), energies.data());
+    kernels.measure_internal_forces(packs.view(),
+                                    0,
+                                    n_packs,
+                                    packs.positions.data(),
+                                    forces.data(),
+                                    energies.data(),
+                                    jacobians.data());
     kernels.add_internal_forces(packs.view(), 0, 1, packs.positions.data(), again.data());
     kernels.add_internal_forces(packs.view(), 1, n_packs, packs.positions.data(), again.data());
 
@@ -97,6 +103,10 @@ namespace
                          .cwiseAbs()
                          .maxCoeff() /
                        scale);
+        double least = std::numeric_limits<double>::infinity();
+        for (unsigned int a = 0; a < 8; ++a)
+          least = std::min(least, compute_jacobian(x[e], reference_corner(a)).determinant());
+        differences.jacobian = std::max(differences.jacobian, std::abs(jacobians[e] / least - 1.));
         differences.energy =
           std::max(differences.energy,
                    std::abs(energies[e] - compute_strain_energy(K[e], X[e], x[e], frame)) /
@@ -173,17 +183,20 @@ int main(int argc, char **)
                 const Differences d = compare(set, frame, shared, 1e-3);
                 worst.force         = std::max(worst.force, d.force);
                 worst.energy        = std::max(worst.energy, d.energy);
+                worst.jacobian      = std::max(worst.jacobian, d.jacobian);
                 large_strain = std::max(large_strain, compare(set, frame, shared, 2e-2).force);
               }
             repeated = shared_nodes(set);
           }
         const std::string name = std::string(name_of(set)) + ", " + word_of(frame, frame_choices());
         if (verbose)
-          std::cout << name << ' ' << worst.force << ' ' << worst.energy << ' ' << large_strain
-                    << ' ' << repeated << std::endl;
+          std::cout << name << ' ' << worst.force << ' ' << worst.energy << ' ' << worst.jacobian
+                    << ' ' << large_strain << ' ' << repeated << std::endl;
         // Round-off: coordinates carry 1e-16 of their size, and some ten of them meet in a force.
         check_below("forces of " + name, worst.force, 1e-15);
         check_below("energies of " + name, worst.energy, 1e-15);
+        // Edges of 1 mm between coordinates of 100 mm, three of them in a product.
+        check_below("least Jacobians of the corners of " + name, worst.jacobian, 1e-13);
         check_below("forces at strains of a few percent of " + name, large_strain, 2e-15);
         check_below("lanes that share nodes of " + name, repeated, 1e-10);
       }

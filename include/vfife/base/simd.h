@@ -114,21 +114,26 @@ namespace vfife
         return of(-a.v);
       }
 
-      /** Whether any lane of @p a is above that of @p b. */
-      VFIFE_INLINE friend bool any_above(const Vec &a, const Vec &b)
+      /** The smaller one, lane by lane. */
+      VFIFE_INLINE friend Vec min(const Vec &a, const Vec &b)
+      {
+        return of(a.v < b.v ? a.v : b.v);
+      }
+
+      /** Whether there is a lane with @p a above @p b and @p c above @p d. */
+      VFIFE_INLINE friend bool any_above(const Vec &a, const Vec &b, const Vec &c, const Vec &d)
       {
         if constexpr (N == 1)
-          return a.v > b.v;
+          return a.v > b.v && c.v > d.v;
         else
           {
-            const auto above = a.v > b.v;
-            long long  lane[N];
-            static_assert(sizeof(above) == sizeof(lane), "numbers of eight bytes");
-            __builtin_memcpy(lane, &above, sizeof(lane));
-            long long any = 0;
-            for (unsigned int l = 0; l < N; ++l)
-              any |= lane[l];
-            return any != 0;
+            // Bytes of -1 and 0: all lanes fit one plain number.
+            typedef signed char Bytes __attribute__((vector_size(N)));
+            const Bytes         bytes = __builtin_convertvector((a.v > b.v) & (c.v > d.v), Bytes);
+            unsigned long long  word  = 0;
+            static_assert(sizeof(bytes) <= sizeof(word), "at most eight lanes");
+            __builtin_memcpy(&word, &bytes, sizeof(bytes));
+            return word != 0;
           }
       }
     };

@@ -7,6 +7,7 @@
 namespace vfife
 {
   class Communicator;
+  struct ElementMeasures;
   struct Model;
   struct State;
 
@@ -17,10 +18,12 @@ namespace vfife
    */
   std::string find_broken_element(const Model &model, const State &last_measured, const State &now);
 
-  /** In words the element with the least Jacobian if that is not positive in the state, of the
-   * lowest rank that has one; empty where no element is inverted. Collective. */
-  std::string
-  find_inverted_element(const Model &model, const State &state, const Communicator &communicator);
+  /** In words the inverted element that the measures of a state name, of the lowest rank that has
+   * one; empty where no element is inverted. Collective. */
+  std::string find_inverted_element(const Model           &model,
+                                    const State           &state,
+                                    const ElementMeasures &measures,
+                                    const Communicator    &communicator);
 } // namespace vfife
 
 #endif

@@ -101,7 +101,7 @@ namespace vfife
 
     void begin_run(State &state);
     void allocate();
-    void compute_forces(State &state, bool keep_contact_forces);
+    void compute_forces(State &state, bool measured);
     void set_damping(const State &state);
     void update_nodes(State &state);
     void advance_bodies(State &state);
@@ -130,7 +130,8 @@ namespace vfife
     RigidWalls             walls_;
     double                 dt_ = 0;
 
-    std::vector<double>                 forces_, contact_forces_;
+    std::vector<double>                 forces_;
+    ElementMeasures                     measures_; ///< of the state measured last
     std::vector<RigidVelocity>          rigid_;
     std::vector<BodyDamping>            damping_;
     std::vector<ConstraintMotion::Sums> sums_; ///< of the last update, over all ranks

@@ -4,6 +4,8 @@
 
 #include <vfife/model/state.h>
 
+#include <mpi.h>
+
 #include <vector>
 
 namespace vfife
@@ -27,6 +29,10 @@ namespace vfife
      */
     void add_over_ranks(double *values);
 
+    /** The same in two parts, between which @p values of other nodes may be worked on. */
+    void start(double *values);
+    void finish(double *values);
+
   private:
     struct Neighbour
     {
@@ -40,6 +46,7 @@ namespace vfife
     std::vector<Neighbour>     neighbours_; ///< ascending rank
     std::vector<std::uint32_t> shared_;     ///< all shared local nodes
     std::vector<double>        own_;        ///< this rank's part at them
+    std::vector<MPI_Request>   requests_;
   };
 } // namespace vfife
 

@@ -21,6 +21,9 @@ namespace vfife
     std::vector<std::uint32_t> shared_packs; ///< lanes of one congruence class
     std::vector<std::uint32_t> shared_class; ///< class of each shared pack
     std::vector<std::uint32_t> own_packs;    ///< lanes with constants of their own
+
+    /** Packs at the beginning of each kind that touch nodes of other ranks; later ones do not. */
+    std::size_t n_shared_at_border = 0, n_own_at_border = 0;
   };
 
   /**
@@ -31,9 +34,10 @@ namespace vfife
   std::vector<std::uint32_t> assign_elements(const Model &model, unsigned int n_ranks);
 
   /**
-   * Congruent elements into packs. Packs are sorted by their first element: for a gear that is
-   * chunk of eight teeth by chunk, template element by template element, so that the lanes' nodes
-   * lie side by side. @p share_constants false: all elements have constants of their own.
+   * Congruent elements into packs, those that touch nodes of other ranks first. Among these and the
+   * others packs are sorted by their first element: for a gear that is chunk of eight teeth by
+   * chunk, template element by template element, so that the lanes' nodes lie side by side. @p
+   * share_constants false: all elements have constants of their own.
    */
   std::vector<BodyPacks> make_packs(const Model                      &model,
                                     const std::vector<std::uint32_t> &rank_of_element,

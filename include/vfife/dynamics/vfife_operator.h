@@ -44,6 +44,14 @@ namespace vfife
     InstructionSet instruction_set   = best_instruction_set();
   };
 
+  /** What a pass over the elements measures beside their forces. */
+  struct ElementMeasures
+  {
+    double strain_energy  = 0; ///< of all ranks [mJ]
+    double least_jacobian = 0; ///< det(dx/dxi) at a corner on this rank [mm^3]; <= 0: inverted
+    std::uint32_t least_element = 0; ///< of the model, where that is
+  };
+
   /**
    * The internal forces of massless hexahedra between mass points (VFIFE): partition over ranks,
    * packed layout, congruence classes, kernels of the best instruction set. Built once for a model.
@@ -73,6 +81,9 @@ namespace vfife
     /** Sets @p forces [N] (4 a node, on all copies of a node) to the internal forces at @p
      * positions [mm]. Collective. */
     void compute_internal_forces(const double *positions, double *forces);
+
+    /** The same, and what the elements show besides. */
+    ElementMeasures measure_internal_forces(const double *positions, double *forces);
 
     /** Strain energy of all elements of the model [mJ]. Collective. */
     double compute_strain_energy(const double *positions);
@@ -118,7 +129,15 @@ namespace vfife
       std::vector<std::uint32_t> constants_row;
       std::vector<std::uint32_t> element; ///< of the model, or absent
       ElementPacks               packs;
+      std::size_t                n_at_border = 0; ///< packs, the first ones
     };
+
+    /**
+     * Sets @p forces to zero, calls @p add(group, first, last) for all packs, those that touch
+     * nodes of other ranks first, and sums over the ranks while the others are computed.
+     */
+    template <typename Add>
+    void for_all_packs(double *forces, const Add &add);
 
     void add_group(const Model &model, unsigned int body, bool shared);
     void copy_own_constants(const std::vector<double> &class_constants,
@@ -139,7 +158,7 @@ namespace vfife
     std::vector<Group>         groups_;
     std::vector<double>        masses_;
     LimitingElement            limiting_element_;
-    std::vector<double>        energy_forces_, element_energies_;
+    std::vector<double>        measured_forces_, element_energies_, element_jacobians_;
 
     /** Per body and class: constants of the kernel, lumped masses of the element's nodes, largest
      * frequency. */

@@ -61,13 +61,15 @@ namespace vfife
                                 const double       *positions,
                                 double             *forces);
 
-    /** The same, and sets the strain energies [mJ], @p element_energies[pack][lane]. */
-    void (*add_internal_forces_and_energies)(const ElementPacks &packs,
-                                             std::size_t         first,
-                                             std::size_t         last,
-                                             const double       *positions,
-                                             double             *forces,
-                                             double             *element_energies);
+    /** The same, and sets the strain energy [mJ] of each element, @p energies[pack][lane], and the
+     * least det(dx/dxi) of its corners [mm^3], @p jacobians[pack][lane]. */
+    void (*measure_internal_forces)(const ElementPacks &packs,
+                                    std::size_t         first,
+                                    std::size_t         last,
+                                    const double       *positions,
+                                    double             *forces,
+                                    double             *energies,
+                                    double             *jacobians);
   };
 
   /** generic is plain C++ without vectors and runs on every processor. */
