@@ -78,38 +78,42 @@ def find_steady(axis):
     return np.array([bool((v.run.steady_part() or (0, 0, False))[2]) for v in axis.variants])
 
 
-def draw_lumped(axes, beside, column, kind, what, colour):
-    """Rising speed dashed, falling speed, which differs where flanks part, dotted."""
+def draw_lumped(axes, beside, first, last, column, kind, what, colour):
+    """Rising speed dashed; falling speed dotted, seen where flanks part and both differ."""
     for table in beside.lumped:
         for direction, dashes in (("down", ":"), ("up", "--")):
-            rows = table["direction"] == direction
+            rows = (table["direction"] == direction) & (table["speed"] >= first) & (table["speed"] <= last)
             if np.any(rows):
                 axes.plot(table["speed"][rows], table[f"{kind} {column}"][rows], dashes, color=colour,
-                          label=f"lumped model, {what}" if direction == "up" else None, linewidth=0.9)
+                          label=f"lumped model, {what}" if direction == "up" else None, linewidth=0.9,
+                          gid=f"lumped model, {what}, speed {direction}")
 
 
 def draw_resonance(speeds, beside):
     """Ripple of transmission error and force over speed, beside the lumped model's; vertical: speeds at
     which a mesh order meets a coupled mode."""
     axis, steady = speeds.axis, find_steady(speeds.axis)
+    limits = axis.values[0] * 0.97, axis.values[-1] * 1.03
     figure, panels = plt.subplots(2, 1, sharex=True, figsize=(8, 8))
     for axes, (column, of_lumped) in zip(panels, RIPPLES):
         for what, kind, colour in KINDS:
             values = read_ripple(axis, column, what)
             axes.plot(axis.values, values, "o-", color=colour, markersize=4, label=what)
-            axes.plot(axis.values[~steady], values[~steady], "o", color=colour, markersize=8,
-                      markerfacecolor="none", label="not steady")
+            if not np.all(steady):
+                axes.plot(axis.values[~steady], values[~steady], "o", color=colour, markersize=8,
+                          markerfacecolor="none", label="not steady")
             if axis.unit == "rpm":
-                draw_lumped(axes, beside, of_lumped, kind, what, colour)
+                draw_lumped(axes, beside, *limits, of_lumped, kind, what, colour)
         for frequency, order, value in list_critical_speeds(beside, speeds):
-            axes.axvline(value, color=GREY, linestyle=":", linewidth=0.9)
+            axes.axvline(value, color=GREY, linestyle=":", linewidth=0.9,
+                         gid=f"mode {frequency:.1f} Hz, mesh order {order}")
             axes.annotate(f"{frequency:.0f} Hz / {order}", (value, 1), fontsize=7, color=GREY,
                           xycoords=("data", "axes fraction"), xytext=(2, -2), rotation=90, va="top",
                           textcoords="offset points")
         unit = axis.variants[0].run.history.units[column]
         axes.set(title=column, ylabel=f"[{unit}]", yscale="log")
         scale_axis(axes, axis, 0.08)
-        axes.set_xlim(axis.values[0] * 0.97, axis.values[-1] * 1.03)
+        axes.set_xlim(limits)
     panels[0].set_xlabel("")
     handles = dict(zip(*reversed(panels[0].get_legend_handles_labels())))
     panels[1].legend(handles.values(), handles.keys(), frameon=False, fontsize=8, ncol=3,

@@ -17,7 +17,7 @@ def list_curves(figure):
                 points = np.array([segment[-1] for segment in curve.get_segments()]).reshape(-1, 2)
             else:
                 points = np.asarray(curve.get_xydata(), dtype=float)
-            name = str(curve.get_label())
+            name = str(curve.get_gid() or curve.get_label())  # the former where no legend names it
             if name.startswith("_"):
                 unnamed += 1
                 name = f"curve {unnamed}"

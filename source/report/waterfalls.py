@@ -18,7 +18,7 @@ def list_spectra(speeds, column):
     for variant, frequency in zip(speeds.axis.variants, speeds.frequencies):
         run = variant.run
         orders, amplitudes = compute_spectrum(run.history[column][run.steady_rows(run.history)],
-                                              run.samples_per_mesh(), windowed=True)
+                                              run.samples_per_mesh(), windowed=True, points_per_line=4)
         yield (orders[1:] * frequency, amplitudes[1:]) if len(orders) else None
 
 
@@ -75,7 +75,8 @@ def draw_waterfall(speeds, beside, column):
     largest = 3.3 * speeds.frequencies[-1]
     above.set(xscale="log", xlim=(1e-3 * lowest, 1e-3 * largest), xlabel="frequency [kHz]",
               title="over frequency; grey: mesh orders" + ("; red: coupled modes" if modes else ""))
-    above.xaxis.set_major_formatter(plt.FormatStrFormatter("%g"))
+    ticks = [tick for tick in (0.2, 0.5, 1, 2, 5, 10, 20, 50) if 1e-3 * lowest <= tick <= 1e-3 * largest]
+    above.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     mark_orders(above, speeds, 1e-3 * largest)
     below.set(xlim=(0, LARGEST_ORDER + 0.2), xlabel="order of the mesh frequency",
               title="over mesh order")

@@ -81,7 +81,7 @@ class Speeds(unittest.TestCase):
         self.assertAlmostEqual(found[2][2], 4000)
 
     def test_waterfall(self):
-        """Mesh and free line with their amplitudes; a line between two bins loses up to 15 % (Hann)."""
+        """Mesh and free line with their amplitudes; between two bins of four a line loses 1 % at most (Hann)."""
         axis = find_axis(find_variants(self.path))
         header, rows = draw_waterfall(find_speeds(axis), read_beside(self.path), "dte").vfife_numbers
         self.assertEqual(header[0], "speed [rpm]")
@@ -91,7 +91,7 @@ class Speeds(unittest.TestCase):
             at_mesh = np.argmin(abs(of_speed[:, 2] - 1))
             spacing = speed * 27 / 60 / 20
             free = of_speed[abs(of_speed[:, 1] - FREE_LINE) < spacing]
-            self.assertTrue(0.84 < free[:, 3].max() < 1.02)
+            self.assertTrue(0.98 < free[:, 3].max() < 1.02)
             self.assertAlmostEqual(of_speed[at_mesh, 3], 2, delta=0.02)
 
     def test_report(self):
