@@ -58,7 +58,8 @@ def draw_curves(axis):
     for axes, ((title, unit), curves) in zip(grid.ravel(), panels.items()):
         for number, (name, values) in enumerate(curves.items()):
             axes.plot(axis.values, values, "o-", markersize=4, color=COLOURS[1 + number % 6], label=name)
-        axes.set(title=title, ylabel=f"[{unit}]")
+        only = next(iter(curves)) if len(curves) == 1 else ""
+        axes.set(title=title if title.endswith(only) else f"{title}, {only}", ylabel=f"[{unit}]")
         scale_axis(axes, axis, 0.16)
         if len(curves) > 1:
             add_legend(axes, fontsize=8)
