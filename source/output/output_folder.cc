@@ -122,6 +122,18 @@ namespace vfife
       throw std::runtime_error("cannot write \"" + path + "\": " + error.message());
   }
 
+  void OutputFolder::copy_file(const std::string &from, const std::string &name) const
+  {
+    const std::string temporary = file(name) + ".part";
+    std::error_code   error;
+    fs::copy_file(from, temporary, fs::copy_options::overwrite_existing, error);
+    if (!error)
+      fs::rename(temporary, file(name), error);
+    if (error)
+      throw std::runtime_error("cannot copy \"" + from + "\" to \"" + file(name) +
+                               "\": " + error.message());
+  }
+
   void OutputFolder::remove_file(const std::string &name) const
   {
     std::error_code error;

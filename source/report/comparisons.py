@@ -17,8 +17,9 @@ DASHES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (8, 2)
 
 def look(variant):
     """A variant looks the same in all plots, also where another one is missing."""
-    return {"color": COLOURS[variant.number % len(COLOURS)],
-            "linestyle": DASHES[variant.number % len(DASHES)]}
+    colour = variant.number % len(COLOURS)
+    return {"color": COLOURS[colour],
+            "linestyle": DASHES[(colour + variant.number // len(COLOURS)) % len(DASHES)]}
 
 
 def draw_histories(variants, column):

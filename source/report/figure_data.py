@@ -17,25 +17,39 @@ def list_curves(figure):
                 points = np.array([segment[-1] for segment in curve.get_segments()]).reshape(-1, 2)
             else:
                 points = np.asarray(curve.get_xydata(), dtype=float)
-            name = str(curve.get_label())
+            name = str(curve.get_gid() or curve.get_label())  # the former where no legend names it
             if name.startswith("_"):
                 unnamed += 1
                 name = f"curve {unnamed}"
             yield panel, name, points
 
 
+def attach_numbers(figure, header, rows):
+    """A table of its own for a figure whose curves are not drawn to scale."""
+    figure.vfife_numbers = (header, rows)
+
+
 def write_figure_data(figure, path):
-    """A line a point: panel (title, x axis, y axis), curve, x, y. Nothing is written for maps, whose
-    data are not curves."""
+    """The table that is attached to the figure, or a line a point: panel (title, x axis, y axis), curve,
+    x, y. Nothing is written for maps, whose data are not curves."""
+    attached = getattr(figure, "vfife_numbers", None)
+    if attached:
+        write_rows(path, *attached)
+        return
     shaded = any(type(c) is not LineCollection for axes in figure.axes for c in axes.collections)
     curves = [] if shaded else list(list_curves(figure))
     if not curves:
         return
+    write_rows(path, ["panel", "curve", "x", "y"],
+               ([panel, name, f"{x:.9g}", f"{y:.9g}"] for panel, name, points in curves
+                for x, y in points if np.isfinite(y)))
+
+
+def write_rows(path, header, rows):
+    """A .csv file, put in place when it is whole."""
     temporary = path.with_name("." + path.name)
     with open(temporary, "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["panel", "curve", "x", "y"])
-        for panel, name, points in curves:
-            writer.writerows([panel, name, f"{x:.9g}", f"{y:.9g}"] for x, y in points
-                             if np.isfinite(y))
+        writer.writerow(header)
+        writer.writerows(rows)
     temporary.replace(path)

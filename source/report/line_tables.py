@@ -4,6 +4,7 @@ import numpy as np
 
 from key_figures import JUDGED
 from lines import find_harmonics, find_lines
+from sidebands import find_resolution, list_shafts, name_offset
 
 HARMONICS_HEADER = ["order", "frequency [Hz]", "amplitude", "unit"]
 LINES_HEADER = ["line", "frequency [Hz]", "amplitude", "unit"]
@@ -38,21 +39,19 @@ def list_other_lines(run, low=4, high=3):
         for line in find_lines(values, samples, frequency, 0.75 * frequency, 3.5 * frequency, high):
             order = max(round(line.frequency / frequency), 1)
             offset = line.frequency - order * frequency
-            rows.append([column, f"{order} mesh {offset:+.0f} Hz", line.frequency, line.amplitude,
-                         unit])
+            rows.append([column, f"{order} mesh {name_offset(run, offset)}", line.frequency,
+                         line.amplitude, unit])
     return rows
 
 
 def describe_resolution(run):
     """Which lines the length of the steady part cannot tell apart."""
-    time = run.history["time"][run.steady_rows(run.history)]
-    resolution = 2 / (time[-1] - time[0])
-    bodies = run.summary.get("mesh", {}).get("bodies", [])
-    turns = [abs(body["speed at the start"]["value"]) / 60 for body in bodies]
+    resolution = find_resolution(run)
+    if not np.isfinite(resolution):
+        return "The record is too short for a spectrum: two whole tooth meshes at least."
     text = f"Lines closer than {resolution:.0f} Hz are one line here."
-    hidden = [f"{body['name']} ({turn:.0f} Hz)" for body, turn in zip(bodies, turns)
-              if turn < resolution]
-    if hidden:
-        text += (" Sidebands at the rotation of " + " and ".join(hidden)
-                 + " cannot be told from the harmonics: the record is too short.")
+    for shaft in list_shafts(run):
+        if not shaft.resolved:
+            text += (f" Sidebands at the rotation of the {shaft.name} ({shaft.frequency:.0f} Hz) cannot be "
+                     f"told from the harmonics: they need {shaft.meshes:.0f} tooth meshes, two revolutions.")
     return text

@@ -41,6 +41,15 @@ def find_peaks(amplitudes, spacing):
     return peaks
 
 
+def measure_amplitudes(values, interval, frequencies):
+    """Amplitudes at given frequencies [Hz] of equally spaced values under Hann's window; lines closer
+    than 2/T are not separated."""
+    n = len(values)
+    window = 2 * np.hanning(n + 1)[:-1] * (values - values.mean())
+    phase = 2j * np.pi * np.outer(np.asarray(frequencies), interval * np.arange(n))
+    return 2 * np.abs(np.exp(-phase) @ window) / n
+
+
 def find_lines(values, samples_per_mesh, mesh_frequency, lowest, highest, count, least=0.1):
     """Strongest lines between two frequencies [Hz] of what does not repeat with the mesh, by
     amplitude; at least `least` times the strongest one of the whole spectrum."""

@@ -47,13 +47,15 @@ def report_run(run):
 def report_study(folder, variants):
     pairs = {describe_pair(variant.run.parameters) for variant in variants}
     title = pairs.pop() if len(pairs) == 1 else ""
-    page = Page(f"{title or folder.resolve().name}: {len(variants)} variants",
+    page = Page(f"{title or folder.resolve().name}: {len(variants)} variant{'s' * (len(variants) > 1)}",
                 f"Report of {folder.resolve().name}")
-    figures = save_all(study_chapters.draw_all(variants), folder / "pictures")
+    figures = save_all(study_chapters.draw_all(folder, variants), folder / "pictures")
+    whole = RunFolder(folder)
+    table_chapters.add_ledger(page, whole)  # what was compared comes first
     for add in study_chapters.CHAPTERS:
         add(page, folder, variants, figures)
-    for add in table_chapters.CHAPTERS:
-        add(page, RunFolder(folder))
+    for add in table_chapters.STUDY_CHAPTERS:
+        add(page, whole)
     return page
 
 

@@ -13,19 +13,29 @@ h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 .4rem; }
 h2 { font-size: 1.25rem; margin: 2.6rem 0 .6rem; padding-top: .5rem; border-top: 2px solid var(--line); }
 h3 { font-size: 1.02rem; margin: 1.6rem 0 .4rem; }
 p { margin: .5rem 0; max-width: 46rem; }
-.soft, figcaption, caption { color: var(--soft); font-size: .875rem; }
+.soft, figcaption, .caption { color: var(--soft); font-size: .875rem; }
 nav { background: var(--pale); padding: .6rem 1rem; border-radius: .4rem; margin: 1rem 0; font-size: .9rem; }
 nav a { display: inline-block; margin-right: 1.1rem; padding: .15rem 0; }
 a { color: var(--mark); }
 .wide { overflow-x: auto; }
+/* Shadows at the sides to which a wide table goes on. */
+.table { background: linear-gradient(to right, #fff 30%, #fff0) 0 0 / 2.5rem 100% local,
+    linear-gradient(to left, #fff 30%, #fff0) 100% 0 / 2.5rem 100% local,
+    linear-gradient(to right, #1c212640, #1c212600) 0 0 / .8rem 100% scroll,
+    linear-gradient(to left, #1c212640, #1c212600) 100% 0 / .8rem 100% scroll; background-repeat: no-repeat; }
 table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; margin: .6rem 0; }
-caption { text-align: left; padding-bottom: .3rem; caption-side: top; }
+.caption { margin: 1rem 0 0; }
 th, td { text-align: left; padding: .25rem .9rem .25rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
 td.number, th.number { text-align: right; }
 td.number { white-space: nowrap; }
+td:nth-child(-n+2):not(.number) { min-width: 6.5rem; }
+td.long { min-width: 16rem; }
 thead th { border-bottom: 2px solid var(--soft); font-weight: 600; }
 figure { margin: 1.2rem 0; }
-figure img { width: 100%; min-width: 34rem; height: auto; display: block; }
+figure img { width: 100%; height: auto; display: block; }
+figure input { position: absolute; opacity: 0; }
+figure input:focus-visible + img { outline: 2px solid var(--mark); }
+@media (max-width: 48rem) { figure input:checked + img { width: auto; min-width: 48rem; } figure label { cursor: zoom-in; } }
 .good { color: #00654a; font-weight: 600; white-space: nowrap; }
 .bad { color: #a33c00; font-weight: 600; white-space: nowrap; }
 .open { color: var(--soft); white-space: nowrap; }
@@ -34,7 +44,7 @@ figure img { width: 100%; min-width: 34rem; height: auto; display: block; }
   @page { size: A4; margin: 16mm 14mm; }
   body { font-size: 10pt; } main { max-width: none; padding: 0; } nav { display: none; }
   figure, tr { break-inside: avoid; } h2, h3 { break-after: avoid; }
-  figure img { min-width: 0; width: auto; max-width: 100%; max-height: 125mm; } .wide { overflow: visible; } a { color: inherit; text-decoration: none; }
+  figure input:checked + img, figure img { min-width: 0; width: auto; max-width: 100%; max-height: 125mm; } .wide { overflow: visible; } a { color: inherit; text-decoration: none; }
 }
 """
 
@@ -80,8 +90,9 @@ class Page:
             return
         numeric = [all(isinstance(row[k], (int, float, type(None))) for row in rows)
                    for k in range(len(header))]
-        caption = f"<caption>{escape(caption)}</caption>" if caption else ""
-        lines = ['<div class="wide"><table>', caption, "<thead><tr>"]
+        # Not the table's own caption: that would be as wide as the table.
+        caption = f'<p class="caption">{escape(caption)}</p>' if caption else ""
+        lines = [caption, '<div class="wide table"><table><thead><tr>']
         lines += [f"<th{' class=number' if n else ''}>{escape(h)}</th>" for h, n in zip(header, numeric)]
         lines.append("</tr></thead><tbody>")
         lines += ["<tr>" + "".join(map(self._cell, row)) + "</tr>" for row in rows]
@@ -90,18 +101,19 @@ class Page:
     @staticmethod
     def _cell(value):
         if isinstance(value, str):
-            kind, text = MARKS.get(value, ("", escape(value)))
+            kind, text = MARKS.get(value, ("long" if len(value) > 40 else "", escape(value)))
             return f'<td class="{kind}">{text}</td>' if kind else f"<td>{text}</td>"
         return f'<td class="number">{format_number(value)}</td>'
 
     def picture(self, path, caption, data=None):
-        """A .svg or .png within the page; `data`: name of the file with its numbers."""
+        """A .svg or .png within the page, on a narrow screen larger when touched; `data`: name of the
+        file with its numbers."""
         self.n_pictures += 1
         code = base64.b64encode(path.read_bytes()).decode()
         data = f' Data: <code>{escape(data)}</code>.' if data else ""
         self.parts.append(
-            f'<figure><div class="wide"><img alt="{escape(caption)}" '
-            f'src="data:{MEDIA[path.suffix]};base64,{code}"></div>'
+            f'<figure><div class="wide"><label><input type="checkbox" aria-label="larger">'
+            f'<img alt="{escape(caption)}" src="data:{MEDIA[path.suffix]};base64,{code}"></label></div>'
             f"<figcaption>{escape(caption)}{data}</figcaption></figure>")
 
     def text(self):

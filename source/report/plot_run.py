@@ -16,6 +16,7 @@ except ImportError as error:
 
 import histories
 import pictures
+import sidebands
 import spectra
 import style
 import tooth_contact
@@ -38,6 +39,7 @@ def draw_all(run):
     yield "energies.svg", history, lambda: histories.draw_energies(run)
     yield "probes.svg", run.probes is not None, lambda: histories.draw_probes(run)
     yield "spectra.svg", pair and run.samples_per_mesh(), lambda: spectra.draw_spectra(run)
+    yield "sidebands.svg", pair and run.samples_per_mesh(), lambda: sidebands.draw_sidebands(run)
     rim = run.rim is not None and run.rim.n_rows > 10
     yield "rim_content.svg", rim, lambda: waves.draw_rim_content(run)
     yield "rim_history.svg", rim, lambda: waves.draw_rim_history(run)

@@ -5,6 +5,7 @@ from checks import list_checks
 from key_figures import JUDGED, find_passages, list_key_figures, measure_column
 from line_tables import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
                          list_other_lines)
+from sidebands import SIDEBANDS_HEADER, list_sidebands
 from waves import list_wave_lines
 from words import list_case_rows, list_sentences
 
@@ -17,6 +18,7 @@ CAPTIONS = {
     "contact_pattern.svg": "Contact pattern on the drive flanks over the last tooth mesh, axial "
                            "sections. Data: pattern.csv.",
     "spectra.svg": "Amplitudes over the whole tooth meshes of the steady part, no window.",
+    "sidebands.svg": "Transmission error around the first harmonics of the mesh (Hann's window).",
     "probes.svg": "Von Mises stress at the probes.",
     "rim_content.svg": "Displacement of the rim by nodal diameters: the pattern that stands in space "
                        "with the load (0: the mean), and what moves besides.",
@@ -82,11 +84,13 @@ def add_spectra(page, run, figures):
     if "spectra.svg" not in figures:
         return
     page.section("Spectra and periodicity")
-    add_pictures(page, run, figures, ["spectra.svg"])
+    add_pictures(page, run, figures, ["spectra.svg", "sidebands.svg"])
     page.table(["history"] + HARMONICS_HEADER, list_harmonics(run, 5),
                "Harmonics of the tooth mesh, of the mean mesh.")
     page.table(["history"] + LINES_HEADER, list_other_lines(run),
                "Strongest lines of what does not repeat with the mesh (Hann's window).")
+    page.table(SIDEBANDS_HEADER, list(list_sidebands(run)),
+               "One rotation below and above the harmonics of the mesh (Hann's window).")
     page.paragraph(describe_resolution(run), "soft")
     add_periodicity(page, run)
 

@@ -7,19 +7,22 @@ from style import COLOURS, GREY, plt
 LARGEST_ORDER = 12
 
 
-def compute_spectrum(values, samples_per_mesh):
+def compute_spectrum(values, samples_per_mesh, windowed=False, points_per_line=1):
     """Orders of the mesh frequency and amplitudes of as many whole meshes as there are at the end.
 
-    No window and no trend taken out: whole meshes make harmonics of the mesh exact lines, and what
-    is no harmonic spreads to its neighbours. Empty for less than two meshes.
+    No trend taken out and no window: whole meshes make harmonics of the mesh exact lines, and what
+    is no harmonic spreads to its neighbours. With Hann's window it does not spread far, and a harmonic
+    has a neighbour of half its size on either side. More points a line show the shape between the lines,
+    not more of them. Empty for less than two meshes.
     """
     meshes = int((len(values) + 1e-6) // samples_per_mesh)
     n = int(round(meshes * samples_per_mesh))
     if meshes < 2:
         return np.empty(0), np.empty(0)
-    part = values[-n:]
-    amplitudes = 2 * np.abs(np.fft.rfft(part - part.mean())) / n
-    return np.arange(len(amplitudes)) / meshes, amplitudes
+    part = values[-n:] - values[-n:].mean()
+    window = 2 * np.hanning(n + 1)[:-1] if windowed else 1
+    amplitudes = 2 * np.abs(np.fft.rfft(part * window, points_per_line * n)) / n
+    return np.arange(len(amplitudes)) / (points_per_line * meshes), amplitudes
 
 
 def draw_spectra(run):

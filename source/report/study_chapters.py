@@ -3,6 +3,7 @@
 import csv
 
 import comparisons
+import sweep_chapters
 from key_figures import JUDGED, list_key_figures, measure_column, read_statistics
 from line_tables import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
                          list_other_lines)
@@ -21,8 +22,9 @@ CAPTIONS = {
 }
 
 
-def draw_all(variants):
+def draw_all(folder, variants):
     """Name of the file, what must be there, function that makes the figure."""
+    yield from sweep_chapters.draw_all(folder, variants)
     pairs = [v for v in variants if v.run.history is not None and "dte" in v.run.history
              and v.run.samples_per_mesh()]
     for name, column in (("dte", "dte"), ("contact_force", "contact force total")):
@@ -151,7 +153,7 @@ def add_computation(page, folder, variants, figures):
                     "million element-steps a second", "ranks"], rows)
 
 
-CHAPTERS = (add_variants, add_means,
+CHAPTERS = (add_variants, sweep_chapters.add_sweep, add_means,
             add_figures("Transmission error", ["dte.svg", "dte_spectra.svg"]),
             add_figures("Contact force", ["contact_force.svg", "force_spectra.svg"]),
             add_periodicity, add_lines,

@@ -1,8 +1,11 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Chapters that every folder can have: comparison ledger, tooth contact analysis, loaded tooth contact,
-natural frequencies."""
+natural frequencies, lumped model."""
+import json
+
 import plot_campbell
 import plot_loaded_contact
+import plot_lumped
 import plot_tca
 from figure_data import write_figure_data
 from ledger import HEADER, list_ledger_rows, read_ledger
@@ -59,4 +62,25 @@ def add_natural_frequencies(page, run):
                         "tooth mesh.", "campbell.csv, resonances.csv")
 
 
-CHAPTERS = (add_ledger, add_tooth_contact_analysis, add_loaded_contact, add_natural_frequencies)
+def add_lumped_model(page, run):
+    if not (run.path / "lumped.csv").is_file():
+        return
+    page.section("Lumped model")
+    for name, caption, draw in plot_lumped.FIGURES:
+        figure = draw(run.path)
+        if figure is not None:
+            add_picture(page, run.path, name, figure, caption, f"pictures/{name}.csv")
+    results = json.loads((run.path / "lumped.json").read_text(encoding="utf-8"))
+    for part, caption in (("model", "The model."), ("response", "Response at the speed of operation.")):
+        page.table(["", "value", "unit"], [[name, figure["value"], figure["unit"]]
+                                           for name, figure in results[part].items()], caption)
+    page.table(["natural frequency [Hz]", "damping ratio [-]", "met by mesh order 1 at [rpm]",
+                "by 2", "by 3"],
+               [[mode["frequency [Hz]"], mode["damping ratio [-]"]]
+                + mode["critical pinion speeds of mesh orders 1, 2, 3 [rpm]"]
+                for mode in results["modes"]], "Natural frequencies about the loaded state.")
+
+
+STUDY_CHAPTERS = (add_tooth_contact_analysis, add_loaded_contact, add_natural_frequencies,
+                  add_lumped_model)
+CHAPTERS = (add_ledger,) + STUDY_CHAPTERS

@@ -103,6 +103,10 @@ def describe_start(parameters):
     return f"the start \"{start}\""
 
 
+# How long is computed changes no physics.
+LENGTHS = ("Operation/tooth meshes", "Dynamics/end time", "Dynamics/largest number of steps")
+
+
 def find_differences(runs):
     """Names of the parameters in which runs differ, apart from folders and output."""
     names = dict.fromkeys(name for run in runs for name in run.parameters)
@@ -122,6 +126,7 @@ def normalize(value):
 def name_variants(runs):
     """A short name for each run: what differs, else the folder."""
     differences = find_differences(runs)
+    differences = [name for name in differences if name not in LENGTHS] or differences
     names = []
     for run in runs:
         webs = describe_web(run.parameters)

@@ -22,19 +22,12 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 namespace vfife
 {
   namespace
   {
     namespace fs = std::filesystem;
-
-    std::string trimmed(const std::string &text)
-    {
-      const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-      return first == std::string::npos ? "" : text.substr(first, last + 1 - first);
-    }
 
     /** Only --check looks at the cases before there are folders. */
     constexpr const char *no_folder = "";
@@ -101,22 +94,11 @@ namespace vfife
   std::vector<std::string> CompareStudy::list_entries(const std::string &text,
                                                       const std::string &folder) const
   {
-    std::vector<std::string> list;
-    std::istringstream       in(text);
-    for (std::string entry; std::getline(in, entry, ';');)
-      {
-        const std::size_t equals = entry.find('=');
-        if (trimmed(entry).empty())
-          continue;
-        if (equals == std::string::npos)
-          throw InputError("Compare/entries",
-                           "\"" + trimmed(entry) + "\" is not of the form Section/name = value");
-        entry = trimmed(entry.substr(0, equals)) + "=" + trimmed(entry.substr(equals + 1));
-        for (const Case &other : cases_)
-          for (std::size_t at; (at = entry.find("{" + other.name + "}")) != std::string::npos;)
-            entry.replace(at, other.name.size() + 2, folder_of(other, folder));
-        list.push_back(entry);
-      }
+    std::vector<std::string> list = split_entries(text, "Compare/entries");
+    for (std::string &entry : list)
+      for (const Case &other : cases_)
+        for (std::size_t at; (at = entry.find("{" + other.name + "}")) != std::string::npos;)
+          entry.replace(at, other.name.size() + 2, folder_of(other, folder));
     return list;
   }
 

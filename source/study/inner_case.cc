@@ -3,6 +3,7 @@
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
+#include <vfife/base/number_text.h>
 #include <vfife/output/run_figures.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/inner_case.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,23 @@ namespace vfife
         }
     }
   } // namespace
+
+  std::vector<std::string> split_entries(const std::string &text, const std::string &entry)
+  {
+    std::vector<std::string> list;
+    std::istringstream       in(text);
+    for (std::string one; std::getline(in, one, ';');)
+      {
+        const std::size_t equals = one.find('=');
+        if (trimmed(one).empty())
+          continue;
+        if (equals == std::string::npos)
+          throw InputError(entry,
+                           "\"" + trimmed(one) + "\" is not of the form Section/name = value");
+        list.push_back(trimmed(one.substr(0, equals)) + "=" + trimmed(one.substr(equals + 1)));
+      }
+    return list;
+  }
 
   std::string word_for(const Outcome outcome)
   {

@@ -3,6 +3,7 @@
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/output/pictures.h>
 #include <vfife/study/lumped_study.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -127,6 +128,7 @@ namespace vfife
     Subsection section(prm, "Lumped");
     run_.declare(prm);
     sweep_.declare(prm);
+    declare_switch(prm, "pictures", pictures_, "Whether the report is written at the end");
   }
 
   const OperationOptions &LumpedStudy::operation() const
@@ -216,5 +218,7 @@ namespace vfife
     if (folder.is_writer())
       folder.write_file("lumped.csv", [&](std::ostream &out) { motion.write_csv(out); });
     write_json(folder, "lumped.json", json);
+    if (pictures_)
+      draw_pictures(folder, log);
   }
 } // namespace vfife

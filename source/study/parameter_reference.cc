@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 #include <ostream>
 #include <sstream>
 
@@ -21,6 +22,7 @@ namespace vfife
     {
       std::string              name, standard, meaning;
       std::vector<std::string> words; ///< of the choice of its section with which it exists
+      std::map<std::string, std::vector<std::string>> others; ///< other defaults, kinds with them
 
       bool operator==(const Entry &other) const
       {
@@ -44,6 +46,7 @@ namespace vfife
           entries.push_back({name,
                              value.at("default_value").get<std::string>(),
                              value.at("documentation").get<std::string>(),
+                             {},
                              {}});
       return entries;
     }
@@ -63,7 +66,13 @@ namespace vfife
       if (same == sections.end())
         sections.push_back(section);
       else if (same->kinds.back() != section.kinds.front())
-        same->kinds.push_back(section.kinds.front());
+        {
+          same->kinds.push_back(section.kinds.front());
+          for (std::size_t i = 0; i < same->entries.size(); ++i)
+            if (same->entries[i].standard != section.entries[i].standard &&
+                section.entries[i].standard != section.kinds.front()) // Study/kind itself
+              same->entries[i].others[section.entries[i].standard].push_back(section.kinds.front());
+        }
     }
 
     void collect(const Json           &node,
@@ -157,6 +166,8 @@ namespace vfife
         all.push_back(std::string("Model/") + part.list + "=NAME");
       Json declared = declare(all);
       for (const Part &part : parts)
+        declared.at("Model").at(part.list).at("default_value") = ""; // not the name set above
+      for (const Part &part : parts)
         if (part.choice != nullptr)
           {
             sections.push_back(collect_part(part, declared));
@@ -198,8 +209,10 @@ namespace vfife
         out << "| entry | default | meaning |\n|---|---|---|\n";
         for (const Entry &entry : section.entries)
           {
-            out << "| " << entry.name << " | " << escape_bars(entry.standard) << " | "
-                << escape_bars(entry.meaning);
+            out << "| " << entry.name << " | " << escape_bars(entry.standard);
+            for (const auto &[standard, kinds] : entry.others)
+              write_list(out, "; " + escape_bars(standard) + " for ", kinds, "");
+            out << " | " << escape_bars(entry.meaning);
             write_list(out, " - with ", entry.words, "");
             out << " |\n";
           }

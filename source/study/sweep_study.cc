@@ -3,6 +3,7 @@
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/log.h>
+#include <vfife/base/number_text.h>
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
 #include <vfife/study/study.h>
@@ -22,10 +23,11 @@ namespace vfife
   {
     namespace fs = std::filesystem;
 
-    std::string trim(const std::string &text)
+    /** Results that are drawn beside those of the runs; a folder has at least one of them. */
+    bool can_stand_beside(const std::string &folder)
     {
-      const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-      return first == std::string::npos ? "" : text.substr(first, last + 1 - first);
+      return fs::exists(fs::path(folder) / "coupled_modes.csv") ||
+             fs::exists(fs::path(folder) / "resonance.csv");
     }
   } // namespace
 
@@ -56,7 +58,7 @@ namespace vfife
     std::vector<std::string> list;
     std::istringstream       text(values);
     for (std::string value; std::getline(text, value, separator);)
-      list.push_back(trim(value));
+      list.push_back(trimmed(value));
     return list;
   }
 
@@ -73,6 +75,16 @@ namespace vfife
       combinations,
       "Runs for all combinations of values (the last parameter changes fastest), or for "
       "the first values of all parameters, the second ones and so on");
+    declare_text(prm,
+                 "entries",
+                 entries_,
+                 "What all runs have otherwise than that file: \"Section/name = value\", separated "
+                 "by semicolons");
+    declare_names(prm,
+                  "beside",
+                  beside_,
+                  "Folders of results that the report draws beside the runs: of a loaded tooth "
+                  "contact analysis with coupled modes, of a lumped model with a sweep of speeds");
     declare_integer(prm,
                     "ranks per run",
                     ranks_per_run_,
@@ -142,6 +154,7 @@ namespace vfife
   {
     CommandLine line;
     line.parameter_file = (fs::path(folder_of_file_) / base_).string();
+    line.overrides      = split_entries(entries_, "Sweep/entries");
     for (std::size_t i = 0; i < values.size(); ++i)
       line.overrides.push_back(parameters_[i].entry + "=" + values[i]);
     return line;
@@ -176,6 +189,13 @@ namespace vfife
                              parameters_.front().name + "\" has " + std::to_string(n) +
                              ": with combination = list there must be as many");
       }
+    for (const std::string &folder : beside_)
+      if (!can_stand_beside(folder))
+        throw InputError("Sweep/beside",
+                         "the folder \"" + folder +
+                           "\" has neither coupled modes (coupled_modes.csv) nor a sweep of speeds "
+                           "(resonance.csv)");
+    split_entries(entries_, "Sweep/entries");
     for (const Values &values : list_runs())
       try
         {

@@ -15,12 +15,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <ostream>
 
 namespace vfife
 {
   namespace
   {
+    namespace fs = std::filesystem;
+
     /** Some of the ranks. */
     class Split
     {
@@ -98,8 +101,23 @@ namespace vfife
     write_json(folder, "sweep.json", Json{{"base", base_}, {"runs", json}});
   }
 
+  void SweepStudy::copy_beside(const OutputFolder &folder) const
+  {
+    for (std::size_t i = 0; i < beside_.size(); ++i)
+      {
+        const fs::path    from(beside_[i]);
+        const std::string name = "beside/" + std::to_string(i + 1);
+        folder.make_subfolder(name);
+        for (const char *file :
+             {"coupled_modes.csv", "resonance.csv", "lumped.json", "parameters.prm"})
+          if (folder.is_writer() && fs::exists(from / file))
+            folder.copy_file((from / file).string(), name + "/" + file);
+      }
+  }
+
   void SweepStudy::run(OutputFolder &folder, Log &log)
   {
+    copy_beside(folder);
     const Communicator       &all      = folder.communicator();
     const std::vector<Values> runs     = list_runs();
     const unsigned int        n_groups = count_groups(all);

@@ -1,7 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Tables as CSV and JSON, the log, the timers, and the neighbours of facets.
+// Tables as CSV and JSON, texts of CSV files, the log, the timers, and the neighbours of facets.
 
 #include <vfife/base/communicator.h>
+#include <vfife/base/csv_text.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/facet_surface.h>
 #include <vfife/base/log.h>
@@ -56,6 +57,31 @@ void check_table()
       refused = table.n_rows() == 3;
     }
   check("a number is refused as text", refused);
+}
+void check_csv_text()
+{
+  std::istringstream file("time [s], side,\"a \"\"b\"\", c [1]\"\r\n 0 ,\"x, y\",3\n\n1,,\n");
+  const CsvText      text = read_csv(file, "the table");
+  check("headings",
+        text.headings.size() == 3 && text.headings[0].name == "time" &&
+          text.headings[0].unit == "s" && text.headings[1].name == "side" &&
+          !text.headings[1].unit && text.headings[2].name == "a \"b\", c");
+  check("cells",
+        text.rows.size() == 2 &&
+          text.rows[0].cells == std::vector<std::string>({"0", "x, y", "3"}) &&
+          text.rows[1].cells == std::vector<std::string>({"1", "", ""}) &&
+          text.rows[1].place == "the table, line 4");
+  for (const char *wrong : {"", "a,b\n1,2\n3\n"})
+    try
+      {
+        std::istringstream in(wrong);
+        read_csv(in, "the table");
+        check("accepted", false);
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
 }
 
 void check_log()
@@ -143,6 +169,7 @@ int main(int argc, char **argv)
 {
   MPI_Init(&argc, &argv);
   check_table();
+  check_csv_text();
   check_log();
   check_timers();
   check_neighbours();

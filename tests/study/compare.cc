@@ -43,9 +43,9 @@ namespace
     std::ofstream("compare_loaded.prm")
       << pair << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
       << "subsection Loaded contact\n set positions = 2\n set coupled modes = 3\nend\n";
-    std::ofstream("compare_lumped.prm")
-      << bodies << "subsection Study\n set kind = lumped\nend\n"
-      << "subsection Lumped\n set mesh = loaded contact\n set damping ratio = 0.1\nend\n";
+    std::ofstream("compare_lumped.prm") << bodies << "subsection Study\n set kind = lumped\nend\n"
+                                        << "subsection Lumped\n set mesh = loaded contact\n set "
+                                           "damping ratio = 0.1\n set pictures = no\nend\n";
     std::ofstream("compare.prm")
       << "subsection Study\n set kind = compare\nend\n"
       << "subsection Compare\n set cases = run, loaded, lumped\n set pictures = no\n"

@@ -52,7 +52,7 @@ int main(int argc, char **argv)
   std::ofstream("values.prm") << "include " << SOURCE_DIR
                               << "/../../prm/lumped/torsional_pair.prm\n"
                                  "subsection Lumped\n set speeds = 5\n set settling meshes = 300\n"
-                                 " set measured meshes = 5\nend\n";
+                                 " set measured meshes = 5\n set pictures = no\nend\n";
   run_pair("values.prm", "lumped_results", session.world());
   const nlohmann::json values = read_results("lumped_results");
   // sqrt(2.2e9/27.978)/(2 pi)
@@ -78,16 +78,17 @@ int main(int argc, char **argv)
        "0,1,-54,800,3.8e6\n0.5,-1,-56,800,3.7e6\n";
   // The kind knows no Dynamics and no Output.
   const std::string all = quick_pair("set web = none", "set rim rows = 2", "1e-5");
-  std::ofstream("pair.prm") << all.substr(0, all.find("subsection Dynamics"))
-                            << "subsection Study\n set kind = lumped\nend\n"
-                               "subsection Lumped\n set mesh = loaded contact\n"
-                               " set table = table.csv\n set settling meshes = 100\n"
-                               " set measured meshes = 5\n set supports = axial, tilt\n"
-                               " subsection Support axial\n set direction = 0, 0, 1\n"
-                               " set mass = 1.7 kg\n set stiffness = 1e6\n end\n"
-                               " subsection Support tilt\n set motion = tilt\n"
-                               " set direction = 0, 1, 0\n set inertia = 9000\n"
-                               " set tilt stiffness = 1 MN m/rad\n end\nend\n";
+  std::ofstream("pair.prm")
+    << all.substr(0, all.find("subsection Dynamics"))
+    << "subsection Study\n set kind = lumped\nend\n"
+       "subsection Lumped\n set mesh = loaded contact\n"
+       " set table = table.csv\n set settling meshes = 100\n"
+       " set measured meshes = 5\n set pictures = no\n set supports = axial, tilt\n"
+       " subsection Support axial\n set direction = 0, 0, 1\n"
+       " set mass = 1.7 kg\n set stiffness = 1e6\n end\n"
+       " subsection Support tilt\n set motion = tilt\n"
+       " set direction = 0, 1, 0\n set inertia = 9000\n"
+       " set tilt stiffness = 1 MN m/rad\n end\nend\n";
   run_pair("pair.prm", "lumped_results", session.world());
   const nlohmann::json pair = read_results("lumped_results");
   check("three modes", pair.at("modes").size() == 3);

@@ -18,15 +18,18 @@ namespace
                                  "  subsection Body flying\n    set cells x = 20\n  end\n"
                                  "  subsection Body resting\n    set cells x = 20\n  end\nend\n"
                                  "subsection Output\n  set pictures = no\nend\n";
-    std::ofstream("sweep.prm") << "subsection Study\n  set kind = sweep\nend\n"
-                                  "subsection Sweep\n  set base = bars.prm\n  set pictures = no\n"
-                                  "  set parameters = limit, damping\n"
-                                  "  subsection Parameter limit\n"
-                                  "    set entry  = Dynamics/energy limit\n"
-                                  "    set values = 2, 1e-9\n  end\n"
-                                  "  subsection Parameter damping\n"
-                                  "    set entry  = Dynamics/damping\n"
-                                  "    set values = 0, 100 1/s, 200 1/s\n  end\nend\n";
+    std::ofstream("sweep.prm")
+      << "subsection Study\n  set kind = sweep\nend\n"
+         "subsection Sweep\n  set base = bars.prm\n  set pictures = no\n"
+         "  set entries = Output/verbosity=quiet; Output/history every = 7\n"
+         "  set beside = modes\n"
+         "  set parameters = limit, damping\n"
+         "  subsection Parameter limit\n"
+         "    set entry  = Dynamics/energy limit\n"
+         "    set values = 2, 1e-9\n  end\n"
+         "  subsection Parameter damping\n"
+         "    set entry  = Dynamics/damping\n"
+         "    set values = 0, 100 1/s, 200 1/s\n  end\nend\n";
   }
 
   Ending sweep(const std::string &folder, const std::vector<std::string> &more = {})
@@ -62,8 +65,10 @@ namespace
 
 int main()
 {
-  for (const char *folder : {"all", "list", "two_ranks"})
+  for (const char *folder : {"all", "list", "two_ranks", "modes"})
     fs::remove_all(folder);
+  fs::create_directory("modes");
+  std::ofstream("modes/coupled_modes.csv") << "axes,frequency [Hz]\nstanding,923\n";
   write_cases();
 
   const Ending ending = sweep("all");
@@ -77,6 +82,12 @@ int main()
   const std::string json = read_text("all/sweep.json");
   check("sweep.json has the failure",
         json.find("\"message\": \"the energy error is") != std::string::npos);
+
+  check("entries of all runs",
+        read_text("all/run_02/parameters.prm").find("set history every    = 7") !=
+          std::string::npos);
+  check("results beside are copied",
+        read_text("all/beside/1/coupled_modes.csv") == read_text("modes/coupled_modes.csv"));
 
   // Finished runs are kept, one without a result is done again, one goes on from its checkpoint.
   const std::string first = history("all/run_01"), second = history("all/run_02"),
@@ -113,6 +124,8 @@ int main()
   show("list", sweep("list", {"--set", "Sweep/combination=list", "--check"}));
   show("unknown entry", sweep("list", {"--set", "Sweep/Parameter damping/entry=Dynamics/dampin"}));
   show("wrong value", sweep("list", {"--set", "Sweep/Parameter damping/values=0, 1 mm"}));
+  show("no entry", sweep("list", {"--set", "Sweep/entries=Output/pictures"}));
+  show("nothing beside", sweep("list", {"--set", "Sweep/beside=all"}));
   show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));
   return 0;
 }

@@ -55,6 +55,12 @@ namespace vfife
     void write_file(const std::string                         &name,
                     const std::function<void(std::ostream &)> &write) const;
 
+    /**
+     * Puts a copy of the file @p from into the folder; on the calling rank only. Throws
+     * std::runtime_error where it cannot be read or the disk does not take it.
+     */
+    void copy_file(const std::string &from, const std::string &name) const;
+
     /** Removes a file of the folder if it is there; only the writing rank does. */
     void remove_file(const std::string &name) const;
 

@@ -3,6 +3,7 @@
 #define vfife_study_inner_case_h
 
 #include <string>
+#include <vector>
 
 namespace vfife
 {
@@ -27,6 +28,12 @@ namespace vfife
     Outcome     outcome = Outcome::waits;
     std::string message;
   };
+
+  /**
+   * What cases have otherwise than their files, "Section/name = value; ...", as the overrides of a
+   * command line. @throws InputError, of @p entry, for what has no "=".
+   */
+  std::vector<std::string> split_entries(const std::string &text, const std::string &entry);
 
   /**
    * Whether the output folder of @p line has the results of that case, with the same parameters: a

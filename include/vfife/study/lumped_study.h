@@ -33,6 +33,7 @@ namespace vfife
     LumpedOptions     options_;
     LumpedRunOptions  run_;
     SpeedSweepOptions sweep_;
+    bool              pictures_ = true;
   };
 } // namespace vfife
 

@@ -17,6 +17,9 @@ namespace vfife
    * combination of values. Each run has a folder of its own, run_01 and so on, in that of the
    * sweep; sweep.csv and sweep.json have the key figures of all.
    *
+   * Tables of folders that `beside` names are copied into the sweep's folder, for the report: the
+   * coupled modes of a loaded tooth contact analysis, the sweep of speeds of a lumped model.
+   *
    * The ranks are dealt to groups of `ranks per run`, which do runs at the same time. A run that
    * fails stops no other. With --restart finished runs of the same parameters are kept, and others
    * go on from their checkpoints.
@@ -58,13 +61,14 @@ namespace vfife
     CommandLine         command_line(const Values &values) const;
     unsigned int        count_groups(const Communicator &communicator) const;
     std::string         describe(const Values &values) const;
+    void                copy_beside(const OutputFolder &folder) const;
     void                write_results(const OutputFolder            &folder,
                                       const std::vector<Values>     &runs,
                                       const std::vector<CaseReport> &reports) const;
 
     bool                     restart_ = false;
-    std::string              base_, folder_of_file_;
-    std::vector<std::string> names_;
+    std::string              base_, entries_, folder_of_file_;
+    std::vector<std::string> names_, beside_;
     std::vector<Parameter>   parameters_;
     Combination              combination_   = Combination::product;
     unsigned int             ranks_per_run_ = 0;

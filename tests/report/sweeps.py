@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sweeps over one number, and sidebands, of made-up histories with known lines."""
+import csv
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from made_up_run import figure, make_parameters, make_summary, write_run  # first: ends without numpy
+
+import numpy as np
+
+import make_report
+from curves import draw_curves
+from line_tables import describe_resolution, list_other_lines
+from run_folder import RunFolder
+from sidebands import draw_sidebands, list_sidebands
+from swept import choose_modes, find_axis, find_speeds, list_critical_speeds, read_beside
+from variants import find_variants
+from waterfalls import draw_waterfall
+
+SAMPLES = 50
+FREE_LINE = 1100.0  # Hz
+
+
+def write_pair(folder, speed, meshes, make_dte):
+    """A run whose transmission error is make_dte(tooth meshes, mesh frequency)."""
+    folder.mkdir(parents=True, exist_ok=True)
+    frequency = speed * 27 / 60
+    at = np.arange(meshes * SAMPLES + 1) / SAMPLES
+    time, dte = at / frequency, make_dte(at, frequency)
+    (folder / "history.csv").write_text("time [s],dte [arcsec],contact force total [N]\n" + "".join(
+        f"{t!r},{x!r},{9000 + 10 * x!r}\n" for t, x in zip(time.tolist(), dte.tolist())))
+    summary = make_summary()
+    summary["figures"]["mesh frequency"] = figure(frequency, "Hz")
+    for body, turn in zip(summary["mesh"]["bodies"], (speed, -speed * 27 / 79)):
+        body["speed at the start"] = figure(turn, "rpm")
+    statistics = {"mean": dte.mean(), "peak to peak": np.ptp(dte), "standard deviation": dte.std(),
+                  "unit": "arcsec"}
+    summary["steady part"].update(
+        {"start": figure(0, "s"), "end": figure(time[-1], "s"), "mesh cycles": meshes,
+         "columns": {"dte": statistics, "contact force total": dict(statistics, unit="N")}})
+    (folder / "summary.json").write_text(json.dumps(summary))
+    (folder / "parameters.prm").write_text(make_parameters("5").replace(
+        "20000 rpm", f"{speed} rpm").replace("set torque", f"set tooth meshes = {meshes}\n  set torque"))
+
+
+def write_sweep(folder, speeds):
+    for k, speed in enumerate(speeds):
+        write_pair(folder / f"run_{k:02d}", speed, 20,
+                   lambda at, f: 2 * np.cos(2 * np.pi * at) + np.cos(2 * np.pi * FREE_LINE * at / f))
+    (folder / "beside" / "1").mkdir(parents=True)
+    (folder / "beside" / "1" / "coupled_modes.csv").write_text(
+        "axes,frequency [Hz],share of the static turn [-]\nturning,1000,0.5\n"
+        "standing,900,0.1\nstanding,1800,0.3\nstanding,1500,0.001\n")
+    (folder / "beside" / "1" / "parameters.prm").write_text(
+        "subsection Operation\n  set speed = 20000 rpm\nend\n")
+
+
+class Speeds(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = Path(self.folder.name)
+        write_sweep(self.path, (3000, 2000, 6000, 4000))
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_axis(self):
+        """By rising speed, whatever the order of the runs; the modes that stand in space and take part
+        in the turn; order n meets f at 60 f/(27 n) rpm."""
+        axis = find_axis(find_variants(self.path))
+        self.assertEqual(axis.label, "speed [rpm]")
+        self.assertEqual(list(axis.values), [2000, 3000, 4000, 6000])
+        speeds, beside = find_speeds(axis), read_beside(self.path)
+        self.assertAlmostEqual(speeds.frequency_of_one, 27 / 60)
+        self.assertEqual([list(m.frequencies) for m in choose_modes(beside, speeds)], 4 * [[900, 1800]])
+        found = list_critical_speeds(beside, speeds)
+        self.assertEqual([(f, n) for f, n, _ in found], [(900, 1), (1800, 2), (1800, 1)])
+        self.assertAlmostEqual(found[2][2], 4000)
+
+    def test_waterfall(self):
+        """Mesh and free line with their amplitudes; between two bins of four a line loses 1 % at most (Hann)."""
+        axis = find_axis(find_variants(self.path))
+        header, rows = draw_waterfall(find_speeds(axis), read_beside(self.path), "dte").vfife_numbers
+        self.assertEqual(header[0], "speed [rpm]")
+        rows = np.array(rows, dtype=float)
+        for speed in axis.values:
+            of_speed = rows[rows[:, 0] == speed]
+            at_mesh = np.argmin(abs(of_speed[:, 2] - 1))
+            spacing = speed * 27 / 60 / 20
+            free = of_speed[abs(of_speed[:, 1] - FREE_LINE) < spacing]
+            self.assertTrue(0.98 < free[:, 3].max() < 1.02)
+            self.assertAlmostEqual(of_speed[at_mesh, 3], 2, delta=0.02)
+
+    def test_report(self):
+        make_report.main([str(self.path)])
+        text = (self.path / "report.html").read_text()
+        for words in ("Over speed", "Spectra of the transmission error at each",
+                      "computed at 20000 rpm", "Speeds at which mesh orders 1 to 3"):
+            self.assertIn(words, text)
+        with open(self.path / "pictures" / "resonance.csv", encoding="utf-8", newline="") as file:
+            curve = [row for row in csv.DictReader(file) if row["curve"] == "peak to peak"]
+        self.assertEqual([float(row["x"]) for row in curve[:4]], [2000, 3000, 4000, 6000])
+        # Sums of both lines: between the larger one's and both together.
+        for row in curve[:4]:
+            self.assertTrue(4 < float(row["y"]) <= 6)
+
+
+class Axes(unittest.TestCase):
+    def test_any_number(self):
+        """Three thicknesses make curves, two do not, and neither do words."""
+        with tempfile.TemporaryDirectory() as name:
+            for count, thickness in enumerate(("5 mm", "3.5 mm", "6.5 mm"), 1):
+                folder = Path(name) / f"run_{count}"
+                folder.mkdir()
+                write_run(folder, thickness, fields=False)
+                axis = find_axis(find_variants(Path(name)))
+                self.assertEqual(axis is None, count < 3)
+            self.assertEqual(axis.label, "web thickness [mm]")
+            self.assertEqual(list(axis.values), [3.5, 5, 6.5])
+            self.assertIsNone(find_speeds(axis))
+            labels = [axes.get_xlabel() for axes in draw_curves(axis).axes]
+            self.assertEqual(set(labels), {"web thickness [mm]"})
+            changed = Path(name) / "run_3" / "parameters.prm"
+            changed.write_text(changed.read_text().replace("6.5 mm", "thick"))
+            self.assertIsNone(find_axis(find_variants(Path(name))))
+
+
+class Sidebands(unittest.TestCase):
+    def run_of(self, name, meshes):
+        write_pair(Path(name), 20000, meshes, lambda at, f: np.cos(2 * np.pi * at) * (
+            1 + 0.2 * np.cos(2 * np.pi * at / 27)))
+        return RunFolder(name)
+
+    def test_two_revolutions(self):
+        """An amplitude that varies by 20 % once a turn of the pinion is two sidebands of 10 %."""
+        with tempfile.TemporaryDirectory() as name:
+            run = self.run_of(name, 54)
+            rows = [row for row in list_sidebands(run) if row[0] == "dte"]
+            self.assertEqual([row[1:3] for row in rows], [[n, "pinion"] for n in (1, 2, 3)])
+            for row, sizes in zip(rows, ((0.1, 1, 0.1), (0, 0, 0), (0, 0, 0))):
+                for value, known in zip(row[4:7], sizes):
+                    self.assertAlmostEqual(value, known, places=9)
+            self.assertIsNotNone(draw_sidebands(run))
+            lines = {row[1] for row in list_other_lines(run) if row[0] == "dte"}
+            self.assertEqual(lines & {"1 mesh -1 turn of the pinion", "1 mesh +1 turn of the pinion"},
+                             {"1 mesh -1 turn of the pinion", "1 mesh +1 turn of the pinion"})
+            text = describe_resolution(run)
+            self.assertIn("gear (114 Hz) cannot be told from the harmonics: they need 158", text)
+            self.assertNotIn("pinion", text)
+
+    def test_too_short(self):
+        with tempfile.TemporaryDirectory() as name:
+            run = self.run_of(name, 53)
+            self.assertEqual(list(list_sidebands(run)), [])
+            self.assertIsNone(draw_sidebands(run))
+            self.assertIn("pinion (333 Hz) cannot be told", describe_resolution(run))
+
+
+if __name__ == "__main__":
+    unittest.main()
