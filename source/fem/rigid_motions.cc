@@ -5,6 +5,38 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /** Projects on the directions in which a constraint keeps a point from moving. */
+    Matrix3 held_directions(const Constraint &constraint, const Axis &axis, const Vector3 &point)
+    {
+      const Vector3 across  = axis.direction.cross(point - axis.point);
+      const bool    on_axis = !(across.norm() > 0.);
+      const Vector3 tangent = on_axis ? Vector3(Vector3::Zero()) : Vector3(across.normalized());
+      switch (constraint.kind)
+        {
+        case ConstraintKind::free_rotation:
+        case ConstraintKind::rigid_hub:
+          return Matrix3::Identity() - tangent * tangent.transpose();
+        case ConstraintKind::directions:
+          {
+            Matrix3 axes = Matrix3::Identity(), held = Matrix3::Zero();
+            if (constraint.cylindrical)
+              axes << tangent.cross(axis.direction), tangent, axis.direction;
+            for (unsigned int c = 0; c < 3; ++c)
+              if (constraint.prescribed[c])
+                held += axes.col(c) * axes.col(c).transpose();
+            if (constraint.cylindrical && on_axis &&
+                (constraint.prescribed[0] || constraint.prescribed[1]))
+              held += Matrix3::Identity() - axis.direction * axis.direction.transpose();
+            return held;
+          }
+        default:
+          return Matrix3::Identity();
+        }
+    }
+  } // namespace
+
   std::vector<std::vector<double>> make_rigid_motions(const Discretization       &discretization,
                                                       const Discretization::Part &part,
                                                       const Vector3              &centre)
@@ -37,30 +69,26 @@ namespace vfife
     // A hub that turns rigidly forbids nothing more than free rotation: rigid motions turn all
     // nodes by one angle anyway.
     Eigen::Matrix<double, 6, 6> forbidden = Eigen::Matrix<double, 6, 6>::Zero();
+    const auto                  forbid    = [&](const unsigned int p, const Matrix3 &held) {
+      Eigen::Matrix<double, 3, 6> motion;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          motion.col(d) = Vector3::Unit(d);
+          motion.col(3 + d) = Vector3::Unit(d).cross(discretization.points()[p] - centre) / size;
+        }
+      forbidden += motion.transpose() * held * motion / part.n_points;
+    };
     for (const Constraint &constraint : model.constraints)
-      {
-        if (constraint.body != part.body)
-          continue;
-        const Axis &axis = model.bodies[part.body].axis;
+      if (constraint.body == part.body)
         for (const unsigned int p : discretization.points_of(part, constraint.nodes))
-          {
-            const Vector3               x = discretization.points()[p];
-            Eigen::Matrix<double, 3, 6> motion;
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                motion.col(d)     = Vector3::Unit(d);
-                motion.col(3 + d) = Vector3::Unit(d).cross(x - centre) / size;
-              }
-            Matrix3 held = Matrix3::Identity();
-            if (constraint.kind == ConstraintKind::free_rotation ||
-                constraint.kind == ConstraintKind::rigid_hub)
-              {
-                const Vector3 tangent = axis.direction.cross(x - axis.point).normalized();
-                held -= tangent * tangent.transpose();
-              }
-            forbidden += motion.transpose() * held * motion / part.n_points;
-          }
-      }
+          forbid(p,
+                 held_directions(constraint,
+                                 model.bodies[part.body].axis,
+                                 discretization.points()[p]));
+    for (const Load &load : model.loads)
+      if (load.kind == LoadKind::spring && load.body == part.body)
+        for (const unsigned int p : discretization.points_of(part, load.nodes))
+          forbid(p, Matrix3(load.vector.cwiseSign().asDiagonal()));
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(forbidden);
     const auto                       rigid = make_rigid_motions(discretization, part, centre);
     std::vector<std::vector<double>> motions;
