@@ -4,6 +4,7 @@
 #include <vfife/base/log.h>
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/wall_clock.h>
+#include <vfife/fem/held_directions.h>
 #include <vfife/fem/probe_values.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
@@ -68,7 +69,8 @@ namespace vfife
         }
     }
 
-    /** A row a constraint: what it exerts on its nodes, with all others that hold them. */
+    /** A row a constraint: what it exerts on its nodes in the directions that it holds, with all
+     * others that hold the same. */
     Table make_reaction_table(const Discretization &discretization, const StaticResult &result)
     {
       Table table;
@@ -86,10 +88,12 @@ namespace vfife
             double      torque = 0;
             for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
               {
-                const Eigen::Map<const Vector3> here(result.reactions.data() + 3 * std::size_t(p));
+                const Vector3 place = discretization.points()[p];
+                const Vector3 here =
+                  held_directions(constraint, body.axis, place) *
+                  Eigen::Map<const Vector3>(result.reactions.data() + 3 * std::size_t(p));
                 force += here;
-                torque += body.axis.direction.dot(
-                  (discretization.points()[p] - body.axis.point).cross(here));
+                torque += body.axis.direction.dot((place - body.axis.point).cross(here));
               }
             table.add_row(
               {constraint.name, body.name(), force[0], force[1], force[2], 1e-3 * torque});
@@ -138,6 +142,7 @@ namespace vfife
   LinearStaticStudy::LinearStaticStudy()
   {
     fem_.mass            = MassKind::lumped; // as the mass points of a run
+    fem_.linear_solver   = LinearSolverKind::direct;
     output_.fields_every = 1;
   }
 

@@ -105,11 +105,16 @@ namespace vfife
                    ComparisonRows    &rows) const
       {
         const RestValue rest = find_rest(history_.numbers(column), is_run_);
-        ComparisonRow   row{
-          column, unit, rest.value, reference_.numbers(column).back(), "FEM", {}, ""};
-        const double size = std::abs(row.reference);
-        row.reason        = is_run_ ? "mean of the last third of the run against linear statics"
-                                    : "equilibrium by relaxation against linear statics";
+        ComparisonRow   row{column + (is_run_ ? ", run" : ", static"),
+                          unit,
+                          rest.value,
+                          reference_.numbers(column).back(),
+                          "FEM",
+                          {},
+                          ""};
+        const double    size = std::abs(row.reference);
+        row.reason           = is_run_ ? "mean of the last third of the run against linear statics"
+                                       : "equilibrium by relaxation against linear statics";
         if (size < least_part * largest)
           row.reason += "; hardly anything beside the largest of all probes";
         else if (rest.change > .5 * tolerance * size)
