@@ -17,21 +17,17 @@ namespace vfife
     /** What a column shows at rest, and how much of it is not at rest. */
     struct RestValue
     {
-      double value  = 0;
-      double change = 0; ///< of the means from the second to the last third of the record
+      double value     = 0;
+      double vibration = 0; ///< largest deviation from it
     };
 
+    /** Of a run the mean of its last third, of a `static` its last load step. */
     RestValue find_rest(const std::vector<double> &values, const bool is_run)
     {
-      if (!is_run)
-        return {values.back(), 0.}; // the last load step
-      const std::size_t third = values.size() / 3;
-      const auto        mean  = [&](const std::size_t first) {
-        const auto from = values.begin() + first;
-        return std::accumulate(from, from + third, 0.) / third;
-      };
-      const double last = mean(values.size() - third);
-      return {last, std::abs(last - mean(values.size() - 2 * third))};
+      const auto   from = values.end() - (is_run ? values.size() / 3 : 1);
+      const double mean = std::accumulate(from, values.end(), 0.) / (values.end() - from);
+      const auto   ends = std::minmax_element(from, values.end());
+      return {mean, std::max(*ends.second - mean, mean - *ends.first)};
     }
 
     /** The column of largest magnitude in the last row. */
@@ -57,7 +53,7 @@ namespace vfife
 
       void add_rows(const ComparisonTolerances &tolerances, ComparisonRows &rows) const
       {
-        if (history_.n_rows() < (is_run_ ? 6 : 1) || reference_.n_rows() == 0)
+        if (history_.n_rows() < (is_run_ ? 3 : 1) || reference_.n_rows() == 0)
           return;
         std::vector<ProbeColumns> probes = find_probe_columns(reference_);
         const auto                known  = find_probe_columns(history_);
@@ -117,8 +113,8 @@ namespace vfife
                                        : "equilibrium by relaxation against linear statics";
         if (size < least_part * largest)
           row.reason += "; hardly anything beside the largest of all probes";
-        else if (rest.change > .5 * tolerance * size)
-          row.reason += "; the run is not at rest, its means still change";
+        else if (rest.vibration > tolerance * size)
+          row.reason += "; the run still vibrates by more than the tolerance";
         else
           row.tolerance = tolerance * size;
         rows.push_back(row);
