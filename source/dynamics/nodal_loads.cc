@@ -1,15 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
-#include <vfife/base/errors.h>
 #include <vfife/dynamics/nodal_loads.h>
 #include <vfife/dynamics/vfife_operator.h>
-#include <vfife/mesh/body_mesh.h>
-
-#include <Eigen/LU>
+#include <vfife/model/load_shares.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vfife
 {
@@ -24,31 +20,6 @@ namespace vfife
     {
       Eigen::Map<Vector3>(values + 4 * static_cast<std::size_t>(local)) += v;
     }
-
-    /** What each node takes of the load: areas, shares that sum to one, or masses. */
-    std::vector<double> compute_weights(const Load &load, const Body &body)
-    {
-      std::vector<double> weights;
-      if (load.kind == LoadKind::acceleration)
-        {
-          for (const unsigned int node : load.nodes)
-            weights.push_back(body.node_masses()[node]);
-          return weights;
-        }
-      weights    = compute_nodal_areas(body, load.nodes);
-      double sum = std::accumulate(weights.begin(), weights.end(), 0.);
-      if (!(sum > 0))
-        {
-          if (load.kind == LoadKind::pressure)
-            throw InputError("load \"" + load.name + "\": its nodes carry no face of body \"" +
-                             body.name() + "\" that the pressure could act on");
-          weights.assign(load.nodes.size(), 1.);
-          sum = weights.size();
-        }
-      for (double &weight : weights)
-        weight /= sum;
-      return weights;
-    }
   } // namespace
 
   NodalLoads::NodalLoads(const Model &model, VfifeOperator &vfife, const Communicator &communicator)
@@ -60,7 +31,7 @@ namespace vfife
     for (const Load &load : model.loads)
       {
         const Body &body    = model.bodies[load.body];
-        const auto  weights = compute_weights(load, body);
+        const auto  weights = compute_load_shares(load, body);
         Group       group{&load, {}, {}};
         for (std::size_t i = 0; i < load.nodes.size(); ++i)
           {
@@ -91,41 +62,18 @@ namespace vfife
 
   void NodalLoads::add_faces(const Load &load, Group &group) const
   {
-    const Body               &body      = model_.bodies[load.body];
-    const Partition          &partition = operator_.partition();
-    std::vector<std::uint8_t> selected(body.n_nodes(), 0);
-    for (const unsigned int node : load.nodes)
-      selected[node] = 1;
-    for (const auto &cell : body.mesh().triangulation.active_cell_iterators())
-      {
-        if (!cell->at_boundary() ||
-            !std::binary_search(partition.elements.begin(),
-                                partition.elements.end(),
-                                body.first_element + cell->active_cell_index()))
-          continue;
-        const auto &nodes = body.elements()[cell->active_cell_index()];
-        for (const unsigned int f : cell->face_indices())
-          {
-            if (!cell->face(f)->at_boundary())
-              continue;
-            // Corners of face f = 2 d + side in turn: in the plane of the directions d + 1, d + 2
-            // of the reference cube, counter-clockwise about + d; the other way round on side 0.
-            const unsigned int d = f / 2, side = f % 2, u = 1u << ((d + 1) % 3),
-                               v = 1u << ((d + 2) % 3), base = side << d;
-            std::array<unsigned int, 4> corners = {{base, base + u, base + u + v, base + v}};
-            if (side == 0)
-              std::swap(corners[1], corners[3]);
-            Face face;
-            bool inside = true;
-            for (unsigned int i = 0; i < 4; ++i)
-              {
-                inside        = inside && selected[nodes[corners[i]]] != 0;
-                face.local[i] = partition.local_node[body.first_node + nodes[corners[i]]];
-              }
-            if (inside)
-              group.faces.push_back(face);
-          }
-      }
+    const Body      &body      = model_.bodies[load.body];
+    const Partition &partition = operator_.partition();
+    for (const BoundaryFace &boundary : find_boundary_faces(body, load.nodes))
+      if (std::binary_search(partition.elements.begin(),
+                             partition.elements.end(),
+                             body.first_element + boundary.element))
+        {
+          Face face;
+          for (unsigned int i = 0; i < 4; ++i)
+            face.local[i] = partition.local_node[body.first_node + boundary.nodes[i]];
+          group.faces.push_back(face);
+        }
   }
 
   double NodalLoads::vote_on_step(const double step) const
@@ -144,28 +92,12 @@ namespace vfife
 
   void NodalLoads::add_moment(const Group &group, const Vector3 &moment, const double *positions)
   {
-    std::vector<double> sums(13, 0.); // weight, first and second moments of the weights
+    MomentSums sums;
     for (const Node &node : group.nodes)
       if (node.owned)
-        {
-          const Vector3 x      = record(positions, node.local);
-          const Matrix3 second = node.weight * x * x.transpose();
-          sums[0] += node.weight;
-          for (unsigned int c = 0; c < 3; ++c)
-            sums[1 + c] += node.weight * x[c];
-          for (unsigned int c = 0; c < 9; ++c)
-            sums[4 + c] += second.data()[c];
-        }
-    communicator_.sum(sums);
-    const Vector3 centre = Vector3(sums[1], sums[2], sums[3]) / sums[0];
-    const Matrix3 second =
-      Eigen::Map<const Matrix3>(sums.data() + 4) - sums[0] * centre * centre.transpose();
-    const Matrix3                   inertia = second.trace() * Matrix3::Identity() - second;
-    const Eigen::FullPivLU<Matrix3> factors(inertia);
-    if (!factors.isInvertible())
-      throw InputError("load \"" + group.load->name +
-                       "\": its nodes lie on a line and cannot carry a moment");
-    const Vector3 turn = factors.solve(moment);
+        sums.add(node.weight, record(positions, node.local));
+    communicator_.sum(sums.values);
+    const auto [centre, turn] = sums.solve(moment, group.load->name);
     for (const Node &node : group.nodes)
       add_record(forces_.data(),
                  node.local,
@@ -179,8 +111,7 @@ namespace vfife
         Vector3 x[4];
         for (unsigned int i = 0; i < 4; ++i)
           x[i] = record(positions, face.local[i]);
-        // The vector area of a bilinear face is half the cross product of its diagonals.
-        const Vector3 force = -0.125 * pressure * (x[2] - x[0]).cross(x[3] - x[1]);
+        const Vector3 force = -0.25 * pressure * compute_vector_area(x[0], x[1], x[2], x[3]);
         for (const std::uint32_t local : face.local)
           add_record(face_forces_.data(), local, force);
       }

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/held_directions.h>
 #include <vfife/fem/unknowns.h>
 
 #include <Eigen/Eigenvalues>
@@ -37,30 +38,26 @@ namespace vfife
     // A hub that turns rigidly forbids nothing more than free rotation: rigid motions turn all
     // nodes by one angle anyway.
     Eigen::Matrix<double, 6, 6> forbidden = Eigen::Matrix<double, 6, 6>::Zero();
+    const auto                  forbid    = [&](const unsigned int p, const Matrix3 &held) {
+      Eigen::Matrix<double, 3, 6> motion;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          motion.col(d) = Vector3::Unit(d);
+          motion.col(3 + d) = Vector3::Unit(d).cross(discretization.points()[p] - centre) / size;
+        }
+      forbidden += motion.transpose() * held * motion / part.n_points;
+    };
     for (const Constraint &constraint : model.constraints)
-      {
-        if (constraint.body != part.body)
-          continue;
-        const Axis &axis = model.bodies[part.body].axis;
+      if (constraint.body == part.body)
         for (const unsigned int p : discretization.points_of(part, constraint.nodes))
-          {
-            const Vector3               x = discretization.points()[p];
-            Eigen::Matrix<double, 3, 6> motion;
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                motion.col(d)     = Vector3::Unit(d);
-                motion.col(3 + d) = Vector3::Unit(d).cross(x - centre) / size;
-              }
-            Matrix3 held = Matrix3::Identity();
-            if (constraint.kind == ConstraintKind::free_rotation ||
-                constraint.kind == ConstraintKind::rigid_hub)
-              {
-                const Vector3 tangent = axis.direction.cross(x - axis.point).normalized();
-                held -= tangent * tangent.transpose();
-              }
-            forbidden += motion.transpose() * held * motion / part.n_points;
-          }
-      }
+          forbid(p,
+                 held_directions(constraint,
+                                 model.bodies[part.body].axis,
+                                 discretization.points()[p]));
+    for (const Load &load : model.loads)
+      if (load.kind == LoadKind::spring && load.body == part.body)
+        for (const unsigned int p : discretization.points_of(part, load.nodes))
+          forbid(p, Matrix3(load.vector.cwiseSign().asDiagonal()));
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(forbidden);
     const auto                       rigid = make_rigid_motions(discretization, part, centre);
     std::vector<std::vector<double>> motions;

@@ -2,6 +2,7 @@
 #include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
 #include <vfife/fem/direct_solver.h>
+#include <vfife/fem/load_forces.h>
 #include <vfife/fem/multigrid_solver.h>
 #include <vfife/fem/static_solver.h>
 #include <vfife/fem/system_matrices.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace vfife
 {
@@ -22,6 +24,30 @@ namespace vfife
         forces += point.weight * force(X * point.N) * point.N.transpose();
       return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
     }
+
+    /** Of a body's element at some places, its points undeformed at @p X [N]. */
+    Eigen::VectorXd centrifugal_force(const ElementNodes &X,
+                                      const ElementNodes &places,
+                                      const Body         &body,
+                                      const MassKind      mass)
+    {
+      const Vector3     &a = body.axis.direction;
+      const ElementNodes arms =
+        (Matrix3::Identity() - a * a.transpose()) * (places.colwise() - body.axis.point);
+      const ElementNodes forces =
+        body.rate * body.rate * arms * compute_mass_coefficients(X, body.material().density, mass);
+      return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
+    }
+
+    double factor_of(const ParameterHistory &history, const StaticLoads &loads)
+    {
+      return loads.time ? history.value(*loads.time) : loads.part_of_loads;
+    }
+
+    /** The state of spin changes its own stiffness little; each round leaves that part of the
+     * change. */
+    constexpr unsigned int largest_rounds  = 20;
+    constexpr double       round_tolerance = 1e-7;
 
     /** Values at the corners of an element from those at its n^3 Gauss points. */
     Eigen::MatrixXd corner_extrapolation(const unsigned int n)
@@ -52,17 +78,29 @@ namespace vfife
   StaticSolver::StaticSolver(const Model                     &model,
                              const std::vector<unsigned int> &bodies,
                              const FemOptions                &options,
-                             const Communicator              &communicator)
+                             const Communicator              &communicator,
+                             const HubRotation                rotation)
     : model_(model)
     , options_(options)
     , communicator_(communicator)
     , discretization_(model, bodies, options.element)
+    , rotation_(rotation)
   {
     for (const Discretization::Part &part : discretization_.parts())
       {
-        const std::size_t n = find_free_motions(discretization_, part).size();
-        if (n > 0)
-          throw InputError("body \"" + model.bodies[part.body].name() + "\": " + std::to_string(n) +
+        const bool has_hub =
+          std::any_of(model.constraints.begin(),
+                      model.constraints.end(),
+                      [&part](const Constraint &constraint) {
+                        return constraint.body == part.body &&
+                               (constraint.kind == ConstraintKind::free_rotation ||
+                                constraint.kind == ConstraintKind::rigid_hub);
+                      });
+        const std::size_t n       = find_free_motions(discretization_, part).size();
+        const std::size_t allowed = has_hub && rotation != HubRotation::free ? 1 : 0;
+        if (n > allowed)
+          throw InputError("body \"" + model.bodies[part.body].name() +
+                           "\": " + std::to_string(n - allowed) +
                            " of its 6 rigid motions are not held by any constraint, so it has no "
                            "static equilibrium; hold more of its nodes");
       }
@@ -75,6 +113,10 @@ namespace vfife
       if (const auto *part = discretization_.find_part(torque.body))
         add_torque_forces(
           torque, discretization_, *part, loads.part_of_torques * torque.value, forces);
+    for (const Load &load : model_.loads)
+      if (const auto *part = discretization_.find_part(load.body);
+          part != nullptr && load.kind != LoadKind::spring)
+        add_load_forces(load, discretization_, *part, factor_of(load.history, loads), forces);
     if (!loads.nodal_forces.empty())
       for (const Discretization::Part &part : discretization_.parts())
         {
@@ -87,47 +129,161 @@ namespace vfife
     return forces;
   }
 
-  StaticResult StaticSolver::solve(const StaticLoads &loads) const
+  std::vector<double> StaticSolver::balance(const StaticLoads         &loads,
+                                            const std::vector<double> &u,
+                                            const std::vector<double> &spun,
+                                            double                    &strain_energy) const
   {
-    Unknowns::Options unknowns;
-    unknowns.padded = options_.linear_solver == LinearSolverKind::multigrid;
-    const Assembly       assembly(discretization_, unknowns, communicator_);
-    const SystemMatrices matrices(assembly, options_.mass);
-    SparseValues         K = matrices.stiffness();
-    OwnedVector          f = assembly.restrict_forces(make_forces(loads));
-
-    const auto add = [&f](const OwnedVector &part) {
-      std::transform(f.begin(), f.end(), part.begin(), f.begin(), std::plus<double>());
+    const Discretization &d       = discretization_;
+    const bool            is_root = communicator_.is_root();
+    const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; });
+    std::vector<double> sums(u.size(), 0.);
+    if (is_root)
+      {
+        const std::vector<double> forces = make_forces(loads);
+        std::transform(forces.begin(), forces.end(), sums.begin(), std::negate<double>());
+        for (const auto &spring : find_springs(d))
+          {
+            const std::size_t               row = 3 * std::size_t(spring.first);
+            const Eigen::Map<const Vector3> way(u.data() + row);
+            Eigen::Map<Vector3>(sums.data() + row) += spring.second * way;
+            strain_energy += .5 * way.dot(spring.second * way);
+          }
+      }
+    // Elements are dealt out to the ranks in equal runs.
+    const auto first = [&](const unsigned int rank) {
+      return static_cast<unsigned long long>(rank) * d.n_elements() / communicator_.size();
     };
-    const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
-    if (loads.body_force)
-      add(assembly.vector([&](const unsigned int e) {
-        return integrate_body_force(discretization_.element_nodes(e), loads.body_force);
-      }));
-    if (loads.centrifugal)
-      add(matrices.centrifugal_load(rate));
-    if (loads.centrifugal && loads.spin_softening)
-      K = add_scaled(K, -1., matrices.spin_mass(rate));
+    for (unsigned int e = first(communicator_.rank()); e < first(communicator_.rank() + 1); ++e)
+      {
+        const ElementNodes    X      = d.element_nodes(e);
+        const Eigen::VectorXd v      = d.gather(e, u);
+        Eigen::VectorXd       forces = Eigen::VectorXd::Zero(v.size());
+        if (moved)
+          {
+            forces = compute_fem_stiffness(X, d.material(e), d.element()) * v;
+            strain_energy += .5 * v.dot(forces);
+            if (loads.centrifugal && loads.stress_stiffness)
+              forces += expand_coefficients(compute_geometric_coefficients(
+                                              X, d.material(e), d.element(), d.gather(e, spun)),
+                                            Matrix3::Identity()) *
+                        v;
+          }
+        if (loads.body_force)
+          forces -= integrate_body_force(X, loads.body_force);
+        if (loads.centrifugal)
+          {
+            ElementNodes places = X;
+            if (loads.spin_softening)
+              places += Eigen::Map<const ElementNodes>(v.data(), 3, X.cols());
+            forces -=
+              centrifugal_force(X, places, model_.bodies[d.part_of_element(e).body], options_.mass);
+          }
+        for (int i = 0; i < forces.size(); ++i)
+          sums[3 * std::size_t(d.element_points(e)[i / 3]) + i % 3] += forces[i];
+      }
+    communicator_.sum(sums);
+    strain_energy = communicator_.sum(strain_energy);
+    return sums;
+  }
 
-    StaticResult result;
-    OwnedVector  q;
+  std::vector<double> StaticSolver::solve_system(const SystemMatrices &matrices,
+                                                 SparseValues          K,
+                                                 const OwnedVector    &f,
+                                                 unsigned int         &n_iterations) const
+  {
+    const Assembly &assembly = matrices.assembly();
+    OwnedVector     q        = f;
+    const double    size     = assembly.dot(f, f);
+    if (!std::isfinite(size))
+      throw NumericalError("the loads of the static solution are not finite");
+    if (size == 0)
+      return assembly.expand(q);
+    bool stable = true;
     if (options_.linear_solver == LinearSolverKind::direct)
       {
         const DirectSolver solver(assembly.pattern(), K, communicator_);
-        q = f;
+        stable = solver.n_negative() == 0 && solver.n_zero() == 0;
         solver.solve(q.data(), 1);
       }
     else
       {
         assembly.set_padding(K, assembly.mean_diagonal(K));
         MultigridSolver solver(assembly, K, matrices.near_kernel());
-        q                   = solver.solve(f, options_.linear_tolerance);
-        result.n_iterations = solver.n_iterations();
+        q            = solver.solve(f, options_.linear_tolerance);
+        n_iterations = solver.n_iterations();
       }
-    result.displacements = assembly.expand(q);
-    result.strain_energy = .5 * assembly.dot(f, q);
-    if (!std::isfinite(result.strain_energy))
+    const double work = assembly.dot(f, q);
+    if (!std::isfinite(work))
       throw NumericalError("the static solution is not finite");
+    if (!stable || !(work > 0))
+      throw NumericalError("the bodies have no stable equilibrium: a speed is too high");
+    return assembly.expand(q);
+  }
+
+  std::vector<double> StaticSolver::find_spun(const StaticLoads    &loads,
+                                              const SystemMatrices &matrices,
+                                              SparseValues         &K) const
+  {
+    std::vector<double> stressed(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
+    if (!loads.centrifugal || !loads.stress_stiffness)
+      return stressed;
+    const auto         rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
+    const SparseValues unstressed   = K;
+    unsigned int       n_iterations = 0;
+    for (unsigned int round = 0; round < largest_rounds; ++round)
+      {
+        const std::vector<double> spun =
+          solve_system(matrices, K, matrices.centrifugal_load(rate), n_iterations);
+        double change = 0, size = 0;
+        for (std::size_t i = 0; i < spun.size(); ++i)
+          {
+            change = std::max(change, std::abs(spun[i] - stressed[i]));
+            size   = std::max(size, std::abs(spun[i]));
+          }
+        if (change <= round_tolerance * size)
+          return stressed;
+        stressed = spun;
+        K        = add_scaled(unstressed, 1., matrices.geometric(stressed));
+        K        = add_scaled(std::move(K), 1., matrices.hub_curvature(stressed, rate));
+      }
+    throw NumericalError("the state of spin does not settle under its own stresses: a speed is too "
+                         "high");
+  }
+
+  StaticResult StaticSolver::solve(const StaticLoads &loads) const
+  {
+    Unknowns::Options unknowns;
+    unknowns.padded       = options_.linear_solver == LinearSolverKind::multigrid;
+    unknowns.rotation     = rotation_;
+    unknowns.led_are_held = true;
+    const Assembly       assembly(discretization_, unknowns, communicator_);
+    const SystemMatrices matrices(assembly, options_.mass);
+    SparseValues         K = matrices.stiffness();
+    if (loads.centrifugal && loads.spin_softening)
+      K = add_scaled(std::move(K), -1., matrices.spin_mass([this](const unsigned int body) {
+        return model_.bodies[body].rate;
+      }));
+    const std::vector<double> spun = find_spun(loads, matrices, K);
+
+    // K T q = -(K u - f) at the prescribed displacements u alone.
+    const std::vector<double> led =
+      compute_prescribed_displacements(discretization_, [&loads](const Constraint &constraint) {
+        return factor_of(constraint.history, loads);
+      });
+    double              energy = 0;
+    std::vector<double> forces = balance(loads, led, spun, energy);
+    std::transform(forces.begin(), forces.end(), forces.begin(), std::negate<double>());
+
+    StaticResult result;
+    result.displacements =
+      solve_system(matrices, std::move(K), assembly.restrict_forces(forces), result.n_iterations);
+    std::transform(led.begin(),
+                   led.end(),
+                   result.displacements.begin(),
+                   result.displacements.begin(),
+                   std::plus<double>());
+    result.reactions = balance(loads, result.displacements, spun, result.strain_energy);
     return result;
   }
 

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/load_forces.h>
 #include <vfife/fem/system_matrices.h>
 
 #include <algorithm>
@@ -46,10 +47,12 @@ namespace vfife
 
   SparseValues SystemMatrices::stiffness() const
   {
-    const Discretization &d = assembly_.discretization();
-    return assembly_.matrix([&](const unsigned int e) {
+    const Discretization &d       = assembly_.discretization();
+    SparseValues          K       = assembly_.matrix([&](const unsigned int e) {
       return compute_fem_stiffness(d.element_nodes(e), d.material(e), d.element());
     });
+    const auto            springs = find_springs(d);
+    return springs.empty() ? K : add_scaled(std::move(K), 1., assembly_.point_matrix(springs));
   }
 
   SparseValues SystemMatrices::mass() const

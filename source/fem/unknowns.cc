@@ -11,6 +11,40 @@ namespace vfife
   namespace
   {
     constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+    double distance_from(const Axis &axis, const Vector3 &point)
+    {
+      return axis.direction.cross(point - axis.point).norm();
+    }
+
+    /** Axes r, theta, z (columns) at a point; on the axis itself any r is taken. */
+    Matrix3 cylindrical_axes(const Axis &axis, const Vector3 &point)
+    {
+      const Vector3 tangent = axis.direction.cross(point - axis.point);
+      Matrix3       columns;
+      columns.col(1) =
+        tangent.norm() > 0. ? tangent.normalized() : Vector3(axis.direction.unitOrthogonal());
+      columns.col(0) = columns.col(1).cross(axis.direction);
+      columns.col(2) = axis.direction;
+      return columns;
+    }
+
+    /** Displacement of a point that @p constraint prescribes [mm]. */
+    Vector3
+    prescribed_displacement(const Constraint &constraint, const Axis &axis, const Vector3 &point)
+    {
+      if (constraint.kind == ConstraintKind::prescribed_rotation)
+        return constraint.angle.value_or(0.) * axis.direction.cross(point - axis.point);
+      Vector3 led = Vector3::Zero();
+      if (constraint.kind == ConstraintKind::directions)
+        for (unsigned int c = 0; c < 3; ++c)
+          if (constraint.prescribed[c])
+            led[c] = constraint.displacement[c];
+      if (!constraint.cylindrical)
+        return led;
+      led[1] *= distance_from(axis, point);
+      return cylindrical_axes(axis, point) * led;
+    }
   } // namespace
 
   /** Directions in which a point may move, and the unknowns that belong to them. */
@@ -25,20 +59,12 @@ namespace vfife
     /** Holds the directions that a constraint of that kind prescribes. */
     void hold(const Constraint &constraint, const Axis &axis, const Vector3 &point)
     {
-      if (!constraint.displacement.isZero(0.))
-        throw InputError("constraint \"" + constraint.name +
-                         "\": conventional finite elements hold directions, they do not prescribe "
-                         "displacements");
       std::array<bool, 3> held = constraint.prescribed;
       if (constraint.cylindrical)
         {
-          const Vector3 tangent = axis.direction.cross(point - axis.point);
-          const bool    on_axis = !(tangent.norm() > 0.);
-          columns.col(1)        = on_axis ? axis.direction.unitOrthogonal() : tangent.normalized();
-          columns.col(0)        = columns.col(1).cross(axis.direction);
-          columns.col(2)        = axis.direction;
-          // There, whatever leads the radius or the angle leaves neither way free.
-          if (on_axis)
+          columns = cylindrical_axes(axis, point);
+          // On the axis, whatever leads the radius or the angle leaves neither way free.
+          if (!(distance_from(axis, point) > 0.))
             held[0] = held[1] = held[0] || held[1];
         }
       // Another constraint may hold more directions of the same axes.
@@ -82,6 +108,10 @@ namespace vfife
             LocalAxes &local = axes[p];
             if (constraint.kind == ConstraintKind::directions)
               {
+                if (!options.led_are_held && !constraint.displacement.isZero(0.))
+                  throw InputError("constraint \"" + constraint.name +
+                                   "\": vibrations and contact by conventional finite elements "
+                                   "hold directions, they do not prescribe displacements");
                 local.hold(constraint, axis, discretization.points()[p]);
                 continue;
               }
@@ -228,5 +258,24 @@ namespace vfife
       if (weight[i] > 0)
         q[i] /= weight[i];
     return q;
+  }
+
+  std::vector<double>
+  compute_prescribed_displacements(const Discretization                            &discretization,
+                                   const std::function<double(const Constraint &)> &factor)
+  {
+    std::vector<double> u(3 * static_cast<std::size_t>(discretization.n_points()), 0.);
+    const Model        &model = discretization.model();
+    for (const Constraint &constraint : model.constraints)
+      if (const Discretization::Part *part = discretization.find_part(constraint.body))
+        for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
+          {
+            const Vector3 led = prescribed_displacement(constraint,
+                                                        model.bodies[constraint.body].axis,
+                                                        discretization.points()[p]);
+            if (!led.isZero(0.))
+              Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) += factor(constraint) * led;
+          }
+    return u;
   }
 } // namespace vfife

@@ -8,10 +8,11 @@
 
 namespace vfife
 {
-  void write_shapes(const OutputFolder            &folder,
-                    const std::string             &name,
-                    const Body                    &body,
-                    const std::vector<NamedShape> &shapes)
+  void write_shapes(const OutputFolder              &folder,
+                    const std::string               &name,
+                    const Body                      &body,
+                    const std::vector<NamedShape>   &shapes,
+                    const std::vector<NamedScalars> &scalars)
   {
     if (!folder.is_writer())
       return;
@@ -27,6 +28,8 @@ namespace vfife
                              dealii::DataComponentInterpretation::component_is_part_of_vector);
         names.insert(names.end(), 3, shape.name);
       }
+    for (const NamedScalars &scalar : scalars)
+      names.push_back(scalar.name);
 
     std::vector<Patch> patches(body.n_elements());
     for (unsigned int e = 0; e < body.n_elements(); ++e)
@@ -39,6 +42,8 @@ namespace vfife
           {
             const std::size_t node = body.elements()[e][v];
             const Vector3     x    = body.placement(body.node_positions()[node]);
+            for (std::size_t s = 0; s < scalars.size(); ++s)
+              patch.data(3 * shapes.size() + s, v) = scalars[s].values[node];
             for (unsigned int c = 0; c < 3; ++c)
               {
                 patch.vertices[v][c] = x[c];

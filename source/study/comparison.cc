@@ -80,6 +80,10 @@ namespace vfife
              error,
              "Of transmission errors of a slow pair, part of the static mean");
     fraction("force tolerance", force, "Of contact forces and torques, part of the reference");
+    fraction("displacement tolerance",
+             displacement,
+             "Of displacements of probes at rest, part of the reference");
+    fraction("stress tolerance", stress, "Of stresses of probes at rest, part of the reference");
     declare_quantity(prm,
                      "slow",
                      slow,

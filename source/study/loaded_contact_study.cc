@@ -9,6 +9,7 @@
 #include <vfife/output/mode_writer.h>
 #include <vfife/output/output_folder.h>
 #include <vfife/study/loaded_contact_study.h>
+#include <vfife/study/loaded_probes.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -142,12 +143,16 @@ namespace vfife
     for (unsigned int i = 0; i < options_.positions; ++i)
       turns.push_back(i * pitch / options_.positions);
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
+    LoadedProbes    probes(model, gear_case_.operation().meshes);
     for (const double turn : turns)
       {
         start                              = WallClock::now();
         const unsigned int          before = compliance.n_prepared();
         const PairEquilibriumResult result = equilibrium.solve(turn, 1.);
-        add_position(model, compliance, turn / pitch, result, log);
+        const std::vector<Stress>   stresses =
+          compute_node_stresses(compliance.discretization(), result.displacements);
+        add_position(model, compliance, turn / pitch, result, stresses, log);
+        probes.add_position(turn / pitch, stresses);
         log.line("  ",
                  result.iterations,
                  " iterations, residual ",
@@ -162,6 +167,8 @@ namespace vfife
       }
     if (!folder.is_writer())
       return;
+    folder.write_file("loaded_probes.csv",
+                      [&](std::ostream &out) { probes.table().write_csv(out); });
     folder.write_file("loaded_contact.csv", [&](std::ostream &out) { positions_.write_csv(out); });
     folder.write_file("loaded_contact.json",
                       [&](std::ostream &out) { positions_.write_json(out); });
@@ -223,6 +230,7 @@ namespace vfife
                                         const Compliance            &compliance,
                                         const double                 position,
                                         const PairEquilibriumResult &result,
+                                        const std::vector<Stress>   &stresses,
                                         Log                         &log)
   {
     const Transmission &t    = *model.transmission;
@@ -252,8 +260,6 @@ namespace vfife
                         tooth.largest_pressure,
                         tooth.area});
       }
-    const std::vector<Stress> stresses =
-      compute_node_stresses(compliance.discretization(), result.displacements);
     const std::vector<const char *> fillets = {node_set::concave_fillet, node_set::convex_fillet};
     const Body &driver = model.bodies[t.driver], &driven = model.bodies[t.driven];
     positions_.add_row({position,

@@ -1,14 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/communicator.h>
-#include <vfife/base/errors.h>
 #include <vfife/base/log.h>
-#include <vfife/base/nearest_name.h>
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
 #include <vfife/base/wall_clock.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/mode_writer.h>
 #include <vfife/output/output_folder.h>
+#include <vfife/study/chosen_bodies.h>
 #include <vfife/study/modal_study.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -54,28 +53,10 @@ namespace vfife
     return is_general_ ? model_.make_model() : gear_case_.make_model(false, log);
   }
 
-  std::vector<unsigned int> ModalStudy::find_bodies(const Model &model) const
-  {
-    std::vector<std::string>  names;
-    std::vector<unsigned int> bodies;
-    for (const Body &body : model.bodies)
-      names.push_back(body.name());
-    for (const std::string &wanted : fem_.bodies.empty() ? names : fem_.bodies)
-      {
-        const auto found = std::find(names.begin(), names.end(), wanted);
-        if (found == names.end())
-          throw InputError("Fem/bodies",
-                           "there is no body \"" + wanted + "\"; did you mean \"" +
-                             nearest_name(wanted, names) + "\"?");
-        bodies.push_back(found - names.begin());
-      }
-    return bodies;
-  }
-
   void ModalStudy::inspect(Communicator &, Log &log)
   {
     const Model model = make_model(log);
-    for (const unsigned int b : find_bodies(model))
+    for (const unsigned int b : find_chosen_bodies(fem_, model))
       log.line("modes of the ",
                model.bodies[b].name(),
                ": ",
@@ -89,7 +70,7 @@ namespace vfife
   {
     const Model model = make_model(log);
     folder.make_subfolder("modes");
-    for (const unsigned int b : find_bodies(model))
+    for (const unsigned int b : find_chosen_bodies(fem_, model))
       solve_body(model, b, folder, log);
     write_tables(folder, "modes", modes_);
     if (fem_.rates().size() > 1)

@@ -1,7 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/study/model_comparison.h>
 #include <vfife/study/nearest_mode.h>
+#include <vfife/study/probe_columns.h>
 #include <vfife/study/spectrum_lines.h>
+#include <vfife/study/static_comparison.h>
 
 #include <algorithm>
 
@@ -9,31 +11,6 @@ namespace vfife
 {
   namespace
   {
-    const std::string displacement_word = " displacement ";
-
-    /** Columns of a history with the displacements of one probe. */
-    struct ProbeColumns
-    {
-      std::string              name;
-      std::vector<std::string> displacements;
-    };
-
-    std::vector<ProbeColumns> find_probes(const Table &history)
-    {
-      std::vector<ProbeColumns> probes;
-      for (const Table::Column &column : history.columns())
-        {
-          const std::size_t at = column.name.find(displacement_word);
-          if (at == std::string::npos)
-            continue;
-          const std::string name = column.name.substr(0, at);
-          if (probes.empty() || probes.back().name != name)
-            probes.push_back({name, {}});
-          probes.back().displacements.push_back(column.name);
-        }
-      return probes;
-    }
-
     void add_ring_down(const ComparedCase         &run,
                        const ComparedCase         &modal,
                        const ComparisonTolerances &tolerances,
@@ -49,7 +26,7 @@ namespace vfife
       if (modes.empty() || time.size() < 8)
         return;
       const double highest = 1.1 * *std::max_element(modes.begin(), modes.end());
-      for (const ProbeColumns &probe : find_probes(history))
+      for (const ProbeColumns &probe : find_probe_columns(history))
         {
           // The component that moves most.
           std::string largest;
@@ -79,7 +56,7 @@ namespace vfife
 
   ComparisonRows compare_models(const ComparedCases &cases, const ComparisonTolerances &tolerances)
   {
-    ComparisonRows            rows;
+    ComparisonRows            rows  = compare_statics(cases, tolerances);
     const ComparedCase *const run   = find_case(cases, "run", "history.csv");
     const ComparedCase *const modal = find_case(cases, "modal", "modes.csv");
     if (run != nullptr && !run->is_pair && modal != nullptr)

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/study/nearest_mode.h>
 #include <vfife/study/pair_comparison.h>
+#include <vfife/study/probe_passages.h>
 #include <vfife/study/spectrum_lines.h>
 
 #include <algorithm>
@@ -202,6 +203,40 @@ namespace vfife
       rows.push_back(row);
     }
 
+    void add_probes(const PairRun &run, const ComparedCase &loaded, ComparisonRows &rows)
+    {
+      const auto passages = compare_passages(run.table("probes.csv"),
+                                             loaded.table("loaded_probes.csv"),
+                                             run.mesh_frequency,
+                                             run.start);
+      for (const ProbePassage &passage : passages)
+        {
+          const double  tolerance = run.tolerances.stress * passage.reference_peak;
+          ComparisonRow row{passage.probe + " von mises, largest",
+                            "MPa",
+                            passage.peak,
+                            passage.reference_peak,
+                            "FEM",
+                            {},
+                            ""};
+          row.reason = "loaded contact analysis at " + std::to_string(passage.instants) +
+                       " instants of the steady part";
+          run.judge_slow(tolerance, row);
+          rows.push_back(row);
+
+          row        = {passage.probe + " von mises, largest distance from the static curve",
+                        "MPa",
+                        passage.distance,
+                        0.,
+                        "FEM",
+                        {},
+                        ""};
+          row.reason = "at the same instants; tolerance of the largest stress";
+          run.judge_slow(tolerance, row);
+          rows.push_back(row);
+        }
+    }
+
     void add_balance(const PairRun &run, ComparisonRows &rows)
     {
       ComparisonRow row{"mean contact force",
@@ -315,6 +350,8 @@ namespace vfife
     const ComparedCase *const lumped   = find_case(cases, "lumped", "lumped.json");
     if (loaded != nullptr)
       add_static_pair(pair, *loaded, rows);
+    if (loaded != nullptr && loaded->has("loaded_probes.csv") && pair.has("probes.csv"))
+      add_probes(pair, *loaded, rows);
     add_balance(pair, rows);
     if (coupled != nullptr)
       add_lines(pair, *coupled, rows);

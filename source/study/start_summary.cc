@@ -6,19 +6,14 @@
 
 namespace vfife
 {
-  RunSummary start_summary(const std::string  &study,
-                           const Model        &model,
-                           ExplicitSolver     &solver,
-                           const double        dt,
-                           const Communicator &communicator)
+  RunSummary
+  start_summary(const std::string &study, const Model &model, const Communicator &communicator)
   {
     RunSummary summary;
-    summary.study           = study;
-    summary.version         = program_version();
-    summary.revision        = program_revision();
-    summary.instruction_set = solver.vfife_operator().instruction_set();
-    summary.ranks           = communicator.size();
-    summary.dt              = dt;
+    summary.study    = study;
+    summary.version  = program_version();
+    summary.revision = program_revision();
+    summary.ranks    = communicator.size();
     for (const Body &body : model.bodies)
       summary.bodies.push_back({body.name(),
                                 body.n_elements(),
@@ -27,6 +22,18 @@ namespace vfife
                                 body.axial_inertia(),
                                 body.rate,
                                 body.added_mass()});
+    return summary;
+  }
+
+  RunSummary start_summary(const std::string  &study,
+                           const Model        &model,
+                           ExplicitSolver     &solver,
+                           const double        dt,
+                           const Communicator &communicator)
+  {
+    RunSummary summary      = start_summary(study, model, communicator);
+    summary.instruction_set = solver.vfife_operator().instruction_set();
+    summary.dt              = dt;
     return summary;
   }
 } // namespace vfife

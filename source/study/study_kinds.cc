@@ -3,6 +3,7 @@
 #include <vfife/study/benchmark_study.h>
 #include <vfife/study/compare_study.h>
 #include <vfife/study/dynamic_run.h>
+#include <vfife/study/linear_static_study.h>
 #include <vfife/study/loaded_contact_study.h>
 #include <vfife/study/lumped_study.h>
 #include <vfife/study/mesh_study.h>
@@ -39,6 +40,7 @@ namespace vfife
     static const Choices<MakeStudy> kinds = {
       {"run", &make_run},
       {"static", &make<StaticRun>},
+      {"linear static", &make<LinearStaticStudy>},
       {"tooth contact analysis", &make<ToothContactStudy>},
       {"mesh", &make<MeshStudy>},
       {"modal", &make<ModalStudy>},

@@ -8,6 +8,7 @@
 #include <vfife/base/mpi_session.h>
 #include <vfife/output/table_reader.h>
 #include <vfife/study/nearest_mode.h>
+#include <vfife/study/probe_passages.h>
 #include <vfife/study/spectrum_lines.h>
 
 #include <algorithm>
@@ -110,6 +111,54 @@ namespace
                 2e-4);
   }
 
+  void at_rest(Communicator &world)
+  {
+    std::filesystem::remove_all("compare_plate");
+    std::ofstream("compare_plate.prm")
+      << "subsection Study\n set kind = compare\nend\n"
+      << "subsection Compare\n set pictures = no\n set cases = rest, linear\n"
+      << " set entries = Output/pictures = no\n"
+      << " subsection Case rest\n  set base = " << SOURCE_DIR
+      << "/../../prm/verification/plate_with_hole.prm\n end\n"
+      << " subsection Case linear\n  set base = " << SOURCE_DIR
+      << "/../../prm/verification/plate_with_hole.prm\n"
+      << "  set entries = Study/kind = linear static\n end\nend\n";
+    run_pair("compare_plate.prm", "compare_plate", world);
+    const Table table = read_result_table("compare_plate/comparison.csv");
+    show(table);
+    double largest = 0;
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      largest =
+        std::max(largest, std::abs(table.numbers("value")[i] / table.numbers("reference")[i] - 1));
+    // Strains of 1.5e-4 at the hole are the order of what linear statics leave out.
+    check_below("largest difference of displacements and stresses", largest, 1e-3);
+    check("but there is one", largest > 1e-7);
+  }
+
+  void passage()
+  {
+    // A run at a mesh frequency of 100 Hz, two samples a position; the static probe at 0.5 meshes.
+    Table run, loaded;
+    run.add_column("time", "s");
+    run.add_text_column("probe");
+    run.add_column("von mises", "MPa");
+    for (unsigned int i = 0; i <= 40; ++i)
+      run.add_row({1e-3 * i, "A", 10. + i});
+    loaded.add_column("time", "tooth meshes");
+    loaded.add_text_column("probe");
+    loaded.add_column("von mises", "MPa");
+    for (const double position : {0.5, 0.})
+      for (unsigned int m = 0; m < 6; ++m)
+        loaded.add_row({position + m, "A", 10. + 10 * (position + m) + (m == 2 ? 3. : 0.)});
+    const auto passages = compare_passages(run, loaded, 100., 0.012);
+    check("one probe", passages.size() == 1);
+    // 0.015 to 0.04 s: 1.5, 2, ... 4 meshes.
+    check("instants within the record", passages[0].instants == 6);
+    check_close("peak of the run", passages[0].peak, 50., 1e-9);
+    check_close("peak of the reference", passages[0].reference_peak, 50., 1e-9);
+    check_close("distance", passages[0].distance, 3., 1e-9);
+  }
+
   void spectrum()
   {
     std::vector<double> time, signal;
@@ -157,5 +206,7 @@ int main(int argc, char **argv)
   spectrum();
   pair(session.world());
   ring_down(session.world());
+  at_rest(session.world());
+  passage();
   errors(session.world());
 }

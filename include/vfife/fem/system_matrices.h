@@ -21,6 +21,7 @@ namespace vfife
       return assembly_;
     }
 
+    /** With the model's springs to the ground. */
     SparseValues stiffness() const;
     SparseValues mass() const;
     /** Angular velocity of a body of the model about its axis [rad/s]. */

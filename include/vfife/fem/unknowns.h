@@ -5,6 +5,7 @@
 #include <vfife/fem/discretization.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace vfife
@@ -44,6 +45,8 @@ namespace vfife
       bool         padded   = false;
       unsigned int harmonic = 0; ///< of a sector
       HubRotation  rotation = HubRotation::free;
+      /** Directions with a displacement other than zero are taken as held; else InputError. */
+      bool led_are_held = false;
     };
 
     Unknowns(const Discretization &discretization, const Options &options, unsigned int n_ranks);
@@ -105,6 +108,15 @@ namespace vfife
     std::vector<std::size_t>  start_;
     std::vector<Term>         terms_;
   };
+
+  /**
+   * Displacements of all points (3 a point) [mm] that the constraints prescribe, zero elsewhere:
+   * constraints of directions, and rotations by an angle, taken as small. @p factor: of the
+   * constraint's value.
+   */
+  std::vector<double>
+  compute_prescribed_displacements(const Discretization                            &discretization,
+                                   const std::function<double(const Constraint &)> &factor);
 
   /**
    * Rigid motions of body @p part that the model's constraints leave free, as displacements of all

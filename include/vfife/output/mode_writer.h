@@ -17,14 +17,22 @@ namespace vfife
     std::vector<double> displacements;
   };
 
+  /** A number for each node of a body, under a name such as "von mises". */
+  struct NamedScalars
+  {
+    std::string         name;
+    std::vector<double> values;
+  };
+
   /**
-   * Writes @p shapes as vectors on the undeformed mesh of @p body in its place at time zero [mm] to
-   * the .vtu file @p name; the writing rank only.
+   * Writes @p shapes as vectors and @p scalars on the undeformed mesh of @p body in its place at
+   * time zero [mm] to the .vtu file @p name; the writing rank only.
    */
-  void write_shapes(const OutputFolder            &folder,
-                    const std::string             &name,
-                    const Body                    &body,
-                    const std::vector<NamedShape> &shapes);
+  void write_shapes(const OutputFolder              &folder,
+                    const std::string               &name,
+                    const Body                      &body,
+                    const std::vector<NamedShape>   &shapes,
+                    const std::vector<NamedScalars> &scalars = {});
 } // namespace vfife
 
 #endif

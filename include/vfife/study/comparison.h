@@ -46,9 +46,11 @@ namespace vfife
   /** How far numbers may be apart, relative to the reference. */
   struct ComparisonTolerances
   {
-    double frequency = 0.01;
-    double error     = 0.01; ///< mean transmission error of a slow pair
-    double force     = 0.005;
+    double frequency    = 0.01;
+    double error        = 0.01; ///< mean transmission error of a slow pair
+    double force        = 0.005;
+    double displacement = 0.005; ///< at rest
+    double stress       = 0.03;  ///< at rest, at probes
     /** Pinion speed up to which a run follows the static pair [rad/s]. */
     double slow = 1000 * pi / 30;
 

@@ -4,6 +4,7 @@
 
 #include <vfife/base/table.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/element/stress.h>
 #include <vfife/fem/coupled_modes.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/pair_equilibrium.h>
@@ -45,6 +46,7 @@ namespace vfife
                       const Compliance            &compliance,
                       double                       position,
                       const PairEquilibriumResult &result,
+                      const std::vector<Stress>   &stresses,
                       Log                         &log);
 
     void find_modes(const Model                 &model,

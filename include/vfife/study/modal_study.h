@@ -21,9 +21,8 @@ namespace vfife
     void run(OutputFolder &folder, Log &log) override;
 
   private:
-    Model                     make_model(Log &log) const;
-    std::vector<unsigned int> find_bodies(const Model &model) const;
-    void solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
+    Model make_model(Log &log) const;
+    void  solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
 
     bool         is_general_ = false; ///< section Model and no Gear pair
     GearCase     gear_case_;

@@ -12,6 +12,11 @@ namespace vfife
   class ExplicitSolver;
   struct Model;
 
+  /** What is known of any study of a model before it begins: program, ranks, bodies. @p study: the
+   * word of its kind. */
+  RunSummary
+  start_summary(const std::string &study, const Model &model, const Communicator &communicator);
+
   /** What is known of any run before its first step: program, bodies, step @p dt [s]. @p study: the
    * word of its kind. */
   RunSummary start_summary(const std::string  &study,

@@ -1,0 +1,50 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_load_shares_h
+#define vfife_model_load_shares_h
+
+#include <vfife/model/model.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * What each node of a load takes of it: a share of one by the area that belongs to the node
+   * (equal shares where the nodes carry no whole face), or, of an acceleration, its mass [t].
+   * Throws InputError for a pressure without a face.
+   */
+  std::vector<double> compute_load_shares(const Load &load, const Body &body);
+
+  /** A face of a body on its boundary. */
+  struct BoundaryFace
+  {
+    unsigned int                element; ///< of the body
+    std::array<unsigned int, 4> nodes;   ///< of the body, seen from outside counter-clockwise
+  };
+
+  /** The faces on the body's boundary whose nodes all are among @p nodes. */
+  std::vector<BoundaryFace> find_boundary_faces(const Body                      &body,
+                                                const std::vector<unsigned int> &nodes);
+
+  /** Vector area of the bilinear face through four places in turn [mm^2]. */
+  Vector3
+  compute_vector_area(const Vector3 &a, const Vector3 &b, const Vector3 &c, const Vector3 &d);
+
+  /** What is summed over the nodes that share a moment: their forces are share * turn x (place -
+   * centre). */
+  struct MomentSums
+  {
+    /** Share, first and second moments of the shares; sums of ranks add up. */
+    std::vector<double> values = std::vector<double>(13, 0.);
+
+    void add(double share, const Vector3 &place);
+
+    /** Centre and turn for @p moment; throws InputError, naming the load, for nodes on a line. */
+    std::pair<Vector3, Vector3> solve(const Vector3 &moment, const std::string &load) const;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,142 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Vibrations of a pair in contact: stiff bodies against one spring and one inertia; shapes that
+// stand in space against waves of the turning gear; tangent stiffness; the study writes them.
+#include "../tests.h"
+#include "quick_pair.h"
+
+#include <vfife/base/mpi_session.h>
+#include <vfife/base/parameter_file.h>
+#include <vfife/fem/coupled_modes.h>
+#include <vfife/fem/rotating_body.h>
+#include <vfife/study/gear_case.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  /** The pair without what a run asks for besides. */
+  Model make_model(const std::string &gear_body,
+                   const std::string &gear_mesh,
+                   const std::string &more,
+                   Communicator      &world)
+  {
+    const std::string all = quick_pair(gear_body, gear_mesh, "1e-5");
+    std::ofstream("coupled.prm") << all.substr(0, all.find("subsection Dynamics")) << more;
+    const ParameterFile      file("coupled.prm");
+    dealii::ParameterHandler prm;
+    GearCase                 gears;
+    gears.declare(prm, file);
+    file.read(prm);
+    std::ostringstream nothing;
+    Log                log(nothing, world.is_root(), Verbosity::quiet);
+    return gears.make_model(false, log);
+  }
+
+  FemOptions lumped_masses()
+  {
+    FemOptions fem;
+    fem.mass = MassKind::lumped;
+    return fem;
+  }
+
+  void stiff_bodies(Communicator &world)
+  {
+    const Model model =
+      make_model("set web = none",
+                 "set rim rows = 2",
+                 "subsection Operation\n set hub = rigid hub\nend\n"
+                 "subsection Material steel\n set Young's modulus = 2.06e8\nend\n",
+                 world);
+    const FemOptions   fem = lumped_masses();
+    Compliance         compliance(model, fem, false, world);
+    PairEquilibrium    equilibrium(model, compliance, {3e4, 3e4}, {0.});
+    const auto         at_rest = equilibrium.solve(0., 1.);
+    const CoupledModes modes   = find_coupled_modes(compliance, fem, false, at_rest.ties, 3, world);
+
+    const Transmission &t         = *model.transmission;
+    const double        turn      = at_rest.turn_slope + mean_rotation(compliance.discretization(),
+                                                           t.driven,
+                                                           t.driven_bore,
+                                                           at_rest.displacement_slope);
+    const double        stiffness = 8e5 / std::abs(turn);
+    // Directions of the springs are those of the loaded place there and here; arms are not.
+    check_close("tangent stiffness of the equilibrium", modes.stiffness / stiffness, 1., 1e-3);
+    const double frequency =
+      std::sqrt(stiffness / model.bodies[t.driven].axial_inertia()) / (2 * pi);
+    // Steel a thousand times as stiff still gives way by some thousandths of the contact.
+    check_close("one inertia on one spring", modes.turning[0].frequency / frequency, 1., 1e-2);
+    check_close("it is the whole turn", modes.turning[0].share_of_turn, 1., 1e-2);
+    check_close("of the gear alone", modes.turning[0].driven_energy, 1., 1e-2);
+    check("modes are counted", modes.counted);
+  }
+
+  void standing_waves(Communicator &world)
+  {
+    const Model     model = make_model("set web = conical",
+                                   "set rim rows = 3\nset web layers = 1\nset web rows = 3\nset "
+                                       "hub rows = 1\nset hub side cells = 1",
+                                   "",
+                                   world);
+    FemOptions      fem   = lumped_masses();
+    Compliance      compliance(model, fem, true, world);
+    PairEquilibrium equilibrium(model, compliance, {6e5, 6e5}, {0.});
+    auto            ties = equilibrium.solve(0., 1.).ties;
+    // A contact so weak that it only keeps the hub from turning away: the bodies alone.
+    for (ContactTie &tie : ties)
+      tie.stiffness *= 1e-7;
+    const CoupledModes modes = find_coupled_modes(compliance, fem, true, ties, 9, world);
+
+    fem.n_modes               = 9;
+    fem.coriolis              = true;
+    const unsigned int driven = model.transmission->driven;
+    const double       rate   = model.bodies[driven].rate;
+    const RotatingBody body(model, driven, fem, world);
+    unsigned int       compared = 0;
+    double             largest  = 0;
+    for (const RotatingMode &wave : body.find_modes(rate).modes)
+      {
+        const ModeDescription &d = wave.description;
+        if (wave.frequency < 100 || wave.frequency > 2000 || d.nodal_diameter > 2)
+          continue;
+        // Waves with the spin are faster in space.
+        const double sense = d.nodal_diameter == 0 ? 0. : d.forward > .5 ? 1. : -1.;
+        const double in_space =
+          wave.frequency + sense * d.nodal_diameter * std::abs(rate) / (2 * pi);
+        double nearest = 1;
+        for (const CoupledMode &mode : modes.standing)
+          nearest = std::min(nearest, std::abs(mode.frequency / in_space - 1));
+        largest = std::max(largest, nearest);
+        ++compared;
+      }
+    check("waves were compared", compared >= 4);
+    // Derivatives over 79 sectors, two waves: (2 h)^4/30 = 2e-5; the basis of 28 modes; the weak
+    // tie.
+    check_below("standing shapes are the waves of the turning gear", largest, 1e-3);
+  }
+
+  void study(Communicator &world)
+  {
+    std::filesystem::remove_all("coupled_modes_results");
+    std::ofstream("coupled.prm")
+      << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+      << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
+      << "subsection Loaded contact\n set positions = 1\n set coupled modes = 4\nend\n";
+    run_pair("coupled.prm", "coupled_modes_results", world);
+    for (const char *file : {"coupled_modes.csv", "modes/coupled_gear.vtu"})
+      check(std::string(file) + " is written",
+            std::filesystem::exists(std::string("coupled_modes_results/") + file));
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  stiff_bodies(session.world());
+  standing_waves(session.world());
+  study(session.world());
+}

@@ -1,0 +1,288 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Study kind linear static against closed forms: loads, springs, histories, reactions, led
+// displacements, spin; what it refuses; a gear pair's members in their turning axes.
+#include "../tests.h"
+#include "quick_pair.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/mpi_session.h>
+#include <vfife/base/types.h>
+
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  using Columns = std::map<std::string, std::vector<double>>;
+
+  Columns run_text(const std::string &name, const std::string &text, Communicator &world)
+  {
+    std::ofstream(name + ".prm") << "subsection Study\n set kind = linear static\nend\n" << text;
+    run_pair(name + ".prm", name, world);
+    return read_columns(name + "/history.csv");
+  }
+
+  constexpr double E = 206000, length = 100, side = 10;
+
+  /** A bar of 100 x 10 x 10 mm, nu = 0, with loads on its end; @p support: of the other end. */
+  std::string bar(const std::string &support, const std::string &load, const std::string &more = "")
+  {
+    return R"(
+subsection Model
+  set bodies      = bar
+  set constraints = foot
+  set loads       = load
+  set probes      = tip, corner
+  subsection Body bar
+    set mesh    = block
+    set size x  = 100 mm
+    set size y  = 10 mm
+    set size z  = 10 mm
+    set cells x = 10
+    set cells y = 2
+    set cells z = 2
+  end
+  subsection Constraint foot
+    set nodes = x-
+)" + support +
+           R"(
+  end
+  subsection Load load
+    set nodes = x+
+)" + load + R"(
+  end
+  subsection Probe tip
+    set point = 100, 5, 5 mm
+    set axes  = x, y, z
+  end
+  subsection Probe corner
+    set point = 50, 5, 10 mm
+    set axes  = x, y, z
+  end
+)" + more + R"(
+end
+subsection Material steel
+  set Poisson's ratio = 0
+end
+subsection Output
+  set verbosity = quiet
+end
+)";
+  }
+
+  void pulled(Communicator &world)
+  {
+    const double stretch = 1000. * length / (E * side * side);
+    const auto   check_pulled =
+      [&](const std::string &name, const std::string &text, const double factor) {
+        auto h = run_text("linear_bar", text, world);
+        // The solver's tolerance is 1e-10.
+        check_close(name + ": displacement over F L/(E A)",
+                    h["tip displacement x"].back() / stretch,
+                    factor,
+                    1e-8);
+        check_close(name + ": stress [MPa]", h["corner stress x"].back(), 10. * factor, 1e-6);
+      };
+    const std::string fixed = "set kind = fixed",
+                      force = "set kind = force\nset force = 1000, 0, 0 N";
+    check_pulled("force", bar(fixed, force), 1.);
+    check_pulled("pressure", bar(fixed, "set kind = pressure\nset pressure = -10 MPa"), 1.);
+    check_pulled("history",
+                 bar(fixed, force + "\nset history = 3*t") +
+                   "subsection Linear static\n set loads = at time\n set time = 0.5 s\nend\n",
+                 1.5);
+    check_pulled("quadratic elements, direct solver",
+                 bar(fixed, "set kind = pressure\nset pressure = -10 MPa") +
+                   "subsection Fem\n set linear solver = direct\n set element = quadratic\nend\n",
+                 1.);
+
+    auto h = run_text("linear_bar",
+                      bar("set kind = spring\nset stiffness = 5000, 5000, 5000 N/mm", force),
+                      world);
+    check_close("spring: displacement over F/k + F L/(E A)",
+                h["tip displacement x"].back() / (1000. / 5000 + stretch),
+                1.,
+                1e-8);
+    check_close("spring: energy over that of spring and bar",
+                h["strain energy"].back() / (500. * (1000. / 5000 + stretch)),
+                1.,
+                1e-8);
+  }
+
+  void bent(Communicator &world)
+  {
+    // Plane sections and a linear field of strains: exact with incompatible modes.
+    auto         h   = run_text("linear_bent",
+                      bar("set kind = fixed", "set kind = moment\nset moment = 0, -20000, 0 N mm"),
+                      world);
+    const double I   = side * side * side * side / 12;
+    const double sag = 20000. * length * length / (2 * E * I);
+    check_close("moment: deflection over M L^2/(2 E I)",
+                h["tip displacement z"].back() / sag,
+                1.,
+                1e-8);
+    check_close("moment: stress over M z/I",
+                h["corner stress x"].back() / (-20000. * 5 / I),
+                1.,
+                1e-8);
+    check("fields are written", std::filesystem::exists("linear_bent/fields/bar.vtu"));
+    check("a summary is written", std::filesystem::exists("linear_bent/summary.json"));
+
+    // Across the axis of z through the origin: the force 200 N has the arm 100 mm.
+    run_text("linear_bent",
+             bar("set kind = fixed", "set kind = force\nset force = 0, 200, 0 N"),
+             world);
+    std::ifstream file("linear_bent/reactions.csv");
+    std::string   header, line, cell;
+    std::getline(file, header);
+    std::getline(file, line);
+    std::istringstream  row(line);
+    std::vector<double> numbers;
+    std::getline(row, cell, ',');
+    std::getline(row, cell, ',');
+    while (std::getline(row, cell, ','))
+      numbers.push_back(std::stod(cell));
+    check_close("reaction y [N]", numbers.at(1), -200., 1e-5);
+    check_below("reaction x [N]", numbers.at(0), 1e-5);
+    check_close("reaction about the axis [N m]", numbers.at(3), -20., 1e-6);
+  }
+
+  void spun(Communicator &world)
+  {
+    std::filesystem::remove_all("linear_spun");
+    CommandLine line;
+    line.parameter_file = std::string(SOURCE_DIR) + "/../../prm/verification/rotating_bar.prm";
+    line.output_folder  = "linear_spun";
+    line.overrides      = {"Study/kind=linear static",
+                           "Output/verbosity=quiet",
+                           "Linear static/stress stiffness=no"};
+    std::ostringstream nothing;
+    Log                log(nothing, world.is_root(), Verbosity::quiet);
+    run_study(line, world, log);
+    // L (tan(kL)/(kL) - 1); 100 elements: (kL)^2/(12 100^2) of it.
+    check_close("spinning bar, load on the moved mass [mm]",
+                read_columns("linear_spun/history.csv")["end displacement x"].back(),
+                15.1572,
+                2e-4);
+    line.overrides.back() = "Linear static/spin softening=no";
+    line.overrides.push_back("Linear static/stress stiffness=no");
+    run_study(line, world, log);
+    check_close("spinning bar, linear [mm]",
+                read_columns("linear_spun/history.csv")["end displacement x"].back(),
+                14.6250,
+                2e-4);
+  }
+
+  void led(Communicator &world)
+  {
+    auto         ring = run_text("linear_ring",
+                         R"(
+subsection Model
+  set bodies      = ring
+  set constraints = inside, below
+  set probes      = outer
+  subsection Body ring
+    set mesh         = ring
+    set inner radius = 20 mm
+    set outer radius = 40 mm
+    set height       = 2 mm
+    set radial cells = 10
+    set cells around = 60
+    set axial cells  = 1
+  end
+  subsection Constraint inside
+    set kind         = displacement
+    set nodes        = inner
+    set directions   = r, theta
+    set displacement = 0.01, 0, 0 mm
+    set angle        = 0.5 deg
+  end
+  subsection Constraint below
+    set kind       = displacement
+    set nodes      = bottom
+    set where      = x^2 + y^2 > 401
+    set directions = z
+  end
+  subsection Probe outer
+    set point = 40, 0, 0 mm
+    set axes  = r, theta, z
+  end
+end
+subsection Output
+  set verbosity = quiet
+end
+)",
+                         world);
+    const double a = 20, b = 40, nu = 0.29;
+    // Lame, plane stress; chords of 6 degrees, ten cells: some 1e-3.
+    const double grown =
+      0.01 * ((1 - nu) * b + (1 + nu) * b) / ((1 - nu) * a + (1 + nu) * b * b / a);
+    check_close("led radius: growth outside over Lame's",
+                ring["outer displacement r"].back() / grown,
+                1.,
+                5e-3);
+    check_close("led angle: way outside over r phi",
+                ring["outer displacement theta"].back() / (40 * pi / 360),
+                1.,
+                1e-8);
+  }
+
+  void pair(Communicator &world)
+  {
+    std::filesystem::remove_all("linear_pair");
+    std::ofstream("linear_pair.prm")
+      << quick_pair("set web = conical",
+                    "set rim rows = 3\nset web layers = 1\nset web rows = 3\nset hub rows = 1\n"
+                    "set hub side cells = 1",
+                    "1e-5")
+      << "subsection Study\n set kind = linear static\nend\nsubsection Fem\n set bodies = "
+         "gear\nend\n";
+    run_pair("linear_pair.prm", "linear_pair", world);
+    std::ifstream file("linear_pair/probes.csv");
+    std::string   line;
+    unsigned int  n = 0;
+    while (std::getline(file, line))
+      ++n;
+    check("a row for each probe of the pair", n == 3);
+  }
+
+  void refused(const std::string &text, Communicator &world)
+  {
+    try
+      {
+        run_text("linear_refused", text, world);
+        check("refused", false);
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  }
+
+  void errors(Communicator &world)
+  {
+    const std::string force = "set kind = force\nset force = 1, 0, 0 N";
+    refused(bar("set kind = fixed",
+                force,
+                "set contacts = floor\nsubsection Contact floor\nset kind = wall\nset nodes = z-\n"
+                "set normal = 0, 0, 1\nend\n"),
+            world);
+    refused(bar("set kind = displacement\nset directions = x", force), world);
+    refused(bar("set kind = fixed", force) + "subsection Linear static\nset time = 1 s\nend\n",
+            world);
+    refused(bar("set kind = fixed", force) + "subsection Fem\nset cyclic symmetry = yes\nend\n",
+            world);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  pulled(session.world());
+  bent(session.world());
+  spun(session.world());
+  led(session.world());
+  pair(session.world());
+  errors(session.world());
+}
