@@ -10,8 +10,8 @@ namespace vfife
 {
   TurningModes::TurningModes(const Table &coupled_modes, const double least)
   {
-    const std::vector<std::string> &axes = coupled_modes.columns().front().texts;
-    const bool standing = std::count(axes.begin(), axes.end(), "standing") > 0;
+    const std::vector<std::string> &axes     = coupled_modes.columns().front().texts;
+    const bool                      standing = std::count(axes.begin(), axes.end(), "standing") > 0;
     for (std::size_t i = 0; i < coupled_modes.n_rows(); ++i)
       {
         const double share = coupled_modes.numbers("share of the static turn")[i];

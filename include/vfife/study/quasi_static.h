@@ -14,8 +14,8 @@ namespace vfife
     std::vector<double> frequencies; ///< [Hz]
     std::vector<double> shares;      ///< of the static turn under a torque [-]
 
-    /** Of a table of coupled modes (coupled_modes.csv): those standing in space where there are such,
-     * with a share above @p least. */
+    /** Of a table of coupled modes (coupled_modes.csv): those standing in space where there are
+     * such, with a share above @p least. */
     TurningModes(const Table &coupled_modes, double least);
   };
 
@@ -24,8 +24,8 @@ namespace vfife
    * (doc/study.md, Kind compare): harmonic k of the curve is followed by a mode f_i with the
    * amplification 1/(1 - r^2), r = k f_mesh/f_i, so the departure is at most
    *   sum_k A_k |sum_i s_i r^2/(1 - r^2)|
-   * without damping; s_i: shares. @p positions [tooth meshes] lie evenly over whole meshes, harmonics
-   * are those they resolve. In the unit of the curve.
+   * without damping; s_i: shares. @p positions [tooth meshes] lie evenly over whole meshes,
+   * harmonics are those they resolve. In the unit of the curve.
    */
   double estimate_swing(const std::vector<double> &positions,
                         const std::vector<double> &curve,
