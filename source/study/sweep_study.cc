@@ -6,6 +6,7 @@
 #include <vfife/base/number_text.h>
 #include <vfife/base/parameter_file.h>
 #include <vfife/base/parameters.h>
+#include <vfife/output/run_figures.h>
 #include <vfife/study/study.h>
 #include <vfife/study/sweep_study.h>
 
@@ -89,6 +90,11 @@ namespace vfife
                     "ranks per run",
                     ranks_per_run_,
                     "Ranks that do a run together, while others do other runs; 0: all");
+    declare_names(prm,
+                  "figures",
+                  figure_names_,
+                  "Further columns of the table, taken of the histories: a section Figure NAME "
+                  "each");
     declare_switch(prm,
                    "pictures",
                    pictures_,
@@ -107,8 +113,15 @@ namespace vfife
       file.read_known(first);
     }
     parameters_.resize(names_.size());
+    figures_.resize(figure_names_.size());
     Subsection section(prm, "Sweep");
     declare_own(prm);
+    for (std::size_t i = 0; i < figures_.size(); ++i)
+      {
+        figures_[i].name = figure_names_[i];
+        Subsection figure(prm, "Figure " + figure_names_[i]);
+        figures_[i].declare(prm);
+      }
     for (std::size_t i = 0; i < names_.size(); ++i)
       {
         parameters_[i].name = names_[i];
@@ -189,6 +202,7 @@ namespace vfife
                              parameters_.front().name + "\" has " + std::to_string(n) +
                              ": with combination = list there must be as many");
       }
+    check_columns();
     for (const std::string &folder : beside_)
       if (!can_stand_beside(folder))
         throw InputError("Sweep/beside",
@@ -205,6 +219,34 @@ namespace vfife
         {
           throw InputError("run with " + describe(values) + ": " + error.what());
         }
+  }
+
+  void SweepStudy::check_columns() const
+  {
+    std::vector<std::string> taken = {"run", "status"};
+    for (const auto &figure : read_run_figures("").figures)
+      taken.push_back(figure.first);
+    for (const std::string &name : names_)
+      {
+        if (std::count(taken.begin(), taken.end(), name) > 0)
+          throw InputError("Sweep/parameters",
+                           "the table has another column \"" + name +
+                             "\": the parameter needs another name");
+        taken.push_back(name);
+      }
+    for (const HistoryFigure &figure : figures_)
+      {
+        const std::string section = "Sweep/Figure " + figure.name;
+        figure.check(section);
+        for (const char *ending : {"", " error", " order"})
+          {
+            if (std::count(taken.begin(), taken.end(), figure.name + ending) > 0)
+              throw InputError(section,
+                               "the table has another column \"" + figure.name + ending +
+                                 "\": the figure needs another name");
+            taken.push_back(figure.name + ending);
+          }
+      }
   }
 
   void SweepStudy::inspect(Communicator &communicator, Log &log)

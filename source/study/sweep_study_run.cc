@@ -8,6 +8,7 @@
 #include <vfife/output/output_folder.h>
 #include <vfife/output/pictures.h>
 #include <vfife/output/run_figures.h>
+#include <vfife/output/table_reader.h>
 #include <vfife/study/inner_case.h>
 #include <vfife/study/sweep_study.h>
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <ostream>
 
 namespace vfife
@@ -47,22 +49,80 @@ namespace vfife
     private:
       MPI_Comm comm_ = MPI_COMM_NULL;
     };
+
+    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+    /** Of finished runs, whose folders these are; where a name is empty there is no number. All
+     * have the same unit. */
+    std::vector<Figure>
+    compute_of_runs(const HistoryFigure &figure, const std::vector<std::string> &folders, Log &log)
+    {
+      std::vector<Figure> numbers(folders.size(), Figure{not_known, "-"});
+      std::string         unit = "-";
+      for (std::size_t i = 0; i < folders.size(); ++i)
+        if (!folders[i].empty())
+          try
+            {
+              numbers[i] = figure.compute(read_result_table(folders[i] + "/history.csv"));
+              unit       = numbers[i].unit;
+            }
+          catch (const InputError &error)
+            {
+              log.warning("figure \"", figure.name, "\": ", error.what());
+            }
+      for (Figure &number : numbers)
+        number.unit = unit;
+      return numbers;
+    }
   } // namespace
+
+  std::vector<NamedFigures> SweepStudy::read_figures(const OutputFolder            &folder,
+                                                     const std::vector<Values>     &runs,
+                                                     const std::vector<CaseReport> &reports,
+                                                     Log                           &log) const
+  {
+    std::vector<NamedFigures> all;
+    std::vector<std::string>  finished;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      {
+        const std::string path = folder.file(folder_of_run(i));
+        all.push_back(read_run_figures(path).figures);
+        finished.push_back(reports[i].outcome == Outcome::finished ? path : "");
+      }
+    for (const HistoryFigure &figure : figures_)
+      {
+        const std::vector<Figure> numbers      = compute_of_runs(figure, finished, log);
+        double                    error_before = not_known;
+        for (std::size_t i = 0; i < runs.size(); ++i)
+          {
+            const double error = figure.compute_error(numbers[i].value);
+            all[i].emplace_back(figure.name, numbers[i]);
+            all[i].emplace_back(figure.name + " error",
+                                Figure{error, figure.error_unit(numbers[i].unit)});
+            all[i].emplace_back(figure.name + " order",
+                                Figure{i > 0
+                                         ? compute_order(error_before, error, runs[i - 1], runs[i])
+                                         : not_known,
+                                       "-"});
+            error_before = error;
+          }
+      }
+    return all;
+  }
 
   void SweepStudy::write_results(const OutputFolder            &folder,
                                  const std::vector<Values>     &runs,
-                                 const std::vector<CaseReport> &reports) const
+                                 const std::vector<CaseReport> &reports,
+                                 Log                           &log) const
   {
     if (!folder.is_writer())
       return;
-    std::vector<RunFigures> all;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-      all.push_back(read_run_figures(folder.file(folder_of_run(i))));
+    const std::vector<NamedFigures> all = read_figures(folder, runs, reports, log);
     // Figures that no run has are left out.
     std::vector<std::size_t> known;
-    for (std::size_t f = 0; f < all.front().figures.size(); ++f)
-      if (std::any_of(all.begin(), all.end(), [f](const RunFigures &run) {
-            return std::isfinite(run.figures[f].second.value);
+    for (std::size_t f = 0; f < all.front().size(); ++f)
+      if (std::any_of(all.begin(), all.end(), [f](const NamedFigures &run) {
+            return std::isfinite(run[f].second.value);
           }))
         known.push_back(f);
 
@@ -72,7 +132,7 @@ namespace vfife
       table.add_text_column(parameter.name);
     table.add_text_column("status");
     for (const std::size_t f : known)
-      table.add_column(all.front().figures[f].first, all.front().figures[f].second.unit);
+      table.add_column(all.front()[f].first, all.front()[f].second.unit);
     Json json = Json::array();
     for (std::size_t i = 0; i < runs.size(); ++i)
       {
@@ -88,8 +148,8 @@ namespace vfife
         row.emplace_back(word);
         for (const std::size_t f : known)
           {
-            row.emplace_back(all[i].figures[f].second.value);
-            figures.push_back(all[i].figures[f]);
+            row.emplace_back(all[i][f].second.value);
+            figures.push_back(all[i][f]);
           }
         one["status"]  = word;
         one["message"] = reports[i].message;
@@ -154,7 +214,7 @@ namespace vfife
                        word_for(outcomes[rank]),
                        messages[rank].empty() ? "" : ": " + messages[rank]);
             }
-        write_results(folder, runs, reports);
+        write_results(folder, runs, reports, log);
       }
     if (stops)
       throw Interrupted("the sweep is stopped; to go on: the same command with --restart");

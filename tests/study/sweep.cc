@@ -3,6 +3,9 @@
 #include "../tests.h"
 #include "child_program.h"
 
+#include <vfife/base/table.h>
+#include <vfife/output/table_reader.h>
+
 #include <filesystem>
 
 namespace
@@ -24,6 +27,12 @@ namespace
          "  set entries = Output/verbosity=quiet; Output/history every = 7\n"
          "  set beside = modes\n"
          "  set parameters = limit, damping\n"
+         "  set figures = way, free end\n"
+         "  subsection Figure way\n"
+         "    set column = behind displacement x\n"
+         "    set reference = 0.049\n  end\n"
+         "  subsection Figure free end\n"
+         "    set column = ahead displacment x\n  end\n"
          "  subsection Parameter limit\n"
          "    set entry  = Dynamics/energy limit\n"
          "    set values = 2, 1e-9\n  end\n"
@@ -83,6 +92,20 @@ int main()
   check("sweep.json has the failure",
         json.find("\"message\": \"the energy error is") != std::string::npos);
 
+  const vfife::Table table = vfife::read_result_table("all/sweep.csv");
+  // 2 m/s until the wave has come to the free end; bars of 20 cells spread its front.
+  const double error = table.numbers("way error")[0];
+  check_close("way of the free end", table.numbers("way")[0], 0.049 * (1 + error), 1e-12);
+  check("its error", std::abs(error) < 0.1 && error != 0);
+  check("it is in sweep.json", json.find("\"way error\"") != std::string::npos);
+  const auto &order = table.numbers("way order");
+  check("order between 100 and 200 1/s only",
+        std::isnan(order[0]) && std::isnan(order[1]) && std::isfinite(order[2]));
+  check("no figures of failed runs", std::isnan(table.numbers("way")[3]));
+  check("a column that does not exist is warned of",
+        ending.text.find("figure \"free end\": \"ahead displacment x\" is not a column of "
+                         "history.csv; did you mean \"ahead displacement x\"?") !=
+          std::string::npos);
   check("entries of all runs",
         read_text("all/run_02/parameters.prm").find("set history every    = 7") !=
           std::string::npos);
@@ -124,6 +147,12 @@ int main()
   show("list", sweep("list", {"--set", "Sweep/combination=list", "--check"}));
   show("unknown entry", sweep("list", {"--set", "Sweep/Parameter damping/entry=Dynamics/dampin"}));
   show("wrong value", sweep("list", {"--set", "Sweep/Parameter damping/values=0, 1 mm"}));
+  show("figure without a column", sweep("list", {"--set", "Sweep/Figure way/column="}));
+  show("wrong reference", sweep("list", {"--set", "Sweep/Figure way/reference=39 us"}));
+  std::ofstream("twice.prm") << "include sweep.prm\nsubsection Sweep\n"
+                                "  set figures = way, free end, steps\n"
+                                "  subsection Figure steps\n    set column = time\n  end\nend\n";
+  show("a column twice", run_program({VFIFE_PROGRAM, "twice.prm", "-o", "list"}));
   show("no entry", sweep("list", {"--set", "Sweep/entries=Output/pictures"}));
   show("nothing beside", sweep("list", {"--set", "Sweep/beside=all"}));
   show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));

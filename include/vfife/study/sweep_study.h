@@ -2,6 +2,7 @@
 #ifndef vfife_study_sweep_study_h
 #define vfife_study_sweep_study_h
 
+#include <vfife/study/history_figure.h>
 #include <vfife/study/inner_case.h>
 #include <vfife/study/study_kind.h>
 
@@ -15,7 +16,8 @@ namespace vfife
   /**
    * Study kind `sweep`: the base case once for every value of some of its entries, or for every
    * combination of values. Each run has a folder of its own, run_01 and so on, in that of the
-   * sweep; sweep.csv and sweep.json have the key figures of all.
+   * sweep; sweep.csv and sweep.json have the key figures of all, and those that `figures` take of
+   * the histories, with errors and orders of convergence where references are known.
    *
    * Tables of folders that `beside` names are copied into the sweep's folder, for the report: the
    * coupled modes of a loaded tooth contact analysis, the sweep of speeds of a lumped model.
@@ -57,22 +59,30 @@ namespace vfife
     static std::string folder_of_run(std::size_t i);
 
     void                declare_own(dealii::ParameterHandler &prm);
+    void                check_columns() const;
     std::vector<Values> list_runs() const;
     CommandLine         command_line(const Values &values) const;
     unsigned int        count_groups(const Communicator &communicator) const;
     std::string         describe(const Values &values) const;
     void                copy_beside(const OutputFolder &folder) const;
-    void                write_results(const OutputFolder            &folder,
-                                      const std::vector<Values>     &runs,
-                                      const std::vector<CaseReport> &reports) const;
+    /** The key figures of each run; as many and with the same names for all. */
+    std::vector<NamedFigures> read_figures(const OutputFolder            &folder,
+                                           const std::vector<Values>     &runs,
+                                           const std::vector<CaseReport> &reports,
+                                           Log                           &log) const;
+    void                      write_results(const OutputFolder            &folder,
+                                            const std::vector<Values>     &runs,
+                                            const std::vector<CaseReport> &reports,
+                                            Log                           &log) const;
 
-    bool                     restart_ = false;
-    std::string              base_, entries_, folder_of_file_;
-    std::vector<std::string> names_, beside_;
-    std::vector<Parameter>   parameters_;
-    Combination              combination_   = Combination::product;
-    unsigned int             ranks_per_run_ = 0;
-    bool                     pictures_      = true;
+    bool                       restart_ = false;
+    std::string                base_, entries_, folder_of_file_;
+    std::vector<std::string>   names_, figure_names_, beside_;
+    std::vector<Parameter>     parameters_;
+    std::vector<HistoryFigure> figures_;
+    Combination                combination_   = Combination::product;
+    unsigned int               ranks_per_run_ = 0;
+    bool                       pictures_      = true;
   };
 } // namespace vfife
 

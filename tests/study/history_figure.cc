@@ -1,0 +1,105 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Numbers taken of made-up histories, their errors and orders of convergence.
+#include "../tests.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/table.h>
+#include <vfife/base/types.h>
+#include <vfife/study/history_figure.h>
+
+using namespace vfife;
+
+namespace
+{
+  /** A pulse of height 3 with ramps of 1 s between 2 s and 7 s, and a vibration of 1.25 Hz. */
+  Table make_history()
+  {
+    Table table;
+    table.add_column("time", "s");
+    table.add_column("force", "N");
+    table.add_column("end displacement x", "mm");
+    for (unsigned int i = 0; i <= 1000; ++i)
+      {
+        const double t = 0.01 * i;
+        table.add_row({t,
+                       3 * std::max(0., std::min({1., t - 2, 7 - t})),
+                       0.5 * std::sin(2 * pi * 1.25 * t + 0.3) + 0.001});
+      }
+    return table;
+  }
+
+  Figure take(const std::string &column, const FigureValue value)
+  {
+    HistoryFigure figure;
+    figure.column = column;
+    figure.value  = value;
+    return figure.compute(make_history());
+  }
+
+  void values()
+  {
+    check_close("largest", take("force", FigureValue::largest).value, 3, 1e-12);
+    check_close("first", take("end displacement x", FigureValue::first).value, 0.14876, 1e-5);
+    check_close("largest size",
+                take("end displacement x", FigureValue::largest_size).value,
+                0.501,
+                1e-3);
+    // The ends of both ramps lie between samples only by round-off.
+    check_close("time above half", take("force", FigureValue::time_above_half).value, 4, 1e-9);
+    check("its unit", take("force", FigureValue::time_above_half).unit == "s");
+    // Plateau of 3 s at 3 N, twice half a second at 2.25 N on the mean; 100 samples of a second.
+    check_close("mean above half", take("force", FigureValue::mean_above_half).value, 2.8125, 5e-3);
+    // The offset moves crossings up and down alike, and those at both ends of the count are of one
+    // kind or differ by 0.0013 s.
+    check_close("zero crossing rate",
+                take("end displacement x", FigureValue::zero_crossing_rate).value,
+                1.25,
+                1e-3);
+  }
+
+  void orders()
+  {
+    HistoryFigure figure;
+    figure.reference = "4";
+    check_close("error", figure.compute_error(5), 0.25, 1e-15);
+    figure.reference = "0";
+    check_close("error beside zero", figure.compute_error(5), 5, 0);
+    check_close("second order, cells", compute_order(0.4, 0.1, {"10", "2"}, {"20", "2"}), 2, 1e-12);
+    check_close("first order, a size", compute_order(0.4, -0.2, {"2 mm"}, {"1 mm"}), 1, 1e-12);
+    check_close("cells in one ratio",
+                compute_order(0.9, 0.1, {"10", "60"}, {"30", "180"}),
+                2,
+                1e-12);
+    check("none between unequal ratios",
+          std::isnan(compute_order(0.4, 0.1, {"10", "60"}, {"20", "180"})));
+    check("none between words",
+          std::isnan(compute_order(0.4, 0.1, {"polar", "80"}, {"three nodes", "10"})));
+    check("none of equal runs", std::isnan(compute_order(0.4, 0.1, {"10"}, {"10"})));
+  }
+
+  void show_error(const HistoryFigure &figure)
+  {
+    try
+      {
+        figure.check("Sweep/Figure end");
+        figure.compute(make_history());
+        std::cout << "FAILED: accepted" << std::endl;
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  }
+} // namespace
+
+int main()
+{
+  values();
+  orders();
+  HistoryFigure figure;
+  show_error(figure);
+  figure.column = "end displacment x";
+  show_error(figure);
+  figure.reference = "abc";
+  show_error(figure);
+}
