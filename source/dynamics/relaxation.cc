@@ -164,7 +164,9 @@ namespace vfife
   {
     std::vector<double> applied(operator_.array_size(), 0.);
     add_applied(state, loads, applied);
-    return norm(forces, state.partition) / norm(applied, state.partition);
+    const double round_off = compute_round_off(state, compute_masses(loads, state.dt));
+    return norm(forces, state.partition) /
+           std::max(norm(applied, state.partition), round_off / options_.tolerance);
   }
 
   void Relaxation::constrain(State &state) const
@@ -235,11 +237,10 @@ namespace vfife
           add_contact(state, searches, forces_);
         add_applied(state, loads, forces_);
         // Where nothing is applied but displacements, the present reactions are what forces are
-        // measured by; they may vanish (rigid turn), and round-off is no imbalance.
+        // measured by. Both may be small (rigid turn, slow spin), and round-off is no imbalance.
         const double reference =
-          applied_norm > round_off
-            ? applied_norm
-            : std::max(norm(forces_, state.partition), round_off / options_.tolerance);
+          std::max(applied_norm > round_off ? applied_norm : norm(forces_, state.partition),
+                   round_off / options_.tolerance);
         constraints.project(state.position.data(), forces_.data(), !loads.hold_rotation);
 
         StepSums sums = add_steps(state.partition, masses, velocity, previous, forces_);

@@ -68,7 +68,8 @@ namespace vfife
      */
     void compute_forces(State &state, const Loads &loads, std::vector<double> &forces);
 
-    /** Norm of these @p forces over the norm of the applied ones. Collective. */
+    /** Norm of these @p forces over the norm of the applied ones, but what is round-off stays below
+     * the tolerance. Collective. */
     double
     compute_residual(const State &state, const Loads &loads, const std::vector<double> &forces);
 
