@@ -78,8 +78,23 @@ def find_passages(run):
             yield name, passage
 
 
+def list_model_figures(run):
+    """Of a model without a gear pair: what contact and probes reach over the run, by magnitude."""
+    if run.history is None or "dte" in run.history:
+        return
+    for column, values in run.history.columns.items():
+        of, _, component = column.rpartition(" ")
+        if not np.any(np.isfinite(values)) or np.nanmax(np.abs(values)) == 0:
+            continue
+        if of.endswith(" displacement"):
+            yield f"{of}, largest {component}", np.nanmax(np.abs(values)), run.history.units[column]
+        elif column == "contact force total" or column.endswith(" von mises"):
+            yield f"{column}, largest", np.nanmax(np.abs(values)), run.history.units[column]
+
+
 def list_key_figures(run):
     """All of them, as far as the run has the files."""
     yield from list_history_figures(run)
+    yield from list_model_figures(run)
     yield from list_tooth_figures(run)
     yield from list_probe_figures(run)

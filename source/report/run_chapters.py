@@ -60,7 +60,7 @@ def add_key_figures(page, run, figures):
     if rows:
         page.section("Key figures")
         page.table(["quantity", "value", "unit"], rows,
-                   "Of the steady part, where it says nothing else; definitions in doc/report.md.")
+                   "Of the steady part, largest values of the whole run; definitions in doc/report.md.")
 
 
 def add_transmission_error(page, run, figures):

@@ -128,6 +128,23 @@ class Axes(unittest.TestCase):
             self.assertIsNone(find_axis(find_variants(Path(name))))
 
 
+    def test_general_model(self):
+        """Without a gear pair: what probes and contact reach."""
+        with tempfile.TemporaryDirectory() as name:
+            for count in (1, 2, 3):
+                folder = Path(name) / f"run_{count}"
+                folder.mkdir()
+                (folder / "history.csv").write_text(
+                    "time [s],contact force total [N],tip displacement x [mm],tip displacement y [mm]\n"
+                    f"0,0,0,0\n1,0,{-count},0\n2,0,{0.5 * count},0\n")
+                (folder / "parameters.prm").write_text(f"subsection Dynamics\n  set damping = {count} 1/s\nend\n")
+            axis = find_axis(find_variants(Path(name)))
+            self.assertEqual(axis.label, "damping [1/s]")
+            (panel,) = draw_curves(axis).axes
+            self.assertEqual(panel.get_title(loc="left"), "tip displacement, largest x")
+            self.assertEqual(list(panel.lines[0].get_ydata()), [1, 2, 3])
+
+
 class Sidebands(unittest.TestCase):
     def run_of(self, name, meshes):
         write_pair(Path(name), 20000, meshes, lambda at, f: np.cos(2 * np.pi * at) * (
