@@ -56,7 +56,7 @@ namespace vfife
             std::array<unsigned int, 4> corners = {{base, base + u, base + u + v, base + v}};
             if (side == 0)
               std::swap(corners[1], corners[3]);
-            BoundaryFace face{cell->active_cell_index(), {}};
+            BoundaryFace face{cell->active_cell_index(), f, {}};
             bool         inside = true;
             for (unsigned int i = 0; i < 4; ++i)
               {

@@ -40,10 +40,10 @@ namespace vfife
     static const Choices<MakeStudy> kinds = {
       {"run", &make_run},
       {"static", &make<StaticRun>},
-      {"linear static", &make<LinearStaticStudy>},
       {"tooth contact analysis", &make<ToothContactStudy>},
       {"mesh", &make<MeshStudy>},
       {"modal", &make<ModalStudy>},
+      {"linear static", &make<LinearStaticStudy>},
       {"loaded tooth contact analysis", &make<LoadedContactStudy>},
       {"lumped", &make<LumpedStudy>},
       {"benchmark", &make<BenchmarkStudy>},

@@ -22,6 +22,7 @@ namespace vfife
   struct BoundaryFace
   {
     unsigned int                element; ///< of the body
+    unsigned int                number;  ///< of the element's six: 2 * direction + side
     std::array<unsigned int, 4> nodes;   ///< of the body, seen from outside counter-clockwise
   };
 
