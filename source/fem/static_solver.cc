@@ -228,13 +228,14 @@ namespace vfife
     std::vector<double> stressed(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
     if (!loads.centrifugal || !loads.stress_stiffness)
       return stressed;
-    const auto         rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
-    const SparseValues unstressed   = K;
-    unsigned int       n_iterations = 0;
+    const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
+    // Softened bodies may be stable under their stresses only: the first round is not softened.
+    SparseValues now          = matrices.stiffness();
+    unsigned int n_iterations = 0;
     for (unsigned int round = 0; round < largest_rounds; ++round)
       {
         const std::vector<double> spun =
-          solve_system(matrices, K, matrices.centrifugal_load(rate), n_iterations);
+          solve_system(matrices, now, matrices.centrifugal_load(rate), n_iterations);
         double change = 0, size = 0;
         for (std::size_t i = 0; i < spun.size(); ++i)
           {
@@ -242,10 +243,14 @@ namespace vfife
             size   = std::max(size, std::abs(spun[i]));
           }
         if (change <= round_tolerance * size)
-          return stressed;
+          {
+            if (round > 0)
+              K = std::move(now);
+            return stressed;
+          }
         stressed = spun;
-        K        = add_scaled(unstressed, 1., matrices.geometric(stressed));
-        K        = add_scaled(std::move(K), 1., matrices.hub_curvature(stressed, rate));
+        now      = add_scaled(K, 1., matrices.geometric(stressed));
+        now      = add_scaled(std::move(now), 1., matrices.hub_curvature(stressed, rate));
       }
     throw NumericalError("the state of spin does not settle under its own stresses: a speed is too "
                          "high");
