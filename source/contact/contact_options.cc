@@ -6,6 +6,15 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /** Depth over width. Points sleep until the motion of the surfaces could close their gap; two
+     * reliefs of this slope (at the edge twice the ratio) lengthen that motion by 8 %, of 25 % that
+     * the search allows. */
+    constexpr double steepest_edge_relief = 0.1;
+  } // namespace
+
+
   const Choices<ContactDiscretization> &contact_discretizations()
   {
     static const Choices<ContactDiscretization> choices = {
@@ -78,6 +87,19 @@ namespace vfife
                    edge_fading,
                    "Part of a border facet of the master over which the pressure fades to zero",
                    Range::between(0., 1.));
+    declare_quantity(
+      prm,
+      "edge relief width",
+      edge_relief_width,
+      "mm",
+      "Strip along the tip and end edges of both flanks over which they are relieved",
+      Range::not_negative());
+    declare_quantity(prm,
+                     "edge relief depth",
+                     edge_relief_depth,
+                     "mm",
+                     "Relief at the edge, falling to 0 as a parabola over the width; 0: none",
+                     Range::not_negative());
     declare_quantity(prm,
                      "search skin",
                      search_skin,
@@ -120,6 +142,12 @@ namespace vfife
                        "friction needs a positive regularization velocity");
     if (!(edge_fading >= 0. && edge_fading <= 1.))
       throw InputError(entry("edge fading"), "the fading part must lie between 0 and 1");
+    if (!(edge_relief_depth >= 0. && edge_relief_width >= 0.))
+      throw InputError(entry("edge relief depth"),
+                       "depth and width of the edge relief must not be negative");
+    if (edge_relief_depth > steepest_edge_relief * edge_relief_width)
+      throw InputError(entry("edge relief depth"),
+                       "the relief may be at most a tenth of its width (edge relief width) deep");
     if (!(search_skin >= 0.))
       throw InputError(entry("search skin"), "the skin must not be negative");
     if (!(depth_limit >= 0.))

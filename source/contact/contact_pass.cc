@@ -26,8 +26,8 @@ namespace vfife
                            const FacetSurface   &master,
                            const ContactOptions &options,
                            const double          share)
-    : slave_(slave, options.surface)
-    , master_(master, options.surface)
+    : slave_(slave, options.surface, EdgeRelief(slave, options))
+    , master_(master, options.surface, EdgeRelief(master, options))
     , rule_(facet_quadrature(options.discretization, options.points_per_facet))
     , edge_fading_(options.edge_fading)
     , skin_(options.search_skin > 0. ? options.search_skin : 0.2 * master_.mean_facet_size())

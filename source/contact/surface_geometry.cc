@@ -5,20 +5,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vfife
 {
-  SurfaceGeometry::SurfaceGeometry(const FacetSurface &surface, const ContactSurfaceKind kind)
+  SurfaceGeometry::SurfaceGeometry(const FacetSurface      &surface,
+                                   const ContactSurfaceKind kind,
+                                   EdgeRelief               relief)
     : SurfaceGeometry(kind == ContactSurfaceKind::smooth_patches ? with_smooth_patches(surface)
                                                                  : surface,
-                      kind != ContactSurfaceKind::flat_facets)
+                      kind != ContactSurfaceKind::flat_facets,
+                      std::move(relief))
   {
   }
 
 
-  SurfaceGeometry::SurfaceGeometry(const FacetSurface &surface, const bool curved)
+  SurfaceGeometry::SurfaceGeometry(const FacetSurface &surface,
+                                   const bool          curved,
+                                   EdgeRelief          relief)
     : reference_(surface.positions)
     , facets_(surface.facets)
+    , relief_(std::move(relief))
   {
     check(surface);
     collect_groups(surface);
@@ -37,6 +44,7 @@ namespace vfife
               std::max(largest_offset_,
                        std::abs(offsets_.value(row, 0.25 * (i % 5), 0.25 * (i / 5))));
       }
+    largest_offset_ += relief_.largest();
     normal_corrections_.assign(n_nodes(), Vector3::Zero());
     if (curved)
       compute_true_normals(surface);

@@ -25,6 +25,37 @@ namespace vfife
       return std::atan2(position[1], position[0]);
     }
 
+    /** @p turn brings the upper flank to its place; the backlash is an angle of the gear [rad]. */
+    GearMember make_pinion(const GearPairOptions &options,
+                           const FlankSide        upper,
+                           const double           turn,
+                           const double           backlash_angle)
+    {
+      const double taken  = backlash_angle * options.gear.blank.teeth / options.pinion.blank.teeth;
+      const auto   turned = [&](const double angle) {
+        const GearMemberOptions &pinion = options.pinion;
+        return GearMember("pinion",
+                          pinion.blank,
+                          Flank(pinion.concave, pinion.blank.pitch_angle),
+                          Flank(pinion.convex, pinion.blank.pitch_angle),
+                          upper == FlankSide::concave ? 0. : angle,
+                          upper == FlankSide::concave ? angle : 0.);
+      };
+      try
+        {
+          return turned(turn);
+        }
+      catch (const InputError &error)
+        {
+          // Throws where no tooth is left without backlash either: then something else is wrong.
+          turned(turn - taken);
+          std::ostringstream message;
+          message << error.what() << "; a backlash of " << options.backlash << " mm takes "
+                  << taken * 180. / pi << " deg of it";
+          throw InputError("Gear pair/Mounting/backlash", message.str());
+        }
+    }
+
     using Seven         = Eigen::Matrix<double, 7, 1>;
     using SevenJacobian = Eigen::Matrix<double, 7, 7>;
 
@@ -279,12 +310,8 @@ namespace vfife
     : design_(derive(options))
     , pinion_frame_(mounted_pinion_frame(options))
     , gear_frame_(gear_frame())
-    , pinion_("pinion",
-              design_.options.pinion.blank,
-              Flank(design_.options.pinion.concave, design_.options.pinion.blank.pitch_angle),
-              Flank(design_.options.pinion.convex, design_.options.pinion.blank.pitch_angle),
-              design_.pinion_upper == FlankSide::concave ? 0. : design_.thickness_turn,
-              design_.pinion_upper == FlankSide::concave ? design_.thickness_turn : 0.)
+    , pinion_(make_pinion(
+        design_.options, design_.pinion_upper, design_.thickness_turn, design_.backlash_angle))
     // the two flanks of one cut bound a slot; the tooth below it has the slot's lower flank as its
     // upper one
     , gear_("gear",

@@ -58,6 +58,40 @@ namespace vfife
       return tooth;
     }
 
+    /** Numbers of the edges of a flank. */
+    enum Edge : unsigned char
+    {
+      no_edge,
+      tip,
+      toe,
+      heel
+    };
+
+    /** Sides 0 and 2 of a facet run along the tooth: at the border the higher is the tip, the lower
+     * goes on into the fillet. The ends are sides 1 and 3. */
+    std::vector<std::array<unsigned char, 4>> find_edges(const FlankGrid    &grid,
+                                                         const FacetSurface &tooth)
+    {
+      std::vector<std::array<unsigned char, 4>> edges;
+      for (std::size_t f = 0; f < grid.facets.size(); ++f)
+        {
+          edges.push_back({{no_edge, no_edge, no_edge, no_edge}});
+          const auto &k = grid.facets[f];
+          for (unsigned int side = 0; side < 4; ++side)
+            {
+              if (tooth.neighbours[f][side] != FacetSurface::no_facet)
+                continue;
+              const Vector2 here  = grid.L_h[k[side]] + grid.L_h[k[(side + 1) % 4]];
+              const Vector2 there = grid.L_h[k[(side + 2) % 4]] + grid.L_h[k[(side + 3) % 4]];
+              if (side % 2 == 0)
+                edges[f][side] = here[1] > there[1] ? tip : no_edge;
+              else
+                edges[f][side] = here[0] > there[0] ? heel : toe;
+            }
+        }
+      return edges;
+    }
+
     void add_offsets(const GearMember &member, const FlankSide side, FacetSurface &tooth)
     {
       tooth.offset_points = n_points;
@@ -85,6 +119,8 @@ namespace vfife
   {
     FacetSurface tooth = make_first_tooth(member, grid);
     add_offsets(member, grid.side, tooth);
+    find_neighbours(tooth);
+    const auto edges = find_edges(grid, tooth);
 
     FacetSurface surface;
     surface.name = grid.side == FlankSide::concave ? surface_name::concave : surface_name::convex;
@@ -110,6 +146,7 @@ namespace vfife
             surface.facets.push_back(facet);
             surface.group.push_back(k);
             surface.offset_row.push_back(f);
+            surface.edges.push_back(edges[f]);
           }
       }
     find_neighbours(surface);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 
 namespace vfife
 {
@@ -28,6 +29,12 @@ namespace vfife
                         const double               mesh_frequency,
                         const TurningModes        &modes)
   {
+    // Below, a harmonic is round-off, which the swing would raise to anything at resonance.
+    constexpr double least_part = 1e-12;
+    const double     largest =
+      std::accumulate(curve.begin(), curve.end(), 0., [](const double most, const double value) {
+        return std::max(most, std::abs(value));
+      });
     const std::size_t n         = positions.size();
     double            departure = 0;
     for (unsigned int k = 1; 2 * k <= n; ++k)
@@ -36,6 +43,8 @@ namespace vfife
         for (std::size_t j = 0; j < n; ++j)
           sum += curve[j] * std::polar(1., -2 * pi * k * positions[j]);
         const double amplitude = std::abs(sum) * (2 * k == n ? 1. : 2.) / n;
+        if (amplitude < least_part * largest)
+          continue;
 
         double amplification = 0;
         for (std::size_t i = 0; i < modes.frequencies.size(); ++i)

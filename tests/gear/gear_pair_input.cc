@@ -23,7 +23,7 @@ void expect(const std::string                            &name,
   bool        found   = false;
   try
     {
-      options.check();
+      const GearPair pair(options);
     }
   catch (const InputError &error)
     {
@@ -128,6 +128,10 @@ void check_other_contradictions()
          "Gear/Concave flank/point radius",
          {"edges"});
   expect("backlash", [](Options &o) { o.backlash = -0.1; }, "Mounting/backlash", {"negative"});
+  expect("no tooth left",
+         [](Options &o) { o.backlash = 8.; },
+         "Mounting/backlash",
+         {"-6.4", "8 mm takes"});
 }
 
 /** The entries that are named as causes, in their order. */

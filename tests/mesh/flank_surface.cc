@@ -84,6 +84,24 @@ namespace
           grouped && surface.n_groups == member.blank().teeth &&
             surface.facets.size() == std::size_t(per_tooth) * surface.n_groups);
     check(name + ": no offset at corners", corners);
+    // The edges by heights of nodes over the pitch cone and by cone distances.
+    const Blank &blank = member.blank();
+    bool         edges = true;
+    for (unsigned int f = 0; f < surface.facets.size(); ++f)
+      for (unsigned int side = 0; side < 4; ++side)
+        {
+          const unsigned int a = surface.facets[f][side], b = surface.facets[f][(side + 1) % 4];
+          const Vector2      one  = cone_coordinates(member, surface.positions[a]);
+          const Vector2      two  = cone_coordinates(member, surface.positions[b]);
+          const double       heel = blank.outer_cone_distance;
+          const bool         end  = std::abs(one[0] - two[0]) < 1e-6 &&
+                           std::abs(std::abs(one[0] - heel + 0.5 * blank.face_width) -
+                                    0.5 * blank.face_width) < 1e-6;
+          const bool tip    = one[1] > 0. && two[1] > 0. && std::abs(one[0] - two[0]) > 1e-6;
+          const bool border = surface.neighbours[f][side] == FacetSurface::no_facet;
+          edges             = edges && (surface.edges[f][side] != 0) == (border && (tip || end));
+        }
+    check(name + ": edges are tip and ends", edges);
     check(name + ": borders are the ends, flank start and tip",
           open == 2 * (options.cells_lengthwise + options.flank_rows) * surface.n_groups);
   }

@@ -84,7 +84,8 @@ int main(int argc, char **argv)
   FemOptions conventional;
   conventional.linear_tolerance = 1e-12;
   StaticLoads loads;
-  loads.nodal_forces = make_nodal_forces(model);
+  loads.part_of_loads = 0; // shared out here, not by the model's own routine
+  loads.nodal_forces  = make_nodal_forces(model);
   const std::vector<double> reference =
     StaticSolver(model, {0}, conventional, world).solve(loads).displacements;
 

@@ -43,6 +43,11 @@ namespace vfife
                         offset_row; ///< per facet: row of the table (rotated copies share a row)
     std::vector<double> offsets;    ///< rows of offset_points^2 values [mm]
 
+    /** Per facet and side the number, from 1 on, of the body's edge that the border lies on there
+     * (a flank's tip, toe, heel); 0: none, as inside or where a flank runs on into the fillet.
+     * Without rows the whole border is one edge. */
+    std::vector<std::array<unsigned char, 4>> edges;
+
     static constexpr unsigned int no_facet = static_cast<unsigned int>(-1);
   };
 

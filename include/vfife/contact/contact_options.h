@@ -43,8 +43,10 @@ namespace vfife
     double regularization_velocity = 100.; ///< of the friction [mm/s]
 
     double edge_fading = 0.15; ///< part of a master border facet over which the pressure fades [-]
-    double search_skin = 0.;   ///< [mm]; 0: a fifth of the master's mean facet size
-    double depth_limit = 0.;   ///< deepest penetration taken for contact [mm]; 0: half a facet
+    double edge_relief_width = 0.; ///< of both flanks along free edges [mm]; 0: no relief
+    double edge_relief_depth = 0.; ///< at the edge itself [mm]
+    double search_skin       = 0.; ///< [mm]; 0: a fifth of the master's mean facet size
+    double depth_limit       = 0.; ///< deepest penetration taken for contact [mm]; 0: half a facet
     double penetration_limit =
       0.2; ///< penetration over the depth limit at which a run is given up [-]; 1: never
 

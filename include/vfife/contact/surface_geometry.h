@@ -5,6 +5,7 @@
 #include <vfife/base/facet_surface.h>
 #include <vfife/base/types.h>
 #include <vfife/contact/contact_options.h>
+#include <vfife/contact/edge_relief.h>
 #include <vfife/contact/facet_quadrature.h>
 
 #include <array>
@@ -58,8 +59,9 @@ namespace vfife
   class SurfaceGeometry
   {
   public:
-    /** Copies what it needs. Throws InputError when arrays do not fit together. */
-    SurfaceGeometry(const FacetSurface &surface, ContactSurfaceKind kind);
+    /** Copies what it needs. The relief belongs to the surface from then on, as part of its offset.
+     * Throws InputError when arrays do not fit together. */
+    SurfaceGeometry(const FacetSurface &surface, ContactSurfaceKind kind, EdgeRelief relief = {});
 
     /** Sets the current state; the arrays must stay valid until the next call. */
     void bind(const SurfaceMotion &motion);
@@ -88,22 +90,30 @@ namespace vfife
       return 0.5 * (node(k[2]) - node(k[0])).cross(node(k[3]) - node(k[1]));
     }
 
-    /** Offset of the true surface [mm], 0 for plain facets. */
+    /** Offset of the true surface [mm], 0 for plain facets, less the relief of its edges. */
     double offset(const unsigned int facet, const double xi, const double eta) const
     {
-      return offsets_.empty() ? 0. : offsets_.value(offset_rows_[facet], xi, eta);
+      const double offset = offsets_.empty() ? 0. : offsets_.value(offset_rows_[facet], xi, eta);
+      return relief_.empty() ? offset : offset - relief_.value(facet, xi, eta);
     }
 
     /** Derivatives of the offset with respect to xi and eta [mm]. */
     std::array<double, 2>
     offset_gradient(const unsigned int facet, const double xi, const double eta) const
     {
-      if (offsets_.empty())
-        return {{0., 0.}};
-      return offsets_.gradient(offset_rows_[facet], xi, eta);
+      std::array<double, 2> gradient = {{0., 0.}};
+      if (!offsets_.empty())
+        gradient = offsets_.gradient(offset_rows_[facet], xi, eta);
+      if (!relief_.empty())
+        {
+          const auto slope = relief_.gradient(facet, xi, eta);
+          gradient[0] -= slope[0];
+          gradient[1] -= slope[1];
+        }
+      return gradient;
     }
 
-    /** Largest offset of the table in magnitude at a 5 x 5 grid of each row [mm]. */
+    /** Largest offset of the table in magnitude at a 5 x 5 grid of each row, and relief [mm]. */
     double largest_offset() const
     {
       return largest_offset_;
@@ -176,7 +186,7 @@ namespace vfife
 
   private:
     /** @p curved: the facets stand for the surface given by offsets and normals. */
-    SurfaceGeometry(const FacetSurface &surface, bool curved);
+    SurfaceGeometry(const FacetSurface &surface, bool curved, EdgeRelief relief);
 
     void           check(const FacetSurface &surface) const;
     void           collect_groups(const FacetSurface &surface);
@@ -193,6 +203,7 @@ namespace vfife
     std::vector<unsigned int>                node_facet_starts_, node_facets_;
     std::vector<std::vector<unsigned int>>   group_facets_, group_nodes_;
     OffsetPolynomials                        offsets_;
+    EdgeRelief                               relief_;
     std::vector<unsigned int>                offset_rows_;
     double                                   largest_offset_ = 0., mean_facet_size_ = 0.;
     std::vector<double>                      node_areas_;
