@@ -25,37 +25,6 @@ namespace vfife
       return std::atan2(position[1], position[0]);
     }
 
-    /** @p turn brings the upper flank to its place; the backlash is an angle of the gear [rad]. */
-    GearMember make_pinion(const GearPairOptions &options,
-                           const FlankSide        upper,
-                           const double           turn,
-                           const double           backlash_angle)
-    {
-      const double taken  = backlash_angle * options.gear.blank.teeth / options.pinion.blank.teeth;
-      const auto   turned = [&](const double angle) {
-        const GearMemberOptions &pinion = options.pinion;
-        return GearMember("pinion",
-                          pinion.blank,
-                          Flank(pinion.concave, pinion.blank.pitch_angle),
-                          Flank(pinion.convex, pinion.blank.pitch_angle),
-                          upper == FlankSide::concave ? 0. : angle,
-                          upper == FlankSide::concave ? angle : 0.);
-      };
-      try
-        {
-          return turned(turn);
-        }
-      catch (const InputError &error)
-        {
-          // Throws where no tooth is left without backlash either: then something else is wrong.
-          turned(turn - taken);
-          std::ostringstream message;
-          message << error.what() << "; a backlash of " << options.backlash << " mm takes "
-                  << taken * 180. / pi << " deg of it";
-          throw InputError("Gear pair/Mounting/backlash", message.str());
-        }
-    }
-
     using Seven         = Eigen::Matrix<double, 7, 1>;
     using SevenJacobian = Eigen::Matrix<double, 7, 7>;
 
@@ -306,12 +275,38 @@ namespace vfife
     return design;
   }
 
+  GearMember GearPair::make_pinion(const Design &design)
+  {
+    const GearMemberOptions &own = design.options.pinion;
+    const Flank              concave(own.concave, own.blank.pitch_angle),
+      convex(own.convex, own.blank.pitch_angle);
+    const bool is_concave = design.pinion_upper == FlankSide::concave;
+    const auto turned     = [&](const double angle) {
+      const double concave_turn = is_concave ? 0. : angle, convex_turn = is_concave ? angle : 0.;
+      return GearMember("pinion", own.blank, concave, convex, concave_turn, convex_turn);
+    };
+    try
+      {
+        return turned(design.thickness_turn);
+      }
+    catch (const InputError &error)
+      {
+        // Throws where no tooth is left without backlash either: then something else is wrong.
+        const double taken =
+          design.backlash_angle * design.options.gear.blank.teeth / own.blank.teeth;
+        turned(design.thickness_turn - taken);
+        std::ostringstream text;
+        text << error.what() << "; a backlash of " << design.options.backlash << " mm takes "
+             << taken * 180. / pi << " deg of it";
+        throw InputError("Gear pair/Mounting/backlash", text.str());
+      }
+  }
+
   GearPair::GearPair(const GearPairOptions &options)
     : design_(derive(options))
     , pinion_frame_(mounted_pinion_frame(options))
     , gear_frame_(gear_frame())
-    , pinion_(make_pinion(
-        design_.options, design_.pinion_upper, design_.thickness_turn, design_.backlash_angle))
+    , pinion_(make_pinion(design_))
     // the two flanks of one cut bound a slot; the tooth below it has the slot's lower flank as its
     // upper one
     , gear_("gear",

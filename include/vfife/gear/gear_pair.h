@@ -165,6 +165,8 @@ namespace vfife
     };
 
     static Design derive(const GearPairOptions &options);
+    /** Its upper flank turned to its place; where the backlash leaves no tooth, says so. */
+    static GearMember make_pinion(const Design &design);
     /** Finds the mean contact of a side and fills in the pinion's ratio of roll if it is not given.
      */
     static MeanContact find_mean_contact(Design &design, MeshSide side);
