@@ -108,10 +108,12 @@ LENGTHS = ("Operation/tooth meshes", "Dynamics/end time", "Dynamics/largest numb
 
 
 def find_differences(runs):
-    """Names of the parameters in which runs differ, apart from folders and output."""
+    """Names of the parameters in which runs differ, apart from folders and output. A run that does not
+    know an entry, as one of an older version, does not differ in it: what makes a section appear is an
+    entry of its own."""
     names = dict.fromkeys(name for run in runs for name in run.parameters)
     return [name for name in names if not name.startswith(NOT_OF_THE_CASE)
-            and len({normalize(run.parameters.get(name)) for run in runs}) > 1]
+            and len({normalize(run.parameters[name]) for run in runs if name in run.parameters}) > 1]
 
 
 def normalize(value):
