@@ -254,12 +254,6 @@ namespace vfife
     return measures;
   }
 
-  double VfifeOperator::compute_strain_energy(const double *positions)
-  {
-    measured_forces_.resize(array_size());
-    return measure_internal_forces(positions, measured_forces_.data()).strain_energy;
-  }
-
   std::vector<double> VfifeOperator::compute_relaxation_masses(const double fraction)
   {
     std::vector<double> records(array_size(), 0.);

@@ -167,10 +167,7 @@ namespace vfife
       {
         log.line(one.name, " begins: ", one.base);
         const CaseReport report = do_case(command_line(one, folder.path()), true, ranks);
-        log.line(one.name,
-                 " ",
-                 word_for(report.outcome),
-                 report.message.empty() ? "" : ": " + report.message);
+        log.line(one.name, " ", report.describe());
         if (report.outcome == Outcome::interrupted)
           throw Interrupted("the comparison is stopped; to go on: the same command");
         if (report.outcome == Outcome::failed)

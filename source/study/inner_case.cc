@@ -92,6 +92,11 @@ namespace vfife
     return "";
   }
 
+  std::string CaseReport::describe() const
+  {
+    return word_for(outcome) + (message.empty() ? "" : ": " + message);
+  }
+
   bool is_finished(const CommandLine &line, const Communicator &communicator)
   {
     // One rank looks: files may appear on the others later.

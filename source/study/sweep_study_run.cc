@@ -209,10 +209,7 @@ namespace vfife
               const std::size_t i = first + groups[rank];
               reports[i]          = {outcomes[rank], messages[rank]};
               stops               = stops || outcomes[rank] == Outcome::interrupted;
-              log.line(folder_of_run(i),
-                       " ",
-                       word_for(outcomes[rank]),
-                       messages[rank].empty() ? "" : ": " + messages[rank]);
+              log.line(folder_of_run(i), " ", reports[i].describe());
             }
         write_results(folder, runs, reports, log);
       }

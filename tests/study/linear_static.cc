@@ -2,6 +2,7 @@
 // Study kind linear static against closed forms: loads, springs, histories, reactions, led
 // displacements, spin; what it refuses; a gear pair's members in their turning axes.
 #include "../tests.h"
+#include "led_ring.h"
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
@@ -16,11 +17,9 @@ namespace
 {
   using Columns = std::map<std::string, std::vector<double>>;
 
-  Columns run_text(const std::string &name, const std::string &text, Communicator &world)
+  Columns run_static(const std::string &name, const std::string &text, Communicator &world)
   {
-    std::ofstream(name + ".prm") << "subsection Study\n set kind = linear static\nend\n" << text;
-    run_pair(name + ".prm", name, world);
-    return read_columns(name + "/history.csv");
+    return run_text(name, "subsection Study\n set kind = linear static\nend\n" + text, world);
   }
 
   constexpr double E = 206000, length = 100, side = 10;
@@ -76,7 +75,7 @@ end
     const double stretch = 1000. * length / (E * side * side);
     const auto   check_pulled =
       [&](const std::string &name, const std::string &text, const double factor) {
-        auto h = run_text("linear_bar", text, world);
+        auto h = run_static("linear_bar", text, world);
         // The solver's tolerance is 1e-10.
         check_close(name + ": displacement over F L/(E A)",
                     h["tip displacement x"].back() / stretch,
@@ -97,9 +96,9 @@ end
                    "subsection Fem\n set linear solver = direct\n set element = quadratic\nend\n",
                  1.);
 
-    auto h = run_text("linear_bar",
-                      bar("set kind = spring\nset stiffness = 5000, 5000, 5000 N/mm", force),
-                      world);
+    auto h = run_static("linear_bar",
+                        bar("set kind = spring\nset stiffness = 5000, 5000, 5000 N/mm", force),
+                        world);
     check_close("spring: displacement over F/k + F L/(E A)",
                 h["tip displacement x"].back() / (1000. / 5000 + stretch),
                 1.,
@@ -113,9 +112,10 @@ end
   void bent(Communicator &world)
   {
     // Plane sections and a linear field of strains: exact with incompatible modes.
-    auto         h   = run_text("linear_bent",
-                      bar("set kind = fixed", "set kind = moment\nset moment = 0, -20000, 0 N mm"),
-                      world);
+    auto h =
+      run_static("linear_bent",
+                 bar("set kind = fixed", "set kind = moment\nset moment = 0, -20000, 0 N mm"),
+                 world);
     const double I   = side * side * side * side / 12;
     const double sag = 20000. * length * length / (2 * E * I);
     check_close("moment: deflection over M L^2/(2 E I)",
@@ -130,22 +130,16 @@ end
     check("a summary is written", std::filesystem::exists("linear_bent/summary.json"));
 
     // About the bar's axis, along z through its centre: both forces of 200 N have an arm of 50 mm.
-    run_text("linear_bent",
-             bar("set kind = fixed", "set kind = force\nset force = 0, 200, 0 N"),
-             world);
-    std::ifstream file("linear_bent/reactions.csv");
-    std::string   header, line, cell;
-    std::getline(file, header);
-    std::getline(file, line);
-    std::istringstream  row(line);
-    std::vector<double> numbers;
-    std::getline(row, cell, ',');
-    std::getline(row, cell, ',');
-    while (std::getline(row, cell, ','))
-      numbers.push_back(std::stod(cell));
-    check_close("reaction y [N]", numbers.at(1), -200., 1e-5);
-    check_below("reaction x [N]", numbers.at(0), 1e-5);
-    check_close("reaction about the axis [N m]", numbers.at(3), -10., 1e-6);
+    run_static("linear_bent",
+               bar("set kind = fixed", "set kind = force\nset force = 0, 200, 0 N"),
+               world);
+    const auto reactions = read_columns("linear_bent/reactions.csv");
+    check_close("reaction y [N]", reactions.at("force y").front(), -200., 1e-5);
+    check_below("reaction x [N]", reactions.at("force x").front(), 1e-5);
+    check_close("reaction about the axis [N m]",
+                reactions.at("torque about the axis").front(),
+                -10.,
+                1e-6);
   }
 
   void spun(Communicator &world)
@@ -177,44 +171,9 @@ end
 
   void led(Communicator &world)
   {
-    auto         ring = run_text("linear_ring",
-                         R"(
-subsection Model
-  set bodies      = ring
-  set constraints = inside, below
-  set probes      = outer
-  subsection Body ring
-    set mesh         = ring
-    set inner radius = 20 mm
-    set outer radius = 40 mm
-    set height       = 2 mm
-    set radial cells = 10
-    set cells around = 60
-    set axial cells  = 1
-  end
-  subsection Constraint inside
-    set kind         = displacement
-    set nodes        = inner
-    set directions   = r, theta
-    set displacement = 0.01, 0, 0 mm
-    set angle        = 0.5 deg
-  end
-  subsection Constraint below
-    set kind       = displacement
-    set nodes      = bottom
-    set where      = x^2 + y^2 > 401
-    set directions = z
-  end
-  subsection Probe outer
-    set point = 40, 0, 0 mm
-    set axes  = r, theta, z
-  end
-end
-subsection Output
-  set verbosity = quiet
-end
-)",
-                         world);
+    auto         ring = run_static("linear_ring",
+                           led_ring() + "subsection Output\n set verbosity = quiet\nend\n",
+                           world);
     const double a = 20, b = 40, nu = 0.29;
     // Lame, plane stress; chords of 6 degrees, ten cells: some 1e-3.
     const double grown =
@@ -252,7 +211,7 @@ end
   {
     try
       {
-        run_text("linear_refused", text, world);
+        run_static("linear_refused", text, world);
         check("refused", false);
       }
     catch (const InputError &error)

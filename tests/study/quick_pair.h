@@ -5,6 +5,7 @@
 #include <vfife/base/command_line.h>
 #include <vfife/base/communicator.h>
 #include <vfife/base/log.h>
+#include <vfife/output/table_reader.h>
 #include <vfife/study/study.h>
 
 #include <fstream>
@@ -76,24 +77,21 @@ run_pair(const std::string &file, const std::string &folder, vfife::Communicator
 /** Columns of a CSV file of numbers by name ("dte"), without the units of the header. */
 inline std::map<std::string, std::vector<double>> read_columns(const std::string &path)
 {
-  std::ifstream            file(path);
-  std::string              text, cell;
-  std::vector<std::string> names;
-  std::getline(file, text);
-  std::istringstream header(text);
-  while (std::getline(header, cell, ','))
-    names.push_back(cell.substr(0, cell.find(" [")));
+  const vfife::Table                         table = vfife::read_result_table(path);
   std::map<std::string, std::vector<double>> columns;
-  while (std::getline(file, text))
-    {
-      std::istringstream row(text);
-      for (const std::string &name : names)
-        {
-          std::getline(row, cell, ',');
-          columns[name].push_back(std::stod(cell));
-        }
-    }
+  for (const vfife::Table::Column &column : table.columns())
+    if (!column.is_text)
+      columns[column.name] = column.numbers;
   return columns;
+}
+
+/** Does the case of a parameter file with this text; its histories. */
+inline std::map<std::string, std::vector<double>>
+run_text(const std::string &name, const std::string &text, vfife::Communicator &communicator)
+{
+  std::ofstream(name + ".prm") << text;
+  run_pair(name + ".prm", name, communicator);
+  return read_columns(name + "/history.csv");
 }
 
 #endif

@@ -2,6 +2,7 @@
 // Supports of general models against closed forms: springs to the ground, and radius and angle that
 // are led.
 #include "../tests.h"
+#include "led_ring.h"
 #include "quick_pair.h"
 
 #include <vfife/base/mpi_session.h>
@@ -13,14 +14,6 @@ using namespace vfife;
 
 namespace
 {
-  std::map<std::string, std::vector<double>>
-  run_text(const std::string &name, const std::string &text, Communicator &communicator)
-  {
-    std::ofstream(name + ".prm") << text;
-    run_pair(name + ".prm", name, communicator);
-    return read_columns(name + "/history.csv");
-  }
-
   /** A bar of 100 x 5 x 5 mm, nu = 0, on springs of 1000 N/mm along each direction. */
   std::string sprung_bar(const std::string &kind, const std::string &rest)
   {
@@ -121,45 +114,7 @@ end
   void led_radius(Communicator &world)
   {
     auto ring = run_text("ring",
-                         R"(
-subsection Study
-  set kind = static
-end
-subsection Model
-  set bodies      = ring
-  set constraints = inside, below
-  set probes      = inner, outer
-  subsection Body ring
-    set mesh         = ring
-    set inner radius = 20 mm
-    set outer radius = 40 mm
-    set height       = 2 mm
-    set radial cells = 10
-    set cells around = 60
-    set axial cells  = 1
-  end
-  subsection Constraint inside
-    set kind         = displacement
-    set nodes        = inner
-    set directions   = r, theta
-    set displacement = 0.01, 0, 0 mm
-    set angle        = 0.5 deg
-  end
-  subsection Constraint below
-    set kind       = displacement
-    set nodes      = bottom
-    set where      = x^2 + y^2 > 401
-    set directions = z
-  end
-  subsection Probe inner
-    set point = 20, 0, 0 mm
-    set axes  = r, theta, z
-  end
-  subsection Probe outer
-    set point = 40, 0, 0 mm
-    set axes  = r, theta, z
-  end
-end
+                         "subsection Study\n set kind = static\nend\n" + led_ring() + R"(
 subsection Dynamics
   subsection Relaxation
     set tolerance = 1e-7

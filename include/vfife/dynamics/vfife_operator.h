@@ -85,9 +85,6 @@ namespace vfife
     /** The same, and what the elements show besides. */
     ElementMeasures measure_internal_forces(const double *positions, double *forces);
 
-    /** Strain energy of all elements of the model [mJ]. Collective. */
-    double compute_strain_energy(const double *positions);
-
     /** The worst element over all ranks. */
     const LimitingElement &limiting_element() const;
 
@@ -158,7 +155,7 @@ namespace vfife
     std::vector<Group>         groups_;
     std::vector<double>        masses_;
     LimitingElement            limiting_element_;
-    std::vector<double>        measured_forces_, element_energies_, element_jacobians_;
+    std::vector<double>        element_energies_, element_jacobians_;
 
     /** Per body and class: constants of the kernel, lumped masses of the element's nodes, largest
      * frequency. */

@@ -27,6 +27,9 @@ namespace vfife
   {
     Outcome     outcome = Outcome::waits;
     std::string message;
+
+    /** "finished", "failed: why". */
+    std::string describe() const;
   };
 
   /**
