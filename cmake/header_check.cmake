@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-# Every header must compile alone. Where source/FOLDER/NAME.cc includes its own header first, and
+# Every header must compile alone. Where source/FOLDER/.../NAME.cc includes its own header first, and
 # without a precompiled header before it, the library's build has shown that; the others are compiled
 # here, each alone and twice (its guard).
 
@@ -8,7 +8,7 @@ file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/inclu
 set(alone "")
 foreach(header ${headers})
   string(REGEX REPLACE "^vfife/(.*)\\.h$" "\\1" name ${header})
-  get_filename_component(folder ${name} DIRECTORY)
+  string(REGEX REPLACE "/.*" "" folder ${name})
   set(source ${PROJECT_SOURCE_DIR}/source/${name}.cc)
   set(first_include "")
   if(EXISTS ${source} AND NOT folder IN_LIST folders_with_meshes)

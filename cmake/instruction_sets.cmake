@@ -11,7 +11,7 @@ set(kernel_flags_avx2 -march=haswell)
 set(kernel_flags_avx512 -march=skylake-avx512 -mprefer-vector-width=512)
 
 foreach(set generic sse2 avx2 avx512)
-  foreach(kernel element/kernels dynamics/update)
+  foreach(kernel element/kernels/kernels dynamics/motion/update)
     set(kernel ${PROJECT_SOURCE_DIR}/source/${kernel}_${set}.cc)
     if(NOT set STREQUAL "generic" AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
       list(REMOVE_ITEM sources ${kernel})

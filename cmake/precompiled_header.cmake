@@ -15,8 +15,8 @@ target_precompile_headers(
 target_compile_options(vfife PRIVATE -fpch-preprocess)
 
 foreach(source ${sources})
-  get_filename_component(folder ${source} DIRECTORY)
-  get_filename_component(folder ${folder} NAME)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/source ${source})
+  string(REGEX REPLACE "/.*" "" folder ${folder})
   if(NOT folder IN_LIST folders_with_meshes)
     set_property(SOURCE ${source} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
   endif()

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/command_line.h>
-#include <vfife/base/failure.h>
-#include <vfife/base/log.h>
-#include <vfife/base/mpi_session.h>
+#include <vfife/base/process/command_line.h>
+#include <vfife/base/process/failure.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/mpi_session.h>
 #include <vfife/study/parameter_reference.h>
 #include <vfife/study/study.h>
 

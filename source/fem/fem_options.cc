@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/quantity.h>
+#include <vfife/base/text/quantity.h>
 #include <vfife/fem/fem_options.h>
 
 namespace vfife

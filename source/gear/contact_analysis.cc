@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/parameters.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/gear/contact_analysis.h>
 #include <vfife/gear/local_contact.h>
 

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/parameter_file.h>
-#include <vfife/base/parameter_table.h>
-#include <vfife/base/parameters.h>
-#include <vfife/base/quantity.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameter_table.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/quantity.h>
 #include <vfife/lumped/lumped_options.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/nearest_name.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body.h>
 

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/expression.h>
-#include <vfife/base/nearest_name.h>
-#include <vfife/base/parameters.h>
+#include <vfife/base/parameters/expression.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/model/node_selection.h>
 
 #include <numeric>

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/log.h>
-#include <vfife/output/output_folder.h>
+#include <vfife/base/process/log.h>
+#include <vfife/output/files/output_folder.h>
 #include <vfife/output/pictures.h>
 
 #include <array>

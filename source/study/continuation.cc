@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/nearest_name.h>
-#include <vfife/output/checkpoint.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/output/files/checkpoint.h>
 #include <vfife/study/continuation.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/command_line.h>
-#include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
-#include <vfife/base/log.h>
-#include <vfife/base/number_text.h>
-#include <vfife/output/run_figures.h>
+#include <vfife/base/process/command_line.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/output/files/run_figures.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/inner_case.h>
 #include <vfife/study/study.h>

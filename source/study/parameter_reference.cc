@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/parameter_file.h>
+#include <vfife/base/parameters/parameter_file.h>
 #include <vfife/study/parameter_reference.h>
 #include <vfife/study/study_kinds.h>
 

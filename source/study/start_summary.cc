@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/communicator.h>
-#include <vfife/base/revision.h>
-#include <vfife/dynamics/explicit_solver.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/revision.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/study/start_summary.h>
 
 namespace vfife

@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/command_line.h>
-#include <vfife/base/communicator.h>
-#include <vfife/base/declared_section.h>
 #include <vfife/base/errors.h>
-#include <vfife/base/log.h>
-#include <vfife/base/parameter_file.h>
-#include <vfife/output/output_folder.h>
+#include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/process/command_line.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/output/files/output_folder.h>
 #include <vfife/study/study.h>
 #include <vfife/study/study_kinds.h>
 

@@ -1,17 +1,17 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/parameter_file.h>
-#include <vfife/study/benchmark_study.h>
-#include <vfife/study/compare_study.h>
-#include <vfife/study/dynamic_run.h>
-#include <vfife/study/linear_static_study.h>
-#include <vfife/study/loaded_contact_study.h>
-#include <vfife/study/lumped_study.h>
-#include <vfife/study/mesh_study.h>
-#include <vfife/study/modal_study.h>
-#include <vfife/study/model_run.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/study/benchmark/benchmark_study.h>
+#include <vfife/study/compare/compare_study.h>
+#include <vfife/study/conventional/linear_static_study.h>
+#include <vfife/study/conventional/loaded_contact_study.h>
+#include <vfife/study/conventional/modal_study.h>
+#include <vfife/study/gear/lumped_study.h>
+#include <vfife/study/gear/mesh_study.h>
+#include <vfife/study/gear/tooth_contact_study.h>
+#include <vfife/study/run/dynamic_run.h>
+#include <vfife/study/run/model_run.h>
 #include <vfife/study/study_kinds.h>
-#include <vfife/study/sweep_study.h>
-#include <vfife/study/tooth_contact_study.h>
+#include <vfife/study/sweep/sweep_study.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -2,9 +2,9 @@
 // Values of all kinds come back from bytes; too few bytes are refused.
 #include "../tests.h"
 
-#include <vfife/base/byte_stream.h>
 #include <vfife/base/errors.h>
-#include <vfife/base/table.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/base/text/table.h>
 
 using namespace vfife;
 

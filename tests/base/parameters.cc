@@ -2,8 +2,8 @@
 // Parameter files: values reach their variables, and each kind of mistake gives its message with
 // the right line.
 
-#include <vfife/base/parameter_file.h>
-#include <vfife/base/parameters.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/types.h>
 
 #include <deal.II/base/parameter_handler.h>

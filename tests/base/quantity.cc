@@ -3,9 +3,9 @@
 // texts of defaults.
 
 #include <vfife/base/errors.h>
-#include <vfife/base/nearest_name.h>
-#include <vfife/base/number_text.h>
-#include <vfife/base/quantity.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/quantity.h>
 #include <vfife/base/types.h>
 
 #include "../tests.h"

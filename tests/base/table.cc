@@ -1,13 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables as CSV and JSON, texts of CSV files, the log, the timers, and the neighbours of facets.
 
-#include <vfife/base/communicator.h>
-#include <vfife/base/csv_text.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/facet_surface.h>
-#include <vfife/base/log.h>
-#include <vfife/base/table.h>
-#include <vfife/base/timers.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/timers.h>
+#include <vfife/base/text/csv_text.h>
+#include <vfife/base/text/table.h>
 
 #include "../tests.h"
 

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/command_line.h>
+#include <vfife/base/process/command_line.h>
 #include <vfife/base/types.h>
 
 #include <iostream>

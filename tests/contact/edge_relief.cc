@@ -4,7 +4,7 @@
 #include "surfaces.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/contact/edge_relief.h>
+#include <vfife/contact/surface/edge_relief.h>
 
 using namespace test_surfaces;
 

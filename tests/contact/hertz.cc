@@ -5,7 +5,7 @@
 #include "../tests.h"
 #include "elastic_block.h"
 
-#include <vfife/contact/hertz.h>
+#include <vfife/contact/law/hertz.h>
 
 #include <Eigen/Dense>
 

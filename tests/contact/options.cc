@@ -3,7 +3,7 @@
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/contact/contact_options.h>
+#include <vfife/contact/law/contact_options.h>
 
 #include <deal.II/base/parameter_handler.h>
 

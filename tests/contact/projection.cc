@@ -3,7 +3,7 @@
 #include "../tests.h"
 #include "surfaces.h"
 
-#include <vfife/contact/local_search.h>
+#include <vfife/contact/search/local_search.h>
 
 using namespace test_surfaces;
 

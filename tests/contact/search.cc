@@ -4,7 +4,7 @@
 #include "../tests.h"
 #include "surfaces.h"
 
-#include <vfife/contact/local_search.h>
+#include <vfife/contact/search/local_search.h>
 
 #include <map>
 

@@ -4,7 +4,7 @@
 
 #include <vfife/base/facet_surface.h>
 #include <vfife/contact/contact.h>
-#include <vfife/contact/facet_quadrature.h>
+#include <vfife/contact/surface/facet_quadrature.h>
 
 #include <algorithm>
 #include <cmath>

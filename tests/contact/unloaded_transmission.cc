@@ -7,7 +7,7 @@
 #include "surfaces.h"
 
 #include <vfife/gear/tooth_contact.h>
-#include <vfife/mesh/gear_body.h>
+#include <vfife/mesh/gear/gear_body.h>
 
 #include <tuple>
 

@@ -5,8 +5,8 @@
 #include "one_solver.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/dynamics/relaxation.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/element/internal_force.h>
 #include <vfife/mesh/body_mesh.h>
 

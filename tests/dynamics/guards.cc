@@ -5,7 +5,7 @@
 #include "one_solver.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/mpi_session.h>
+#include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <limits>

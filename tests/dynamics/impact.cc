@@ -4,7 +4,7 @@
 #include "../tests.h"
 #include "one_solver.h"
 
-#include <vfife/base/mpi_session.h>
+#include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 
 using namespace vfife;

@@ -3,11 +3,11 @@
 // hourglass blocks in single precision; step without the worst elements.
 #include "../tests.h"
 
-#include <vfife/base/communicator.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/dynamics/nodal_update.h>
-#include <vfife/dynamics/vfife_operator.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/dynamics/motion/nodal_update.h>
+#include <vfife/dynamics/operator/vfife_operator.h>
+#include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/model.h>
 
 #include <random>

@@ -2,11 +2,11 @@
 #ifndef vfife_tests_dynamics_one_solver_h
 #define vfife_tests_dynamics_one_solver_h
 
-#include <vfife/base/communicator.h>
-#include <vfife/base/log.h>
-#include <vfife/base/timers.h>
-#include <vfife/dynamics/explicit_solver.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/timers.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 #include <functional>
 #include <iostream>

@@ -5,9 +5,9 @@
 #include "../tests.h"
 #include "one_solver.h"
 
-#include <vfife/base/mpi_session.h>
-#include <vfife/dynamics/standing_pattern.h>
-#include <vfife/mesh/gear_body.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/dynamics/equilibrium/standing_pattern.h>
+#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/node_set_names.h>
 
 using namespace vfife;

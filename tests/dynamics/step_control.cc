@@ -5,9 +5,9 @@
 #include "one_solver.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/dynamics/mass_scaling.h>
-#include <vfife/dynamics/step_bound.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/dynamics/operator/mass_scaling.h>
+#include <vfife/dynamics/operator/step_bound.h>
 #include <vfife/element/stable_step.h>
 #include <vfife/mesh/body_mesh.h>
 

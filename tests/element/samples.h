@@ -2,7 +2,7 @@
 #ifndef vfife_tests_element_samples_h
 #define vfife_tests_element_samples_h
 
-#include <vfife/element/kernels.h>
+#include <vfife/element/kernels/kernels.h>
 #include <vfife/element/reduced_stiffness.h>
 
 #include <random>

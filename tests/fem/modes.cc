@@ -2,12 +2,12 @@
 // Natural vibrations: annular plate with each element, free block, both eigenvalue solvers.
 #include "../tests.h"
 
-#include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/fem/modal_solver.h>
-#include <vfife/fem/mode_description.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/fem/modes/modal_solver.h>
+#include <vfife/fem/modes/mode_description.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 #include <algorithm>
 

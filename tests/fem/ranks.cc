@@ -2,11 +2,11 @@
 // Several ranks give what one rank gives: statics, modes at speed, one sector.
 #include "../tests.h"
 
-#include <vfife/base/communicator.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/fem/rotating_body.h>
-#include <vfife/fem/static_solver.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/fem/modes/rotating_body.h>
+#include <vfife/fem/statics/static_solver.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 using namespace vfife;
 

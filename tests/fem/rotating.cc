@@ -2,11 +2,11 @@
 // Vibrations at speed: membrane limit of a disc, Coriolis splitting of a ring, sector against body.
 #include "../tests.h"
 
-#include <vfife/base/communicator.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/fem/campbell.h>
-#include <vfife/fem/rotating_body.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/fem/modes/campbell.h>
+#include <vfife/fem/modes/rotating_body.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 using namespace vfife;
 

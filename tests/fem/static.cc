@@ -2,12 +2,12 @@
 // Linear statics: patch test, order of convergence, spin and torque against closed forms, messages.
 #include "../tests.h"
 
-#include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/fem/static_solver.h>
-#include <vfife/fem/system_matrices.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/fem/statics/static_solver.h>
+#include <vfife/fem/system/system_matrices.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 #include <deal.II/grid/grid_tools.h>
 

@@ -8,12 +8,12 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/gear/flank_points.h>
-#include <vfife/mesh/gear_body.h>
-#include <vfife/mesh/mesh_export.h>
-#include <vfife/mesh/mesh_import.h>
+#include <vfife/mesh/files/mesh_export.h>
+#include <vfife/mesh/files/mesh_import.h>
+#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 #include <deal.II/grid/grid_out.h>
 

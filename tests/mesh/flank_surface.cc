@@ -6,8 +6,8 @@
 
 #include "paper_members.h"
 
-#include <vfife/mesh/flank_surface.h>
-#include <vfife/mesh/gear_body.h>
+#include <vfife/mesh/gear/flank_surface.h>
+#include <vfife/mesh/gear/gear_body.h>
 
 #include <random>
 

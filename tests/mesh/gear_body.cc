@@ -8,9 +8,9 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/mesh/boundary_surface.h>
-#include <vfife/mesh/conical_web.h>
-#include <vfife/mesh/gear_body.h>
-#include <vfife/mesh/gear_section.h>
+#include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
 

@@ -6,7 +6,7 @@
 #include "paper_members.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/mesh/gear_body.h>
+#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/mesh_quality.h>
 
 #include <sstream>

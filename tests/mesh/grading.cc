@@ -5,8 +5,8 @@
 
 #include "paper_members.h"
 
-#include <vfife/mesh/gear_body.h>
-#include <vfife/mesh/gear_section.h>
+#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
 

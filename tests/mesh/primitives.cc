@@ -6,8 +6,8 @@
 #include <vfife/base/errors.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/mesh_quality.h>
-#include <vfife/mesh/primitive_options.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/mesh/primitives/primitive_options.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 #include <deal.II/base/parameter_handler.h>
 

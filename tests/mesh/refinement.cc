@@ -6,8 +6,8 @@
 
 #include "paper_members.h"
 
-#include <vfife/mesh/gear_body.h>
-#include <vfife/mesh/gear_manifolds.h>
+#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_manifolds.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
 

@@ -6,7 +6,7 @@
 
 #include "paper_members.h"
 
-#include <vfife/mesh/gear_body.h>
+#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/mesh/solid_integrals.h>
 

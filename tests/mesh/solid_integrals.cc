@@ -5,8 +5,8 @@
 
 #include "paper_members.h"
 
-#include <vfife/mesh/conical_web.h>
-#include <vfife/mesh/gear_meridian.h>
+#include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_meridian.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>

@@ -2,19 +2,19 @@
 // Fields and checkpoints of a turning ring and a stretched block, on one rank and on two.
 #include "../tests.h"
 
-#include <vfife/base/byte_stream.h>
-#include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
-#include <vfife/base/log.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
-#include <vfife/output/body_motion.h>
-#include <vfife/output/checkpoint.h>
-#include <vfife/output/field_writer.h>
-#include <vfife/output/node_stresses.h>
-#include <vfife/output/output_folder.h>
+#include <vfife/output/files/checkpoint.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/measures/body_motion.h>
+#include <vfife/output/measures/node_stresses.h>
+#include <vfife/output/observers/field_writer.h>
 #include <vfife/output/pictures.h>
 
 #include <boost/property_tree/ptree.hpp>

@@ -2,14 +2,14 @@
 // rim.csv of a turning ring with waves of known amplitudes, about an axis askew.
 #include "../tests.h"
 
-#include <vfife/base/communicator.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
-#include <vfife/output/output_folder.h>
-#include <vfife/output/rim_writer.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/observers/rim_writer.h>
 
 #include <numeric>
 

@@ -2,20 +2,20 @@
 // The text files of a run: folder, histories, log, summary.
 #include "../tests.h"
 
-#include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
-#include <vfife/base/log.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
-#include <vfife/output/history_writer.h>
-#include <vfife/output/output_folder.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/summary.h>
+#include <vfife/output/observers/history_writer.h>
+#include <vfife/output/observers/probe_writer.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/output/observers/teeth_writer.h>
 #include <vfife/output/output_options.h>
-#include <vfife/output/probe_writer.h>
-#include <vfife/output/progress_line.h>
-#include <vfife/output/summary.h>
-#include <vfife/output/teeth_writer.h>
 
 #include <nlohmann/json.hpp>
 

@@ -3,9 +3,9 @@
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/table.h>
+#include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
-#include <vfife/output/steady_part.h>
+#include <vfife/output/measures/steady_part.h>
 
 #include <functional>
 #include <limits>

@@ -5,11 +5,11 @@
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/output/table_reader.h>
-#include <vfife/study/nearest_mode.h>
-#include <vfife/study/probe_passages.h>
-#include <vfife/study/spectrum_lines.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/output/files/table_reader.h>
+#include <vfife/study/compare/nearest_mode.h>
+#include <vfife/study/compare/probe_passages.h>
+#include <vfife/study/compare/spectrum_lines.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,11 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
-#include <vfife/base/mpi_session.h>
-#include <vfife/base/parameter_file.h>
-#include <vfife/fem/coupled_modes.h>
-#include <vfife/fem/rotating_body.h>
-#include <vfife/study/gear_case.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/fem/modes/rotating_body.h>
+#include <vfife/fem/pair/coupled_modes.h>
+#include <vfife/study/cases/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
 

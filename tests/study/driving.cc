@@ -4,9 +4,9 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
-#include <vfife/base/mpi_session.h>
-#include <vfife/base/parameter_file.h>
-#include <vfife/study/gear_case.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/study/cases/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -4,7 +4,7 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
-#include <vfife/base/mpi_session.h>
+#include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "child_program.h"
 #include "quick_pair.h"
 
-#include <vfife/base/mpi_session.h>
+#include <vfife/base/process/mpi_session.h>
 
 #include <nlohmann/json.hpp>
 

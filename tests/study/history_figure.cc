@@ -3,9 +3,9 @@
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/table.h>
+#include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
-#include <vfife/study/history_figure.h>
+#include <vfife/study/sweep/history_figure.h>
 
 using namespace vfife;
 

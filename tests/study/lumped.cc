@@ -4,7 +4,7 @@
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/mpi_session.h>
+#include <vfife/base/process/mpi_session.h>
 
 #include <nlohmann/json.hpp>
 

@@ -3,11 +3,11 @@
 // meant.
 #include "../tests.h"
 
-#include <vfife/base/command_line.h>
-#include <vfife/base/communicator.h>
 #include <vfife/base/errors.h>
-#include <vfife/base/log.h>
-#include <vfife/base/mpi_session.h>
+#include <vfife/base/process/command_line.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/mpi_session.h>
 #include <vfife/study/study.h>
 
 #include <fstream>

@@ -2,10 +2,10 @@
 #ifndef vfife_tests_study_quick_pair_h
 #define vfife_tests_study_quick_pair_h
 
-#include <vfife/base/command_line.h>
-#include <vfife/base/communicator.h>
-#include <vfife/base/log.h>
-#include <vfife/output/table_reader.h>
+#include <vfife/base/process/command_line.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/output/files/table_reader.h>
 #include <vfife/study/study.h>
 
 #include <fstream>

@@ -3,13 +3,13 @@
 // conventional finite elements on the same mesh, which is read from a file. On one rank and on two.
 #include "../tests.h"
 
-#include <vfife/base/log.h>
-#include <vfife/base/mpi_session.h>
-#include <vfife/base/timers.h>
-#include <vfife/dynamics/explicit_solver.h>
-#include <vfife/dynamics/relaxation.h>
-#include <vfife/fem/static_solver.h>
-#include <vfife/mesh/mesh_import.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/base/process/timers.h>
+#include <vfife/dynamics/equilibrium/relaxation.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/fem/statics/static_solver.h>
+#include <vfife/mesh/files/mesh_import.h>
 
 using namespace vfife;
 

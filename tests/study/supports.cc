@@ -5,7 +5,7 @@
 #include "led_ring.h"
 #include "quick_pair.h"
 
-#include <vfife/base/mpi_session.h>
+#include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "../tests.h"
 #include "child_program.h"
 
-#include <vfife/base/table.h>
-#include <vfife/output/table_reader.h>
+#include <vfife/base/text/table.h>
+#include <vfife/output/files/table_reader.h>
 
 #include <filesystem>
 

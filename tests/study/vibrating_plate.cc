@@ -4,9 +4,9 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
-#include <vfife/base/mpi_session.h>
-#include <vfife/fem/modal_solver.h>
-#include <vfife/mesh/primitives.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/fem/modes/modal_solver.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 #include <complex>
 

@@ -2,10 +2,10 @@
 #ifndef vfife_contact_contact_h
 #define vfife_contact_contact_h
 
-#include <vfife/contact/broad_search.h>
-#include <vfife/contact/contact_options.h>
 #include <vfife/contact/contact_pass.h>
 #include <vfife/contact/contact_results.h>
+#include <vfife/contact/law/contact_options.h>
+#include <vfife/contact/search/broad_search.h>
 
 #include <utility>
 #include <vector>

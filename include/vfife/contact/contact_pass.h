@@ -2,13 +2,13 @@
 #ifndef vfife_contact_contact_pass_h
 #define vfife_contact_contact_pass_h
 
-#include <vfife/contact/broad_search.h>
-#include <vfife/contact/contact_law.h>
 #include <vfife/contact/contact_results.h>
-#include <vfife/contact/contact_spring.h>
 #include <vfife/contact/contact_times.h>
-#include <vfife/contact/group_path.h>
-#include <vfife/contact/local_search.h>
+#include <vfife/contact/law/contact_law.h>
+#include <vfife/contact/law/contact_spring.h>
+#include <vfife/contact/search/broad_search.h>
+#include <vfife/contact/search/group_path.h>
+#include <vfife/contact/search/local_search.h>
 
 #include <array>
 #include <utility>

@@ -2,7 +2,7 @@
 #ifndef vfife_element_frame_h
 #define vfife_element_frame_h
 
-#include <vfife/base/parameters.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/element/frame_kind.h>
 #include <vfife/element/hexahedron.h>
 

@@ -2,7 +2,7 @@
 #ifndef vfife_element_reduced_stiffness_h
 #define vfife_element_reduced_stiffness_h
 
-#include <vfife/element/kernels.h>
+#include <vfife/element/kernels/kernels.h>
 #include <vfife/element/stiffness.h>
 
 namespace vfife

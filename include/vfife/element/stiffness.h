@@ -2,7 +2,7 @@
 #ifndef vfife_element_stiffness_h
 #define vfife_element_stiffness_h
 
-#include <vfife/base/parameters.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/element/hexahedron.h>
 #include <vfife/element/material.h>
 

@@ -2,7 +2,7 @@
 #ifndef vfife_fem_fem_options_h
 #define vfife_fem_fem_options_h
 
-#include <vfife/fem/fem_element.h>
+#include <vfife/fem/system/fem_element.h>
 
 #include <string>
 #include <vector>

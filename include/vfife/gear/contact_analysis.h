@@ -2,7 +2,7 @@
 #ifndef vfife_gear_contact_analysis_h
 #define vfife_gear_contact_analysis_h
 
-#include <vfife/base/table.h>
+#include <vfife/base/text/table.h>
 #include <vfife/gear/edge_contact.h>
 
 #include <array>

@@ -2,7 +2,7 @@
 #ifndef vfife_gear_flank_points_h
 #define vfife_gear_flank_points_h
 
-#include <vfife/base/table.h>
+#include <vfife/base/text/table.h>
 #include <vfife/gear/gear_member.h>
 
 namespace vfife

@@ -2,7 +2,7 @@
 #ifndef vfife_gear_tooth_form_h
 #define vfife_gear_tooth_form_h
 
-#include <vfife/base/table.h>
+#include <vfife/base/text/table.h>
 #include <vfife/gear/findings.h>
 #include <vfife/gear/gear_pair.h>
 

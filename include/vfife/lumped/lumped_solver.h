@@ -2,7 +2,7 @@
 #ifndef vfife_lumped_lumped_solver_h
 #define vfife_lumped_lumped_solver_h
 
-#include <vfife/base/table.h>
+#include <vfife/base/text/table.h>
 #include <vfife/lumped/lumped_model.h>
 
 #include <functional>

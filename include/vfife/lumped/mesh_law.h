@@ -2,7 +2,7 @@
 #ifndef vfife_lumped_mesh_law_h
 #define vfife_lumped_mesh_law_h
 
-#include <vfife/base/table.h>
+#include <vfife/base/text/table.h>
 #include <vfife/lumped/fourier_series.h>
 
 #include <string>

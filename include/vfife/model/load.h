@@ -2,7 +2,7 @@
 #ifndef vfife_model_load_h
 #define vfife_model_load_h
 
-#include <vfife/base/parameter_history.h>
+#include <vfife/base/parameters/parameter_history.h>
 #include <vfife/base/types.h>
 
 #include <string>

@@ -2,8 +2,8 @@
 #ifndef vfife_model_model_h
 #define vfife_model_model_h
 
-#include <vfife/base/parameter_history.h>
-#include <vfife/contact/contact_options.h>
+#include <vfife/base/parameters/parameter_history.h>
+#include <vfife/contact/law/contact_options.h>
 #include <vfife/model/body.h>
 #include <vfife/model/load.h>
 #include <vfife/model/transmission.h>

@@ -2,7 +2,7 @@
 #ifndef vfife_output_output_options_h
 #define vfife_output_output_options_h
 
-#include <vfife/base/log.h>
+#include <vfife/base/process/log.h>
 
 #include <cstdint>
 #include <string>

@@ -2,7 +2,7 @@
 #ifndef vfife_study_start_summary_h
 #define vfife_study_start_summary_h
 
-#include <vfife/output/summary.h>
+#include <vfife/output/files/summary.h>
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #ifndef vfife_study_study_kinds_h
 #define vfife_study_study_kinds_h
 
-#include <vfife/base/parameters.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/study/study_kind.h>
 
 #include <memory>

@@ -1,0 +1,57 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_base_parameters_declared_section_h
+#define vfife_base_parameters_declared_section_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /** A name and a tree below it: what a ParameterHandler has been told to expect, in the order of
+   * declaration. */
+  struct DeclaredSection
+  {
+    /** A declared entry and its present text. */
+    struct Entry
+    {
+      std::string name;
+      std::string value;
+      std::string default_value;
+      std::string description;
+      std::string pattern; ///< words for what is allowed
+    };
+
+    std::string                  name;
+    std::vector<Entry>           entries;
+    std::vector<DeclaredSection> sections;
+
+    const Entry *find_entry(const std::string &entry) const;
+
+    const DeclaredSection *find_section(const std::string &section) const;
+
+    std::vector<std::string> entry_names() const;
+
+    std::vector<std::string> section_names() const;
+
+    /** Path ("A/B/name") and present text of all entries at or below this section; @p path leads
+     * here. */
+    std::vector<std::pair<std::string, std::string>>
+    list_values(const std::string &path = "") const;
+
+    /** Paths ("A/B") of all sections at or below this one that have an entry of that name; @p path
+     * leads here. */
+    std::vector<std::string> sections_with_entry(const std::string &entry,
+                                                 const std::string &path = "") const;
+  };
+
+  /** Everything declared in @p prm, from its top level on. */
+  DeclaredSection find_declared(const dealii::ParameterHandler &prm);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,78 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_base_parameters_parameter_file_h
+#define vfife_base_parameters_parameter_file_h
+
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_statement.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /**
+   * A parameter file with the settings of the command line, which win over it. It can be read
+   * several times, into handlers that declare more each time: first the names of bodies, loads and
+   * so on, then their subsections. Every InputError thrown has the one full message for the user as
+   * its what(): place, entry, reason.
+   */
+  class ParameterFile
+  {
+  public:
+    /**
+     * Reads the file @p path and the settings @p overrides ("Section/Sub/name=value").
+     * @throws InputError for wrong syntax, see read_statements().
+     */
+    explicit ParameterFile(const std::string &path, const std::vector<std::string> &overrides = {});
+
+    /** Sets what @p prm (at its top level) declares; entries and sections that it does not declare
+     * are ignored. */
+    void read_known(dealii::ParameterHandler &prm) const;
+
+    /** Sets all entries; one that @p prm (at its top level) does not declare is an error. */
+    void read(dealii::ParameterHandler &prm) const;
+
+    /** Whether an entry or a section ("Gear pair", "Gear pair/Gear/Blank") stands in the file or
+     * the overrides. */
+    bool contains(const std::string &entry_or_section) const;
+
+    /** Where an entry in force or a section comes from: "file.prm:12", `--set "..."`, or "" if it
+     * is set nowhere. */
+    std::string locate(const std::string &entry_path) const;
+
+    /**
+     * The message with its place: "file.prm:31 (Gear pair/Gear/Blank/Face angle): ..." if
+     * error.entry() is known; the message alone if it is empty. An entry may be given by the end of
+     * its path if that is unambiguous.
+     * InputErrors: one line for each.
+     */
+    std::string explain(const InputError &error) const;
+
+    /** The name of the file as given. */
+    const std::string &path() const
+    {
+      return path_;
+    }
+
+  private:
+    void apply(const ParameterStatement &statement, dealii::ParameterHandler &prm) const;
+    const ParameterStatement *find(const std::string &entry_path) const;
+
+    std::string                     path_;
+    std::vector<ParameterStatement> statements_;
+  };
+
+  /**
+   * Writes all parameters in force with their descriptions as a parameter file that can be read
+   * back.
+   */
+  void print_parameters(std::ostream &out, const dealii::ParameterHandler &prm);
+} // namespace vfife
+
+#endif

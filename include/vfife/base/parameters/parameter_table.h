@@ -1,0 +1,24 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_base_parameters_parameter_table_h
+#define vfife_base_parameters_parameter_table_h
+
+#include <vfife/base/text/table.h>
+
+#include <string>
+
+namespace vfife
+{
+  /**
+   * Reads a table of numbers that a user names in a parameter file: a header line "name [unit],..."
+   * and rows separated by commas, as Table::write_csv() writes them. Columns without a unit in the
+   * header get "-".
+   * @throws InputError where the file cannot be read or a cell is no number, naming file and line.
+   */
+  Table read_parameter_table(const std::string &path);
+
+  /** The numbers of a column; throws InputError, naming file and column, where there is none. */
+  const std::vector<double> &
+  find_column(const Table &table, const std::string &path, const std::string &name);
+} // namespace vfife
+
+#endif

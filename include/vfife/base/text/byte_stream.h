@@ -1,0 +1,109 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_base_text_byte_stream_h
+#define vfife_base_text_byte_stream_h
+
+#include <vfife/base/types.h>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * Values as bytes, in one order for both directions: the same function of a class that passes its
+   * members collects them in a new stream, and sets them from a stream of collected bytes. Bytes
+   * are those of this kind of machine.
+   */
+  class ByteStream
+  {
+  public:
+    /** Collects. */
+    ByteStream() = default;
+
+    /** Gives back what was collected as bytes(). */
+    explicit ByteStream(std::string bytes);
+
+    /** Whether pass() sets the values. */
+    bool reads() const
+    {
+      return reads_;
+    }
+
+    /** What has been collected, or is given back. */
+    const std::string &bytes() const
+    {
+      return bytes_;
+    }
+
+    /** Collects or sets all @p values in turn. Throws InputError when there are not enough bytes.
+     */
+    template <typename First, typename Second, typename... More>
+    void pass(First &first, Second &second, More &...more)
+    {
+      pass(first);
+      pass(second, more...);
+    }
+
+    template <typename Value>
+    std::enable_if_t<std::is_trivially_copyable<Value>::value> pass(Value &value)
+    {
+      pass_bytes(&value, sizeof(Value));
+    }
+
+    void pass(Vector3 &value)
+    {
+      pass_bytes(value.data(), 3 * sizeof(double));
+    }
+
+    void pass(RigidMotion &value)
+    {
+      pass_bytes(value.rotation.data(), 9 * sizeof(double));
+      pass(value.translation);
+    }
+
+    template <typename First, typename Second>
+    void pass(std::pair<First, Second> &value)
+    {
+      pass(value.first, value.second);
+    }
+
+    void pass(std::string &value);
+
+    template <typename Value>
+    void pass(std::vector<Value> &values)
+    {
+      value_size(values, std::is_trivially_copyable<Value>::value ? sizeof(Value) : 1);
+      if constexpr (std::is_trivially_copyable<Value>::value)
+        pass_bytes(values.data(), values.size() * sizeof(Value));
+      else
+        for (Value &value : values)
+          pass(value);
+    }
+
+  private:
+    /** Passes the number of values, each of @p least bytes or more, and makes room for them. */
+    template <typename Values>
+    void value_size(Values &values, const std::size_t least)
+    {
+      std::size_t n = values.size();
+      pass_bytes(&n, sizeof(n));
+      if (reads_)
+        {
+          check_room(n, least);
+          values.resize(n);
+        }
+    }
+
+    void pass_bytes(void *value, std::size_t n);
+    void check_room(std::size_t n, std::size_t least) const;
+
+    bool        reads_ = false;
+    std::string bytes_;
+    std::size_t next_ = 0; ///< when reading
+  };
+} // namespace vfife
+
+#endif

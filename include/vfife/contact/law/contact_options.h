@@ -1,0 +1,70 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_contact_law_contact_options_h
+#define vfife_contact_law_contact_options_h
+
+#include <vfife/base/parameters/parameters.h>
+
+#include <string>
+
+namespace vfife
+{
+  /** Where the contact pressure is sampled. */
+  enum class ContactDiscretization
+  {
+    surface_points, ///< Gauss points of the slave's facets against the master's facets
+    two_pass,       ///< the mean of surface_points and of the same with slave and master swapped
+    nodes           ///< the corners of the slave's facets (node to surface), for comparison
+  };
+
+  /** What the facets stand for. */
+  enum class ContactSurfaceKind
+  {
+    true_flank, ///< offsets to the true surface and its normals, carried along by the deformation
+    smooth_patches, ///< offsets to quadratic patches with the nodal normals (smooth_patch.h)
+    flat_facets     ///< the bilinear facets themselves with averaged facet normals
+  };
+
+  const Choices<ContactDiscretization> &contact_discretizations();
+  const Choices<ContactSurfaceKind>    &contact_surface_kinds();
+
+  /** Options of the contact between two surfaces (section "Contact"). */
+  struct ContactOptions
+  {
+    ContactDiscretization discretization   = ContactDiscretization::surface_points;
+    ContactSurfaceKind    surface          = ContactSurfaceKind::true_flank;
+    unsigned int          points_per_facet = 3; ///< Gauss points per direction
+
+    bool   penalty_from_step = true; ///< penalty = penalty_fraction * min(m/A) / dt^2
+    double penalty_fraction  = 0.5;  ///< [-]
+    double penalty           = 1e6;  ///< [N/mm^3], used when not taken from the step
+
+    double damping_ratio           = 0.; ///< of the critical gap-rate damping of a surface node [-]
+    double friction_coefficient    = 0.; ///< [-]
+    double regularization_velocity = 100.; ///< of the friction [mm/s]
+
+    double edge_fading = 0.15; ///< part of a master border facet over which the pressure fades [-]
+    double edge_relief_width = 0.; ///< of both flanks along free edges [mm]; 0: no relief
+    double edge_relief_depth = 0.; ///< at the edge itself [mm]
+    double search_skin       = 0.; ///< [mm]; 0: a fifth of the master's mean facet size
+    double depth_limit       = 0.; ///< deepest penetration taken for contact [mm]; 0: half a facet
+    double penetration_limit =
+      0.2; ///< penetration over the depth limit at which a run is given up [-]; 1: never
+
+    /** Declares the entries in the subsection entered (the caller enters "Contact"). */
+    void declare(dealii::ParameterHandler &prm);
+
+    /** Throws InputError when the options contradict each other (entries named relative to @p
+     * section). */
+    void check(const std::string &section) const;
+
+    /**
+     * Penalty [N/mm^3] that keeps the central differences stable: penalty_fraction * mass_per_area
+     * / dt^2 with the least nodal mass per tributary area [t/mm^2] of both surfaces, or the given
+     * penalty. With a fraction f the contact adds at most 2 f/dt^2 to the square of the highest
+     * circular frequency (two nodes press on each other), of 4/dt^2 allowed.
+     */
+    double penalty_for(double mass_per_area, double dt) const;
+  };
+} // namespace vfife
+
+#endif

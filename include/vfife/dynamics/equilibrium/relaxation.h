@@ -1,0 +1,111 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_equilibrium_relaxation_h
+#define vfife_dynamics_equilibrium_relaxation_h
+
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/nodal_loads.h>
+#include <vfife/dynamics/loads/rigid_walls.h>
+#include <vfife/dynamics/loads/torque_loads.h>
+#include <vfife/dynamics/motion/constraint_motion.h>
+#include <vfife/dynamics/operator/vfife_operator.h>
+
+namespace vfife
+{
+  class Log;
+  class StandingPattern;
+
+  /** How a relaxation went. */
+  struct RelaxationReport
+  {
+    unsigned int steps    = 0;
+    double       residual = 0; ///< norm of unbalanced forces over norm of applied ones
+  };
+
+  /**
+   * Static equilibrium of a model by the traditional VFIFE, i.e. explicit steps with virtual
+   * damping, M a + c M v = F   (Eq. (1) of the paper), in the frames that turn with the bodies:
+   * prescribed rotations stand still and the centrifugal force m omega^2 r, r in the deformed
+   * state, is applied. The masses M are fictitious, scaled element by element to one common stable
+   * step, and the damping follows the lowest frequency that the motion itself shows (Rayleigh
+   * quotient of the last step; Underwood 1983). Or, with a given virtual damping, masses and step
+   * are the true ones and the damping is constant. It stops on the residual, not on a time.
+   */
+  class Relaxation
+  {
+  public:
+    Relaxation(const Model             &model,
+               const RelaxationOptions &options,
+               VfifeOperator           &vfife,
+               ContactSystem           &contact,
+               RigidWalls              &walls,
+               const Communicator      &communicator,
+               Log                     &log);
+
+    /** What acts beside internal forces. */
+    struct Loads
+    {
+      bool                   centrifugal   = true;
+      double                 torque        = 1; ///< part of the full torque
+      bool                   contact       = true;
+      bool                   hold_rotation = false;   ///< free rotations are held
+      const StandingPattern *pattern       = nullptr; ///< forces of inertia to add
+      double looseness = 1; ///< factor of the tolerance, for states that are passed through
+      /** Part of Model::loads and prescribed displacements; none: their histories at time zero. */
+      std::optional<double> part;
+    };
+
+    /**
+     * Moves the positions of @p state into equilibrium; velocities are left alone. Throws
+     * NumericalError when the residual does not fall below the tolerance, with its history.
+     */
+    RelaxationReport solve(State &state, const Loads &loads);
+
+    /**
+     * What constraints leave of the forces at all local nodes (4 doubles each) [N] in the frames
+     * that turn with the bodies: internal and applied ones and, where @p loads asks for it, those
+     * of the contact, which is searched before. Collective.
+     */
+    void compute_forces(State &state, const Loads &loads, std::vector<double> &forces);
+
+    /** Norm of these @p forces over the norm of the applied ones, but what is round-off stays below
+     * the tolerance. Collective. */
+    double
+    compute_residual(const State &state, const Loads &loads, const std::vector<double> &forces);
+
+    /** Puts the constrained nodes where they belong, free rotations on their circles. Collective.
+     */
+    void constrain(State &state) const;
+
+    const RelaxationOptions &options() const
+    {
+      return options_;
+    }
+
+  private:
+    void                add_contact(State &state, bool search, std::vector<double> &forces);
+    std::vector<double> compute_masses(const Loads &loads, double dt);
+    void   add_applied(const State &state, const Loads &loads, std::vector<double> &forces);
+    void   place(State &state, ConstraintMotion &constraints) const;
+    double compute_round_off(const State &state, const std::vector<double> &masses) const;
+    double norm(const std::vector<double> &forces, const Partition &partition) const;
+    void   move(State                     &state,
+                const std::vector<double> &masses,
+                double                     damping,
+                ConstraintMotion          &constraints,
+                std::vector<double>       &velocity);
+
+    const Model             &model_;
+    const RelaxationOptions &options_;
+    VfifeOperator           &operator_;
+    ContactSystem           &contact_;
+    RigidWalls              &walls_;
+    const Communicator      &communicator_;
+    Log                     &log_;
+    TorqueLoads              torques_;
+    NodalLoads               loads_;
+    std::vector<double>      forces_, no_velocity_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,71 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_loads_contact_of_pair_h
+#define vfife_dynamics_loads_contact_of_pair_h
+
+#include <vfife/contact/contact.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  /** One surface of a contact pair in the explicit loop: its nodes' place in the arrays of this
+   * rank, and their motion and forces by surface node. */
+  struct ContactSide
+  {
+    ContactSide(unsigned int       body_index,
+                const Body        &body,
+                const std::string &surface_name,
+                const Partition   &partition);
+
+    /** Brings the active nodes' motion from the arrays of this rank (4 doubles a local node), zero
+     * where another rank owns the node, and clears their forces. */
+    void collect_motion(const Partition &partition,
+                        const double    *local_positions,
+                        const double    *local_velocities,
+                        bool             with_velocities);
+
+    /** Adds the active nodes' forces to those of this rank (4 doubles a local node, all copies). */
+    void distribute_forces(double *local_forces) const;
+
+    /** Largest distance of a surface node that this rank owns from where the rigid @p motion of the
+     * body would put it; @p positions: 4 doubles a local node [mm]. */
+    double largest_deformation(const Partition   &partition,
+                               const RigidMotion &motion,
+                               const double      *positions) const;
+
+    unsigned int                     body;
+    const FacetSurface              *surface;
+    std::vector<std::uint32_t>       local; ///< local node of each surface node, or absent
+    std::vector<double>              mass;  ///< [t]
+    std::vector<double>              positions, velocities, forces;
+    const std::vector<unsigned int> *active = nullptr; ///< surface nodes, of the contact
+  };
+
+  /** A contact pair of the model with its contact. */
+  struct ContactOfPair
+  {
+    ContactOfPair(const ContactPair &pair, const Model &model, const Partition &partition);
+
+    /** Penetration at which a run is given up [mm]. */
+    double penetration_limit() const
+    {
+      return definition.options.penetration_limit * contact.depth_limit();
+    }
+
+    std::array<ContactSide *, 2> sides()
+    {
+      return {{&slave, &master}};
+    }
+
+    const ContactPair &definition;
+    ContactSide        slave, master;
+    Contact            contact;
+    double             mass_per_area;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,114 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_loads_contact_system_h
+#define vfife_dynamics_loads_contact_system_h
+
+#include <vfife/dynamics/motion/nodal_update.h>
+#include <vfife/model/state.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  class ByteStream;
+  class Communicator;
+  struct ContactOfPair;
+  struct ContactTimes;
+  struct Model;
+
+  /**
+   * All contact pairs of a model in the explicit loop: brings the surface nodes that may touch
+   * together on every rank, lets each rank treat its share of the points, and returns the forces to
+   * all copies of the nodes.
+   */
+  class ContactSystem
+  {
+  public:
+    ContactSystem(const Model &model, const Partition &partition, const Communicator &communicator);
+    ~ContactSystem();
+
+    bool empty() const;
+
+    /**
+     * Largest stable step [s] when elements alone allow @p element_step (safety included): the
+     * contact springs' share of the largest frequency is added.
+     */
+    double vote_on_step(double element_step) const;
+
+    /** Sets the penalties for a step of @p dt [s] (fixed ones, or those that follow from the step).
+     */
+    void set_penalties(double dt);
+
+    /** Penalty of each pair [N/mm^3]. */
+    std::vector<double> penalties() const;
+
+    /**
+     * Broad search: which surface groups (teeth) can touch during the next @p duration [s], from
+     * the bodies' mean motion, its rates, and the deformation in @p positions. Collective.
+     */
+    void search(const std::vector<RigidMotion>   &body_motion,
+                const std::vector<RigidVelocity> &rates,
+                const double                     *positions,
+                double                            duration);
+
+    /**
+     * Adds contact forces to @p forces (4 doubles a local node, all copies). @p dt is the step of
+     * the explicit integration. Collective.
+     */
+    void add_forces(const std::vector<RigidMotion> &body_motion,
+                    const double                   *positions,
+                    const double                   *velocities,
+                    double                          dt,
+                    double                         *forces);
+
+    /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. */
+    double energy() const;
+    /** Power lost in contact damping and friction at the last add_forces() [mW = mJ/s]; all ranks.
+     */
+    double lost_power() const;
+    /** Largest penetration at the last add_forces() on this rank [mm]. */
+    double largest_local_penetration() const;
+
+    /** Whether a penetration at the last add_forces() is beyond its pair's penetration limit; all
+     * ranks. */
+    bool is_too_deep() const;
+
+    /** In words: the deepest point of the last add_forces() over its pair's limit, with teeth,
+     * facets, depth and limit. Collective. */
+    std::string describe_deepest_point() const;
+
+    /** Pairs of surface groups that press on each other, summed over ranks. Collective. */
+    std::vector<ToothContact> collect_results() const;
+
+    /** For checkpoints: what this rank knows of the pairs that may touch. */
+    void exchange(ByteStream &stream);
+
+    /** Adds the stabilizing mass that penalty springs need in a relaxation with pseudo time step 1.
+     */
+    void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
+
+    /** From now on adds the processor time of the parts of search() and add_forces() to @p times,
+     * which must outlive the object; nullptr ends it. */
+    void measure_times(ContactTimes *times);
+
+    /** Points kept for possible contact on this rank. */
+    std::size_t n_listed_points() const;
+
+  private:
+    const Model                                &model_;
+    const Partition                            &partition_;
+    const Communicator                         &communicator_;
+    std::vector<std::unique_ptr<ContactOfPair>> pairs_;
+    bool                needs_velocities_ = false; ///< a pair has damping or friction
+    std::vector<double> buffer_;
+    double              largest_penetration_ = 0;
+    /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
+     * that is too deep. */
+    std::array<double, 3> sums_  = {{0., 0., 0.}};
+    ContactTimes         *times_ = nullptr;
+  };
+} // namespace vfife
+
+#endif

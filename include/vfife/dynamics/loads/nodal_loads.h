@@ -1,0 +1,80 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_loads_nodal_loads_h
+#define vfife_dynamics_loads_nodal_loads_h
+
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+  class VfifeOperator;
+
+  /** The forces of Model::loads on the nodes of this rank. */
+  class NodalLoads
+  {
+  public:
+    /** Throws InputError for a load that its nodes cannot carry (no face, all on a line). */
+    NodalLoads(const Model &model, VfifeOperator &vfife, const Communicator &communicator);
+
+    /** Largest stable step [s] where elements and contact allow @p step: springs have their share
+     * of the largest frequency, 4/dt^2 >= 4/step^2 + k/m. */
+    double vote_on_step(double step) const;
+
+    /** Adds the masses that springs need in a relaxation with pseudo time step 1. */
+    void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
+
+    /** Adds the forces at @p time to @p forces (4 a local node, all copies); remembers them for
+     * half_power(), all but those of springs. Collective. */
+    void add_forces(double time, const double *positions, double *forces);
+
+    /** The same with @p part of the values, whatever their histories. Collective. */
+    void add_part(double part, const double *positions, double *forces);
+
+    /** Energy that springs to the ground store, k_i (x_i - X_i)^2/2 over all directions [mJ].
+     * Collective. */
+    double compute_spring_energy(const double *positions) const;
+
+    /** Half of the power of the remembered forces with these velocities on this rank [mJ/s]. */
+    double half_power(const double *velocities) const;
+
+  private:
+    struct Node
+    {
+      std::uint32_t local;
+      bool          owned;
+      double        weight; ///< area, share of one, or mass
+      Vector3       start;  ///< fixed frame, undeformed
+    };
+    struct Face
+    {
+      std::uint32_t local[4]; ///< in turn, seen from outside counter-clockwise
+    };
+    struct Group
+    {
+      const Load       *load;
+      std::vector<Node> nodes;
+      std::vector<Face> faces; ///< of elements on this rank
+    };
+
+    void add_faces(const Load &load, Group &group) const;
+    void add(const Group &group, double factor, const double *positions);
+    void add_moment(const Group &group, const Vector3 &moment, const double *positions);
+    void add_pressure(const Group &group, double pressure, const double *positions);
+    void add_springs(const double *positions, double *forces) const;
+    void finish(const double *positions, double *forces);
+
+    const Model        &model_;
+    VfifeOperator      &operator_;
+    const Communicator &communicator_;
+    std::vector<Group>  groups_;
+    std::vector<double> forces_; ///< of all loads but springs; empty without loads
+    std::vector<double> face_forces_;
+    bool                has_pressure_       = false;
+    double              largest_frequency2_ = 0; ///< k/m of springs [1/s^2]
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,160 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_motion_constraint_motion_h
+#define vfife_dynamics_motion_constraint_motion_h
+
+#include <vfife/dynamics/motion/led_place.h>
+#include <vfife/dynamics/motion/nodal_update.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+
+#include <vector>
+
+namespace vfife
+{
+  class ByteStream;
+  class Communicator;
+
+  /** Frame in which a solver moves the nodes. */
+  enum class MotionFrame
+  {
+    fixed,   ///< prescribed rotations turn
+    rotating ///< relaxation: they stand still
+  };
+
+  /**
+   * The nodes that constraints hold or lead. After update_nodes() has moved all nodes, apply() puts
+   * these where they belong: prescribed rotations by position, X -> p + R(rate t)(X - p), so that
+   * nothing drifts; free rotations on their circles with one angle a node, or one angle for all
+   * (rigid hub); nodes led in some directions where these and their free motion put them.
+   */
+  class ConstraintMotion
+  {
+  public:
+    ConstraintMotion(const Model        &model,
+                     const Partition    &partition,
+                     const Communicator &communicator);
+
+    /** The masses that tangential motion accelerates (lumped ones, or those of a relaxation), by
+     * local node. */
+    void set_masses(const std::vector<double> &masses);
+
+    /** Sets mass and inverse mass of the constrained nodes in the records of @p state to zero. */
+    void clear_masses(State &state) const;
+
+    /** Takes over angles and angular velocities of free rotations from positions and velocities of
+     * the state; nodes of a rigid hub share their mean. Collective. */
+    void read(const State &state, MotionFrame frame);
+
+    /** Turns the mean rigid motion of bodies with a free rotation, in the rotating frame, to the
+     * mean angle of the nodes that turn freely. Collective. */
+    void turn_bodies(const Model &model, State &state) const;
+
+    /** For checkpoints: angles and angular velocities of free rotations by node of the model, for
+     * any number of ranks. Collective. */
+    void exchange(ByteStream &stream, const Partition &partition);
+
+    /** In the rotating frame: what part of the prescribed displacements and angles is taken,
+     * instead of their histories at time zero. */
+    void set_part(double part);
+
+    /** Remembers the old positions and velocities, before update_nodes(). */
+    void save(const double *positions, const double *velocities);
+
+    /** Power and moments of the constrained nodes of one body in one step; drive_power is done on
+     * the body. */
+    struct Sums
+    {
+      UpdateSums update;
+      double     drive_power  = 0; ///< [mJ/s]
+      double     drive_torque = 0; ///< about the axis [N mm]
+    };
+
+    /**
+     * Moves the constrained nodes from the saved state at @p time to time + dt. @p damping: one
+     * entry a body. Adds to @p sums (one a body). Collective where there is a rigid hub.
+     */
+    void apply(double                          time,
+               double                          dt,
+               MotionFrame                     frame,
+               const std::vector<BodyDamping> &damping,
+               const double                   *forces,
+               double                         *positions,
+               double                         *velocities,
+               std::vector<Sums>              &sums);
+
+    /** Adds momentum and inertia of the constrained nodes in the present state to @p sums (one a
+     * body). */
+    void add_moments(const State &state, std::vector<UpdateSums> &sums) const;
+
+    /** Leaves of the forces at constrained nodes the tangential part where the node may turn (@p
+     * rotation_is_free), of a rigid hub its share of the hub's torque; else nothing. Collective. */
+    void project(const double *positions, double *forces, bool rotation_is_free) const;
+
+    /** The line of update sums for a body. */
+    static UpdateAxis axis_of(const Body &body);
+
+  private:
+    struct Node
+    {
+      std::uint32_t local;
+      bool          owned;
+      double        mass;       ///< lumped
+      double        moved_mass; ///< see set_masses()
+      Vector3       start;      ///< undeformed position at time zero relative to the axis point
+      Vector3       old_position = Vector3::Zero(), old_velocity = Vector3::Zero();
+      double        angle = 0, rate = 0; ///< free rotations
+
+      /** Directions that lead the node, one constraint each, or nullptr. */
+      std::array<const Constraint *, 3> leads         = {{nullptr, nullptr, nullptr}};
+      Vector3                           free_velocity = Vector3::Zero(); ///< without the leads
+    };
+
+    struct Group
+    {
+      const Constraint *definition;
+      ConstraintKind    kind;
+      unsigned int      body;
+      Axis              axis;
+      double            rate;
+      std::vector<Node> nodes;
+
+      bool turns_freely() const
+      {
+        return kind == ConstraintKind::free_rotation || kind == ConstraintKind::rigid_hub;
+      }
+    };
+
+    void share_rotation(Group &group) const;
+    void
+    add_constraint(const Constraint &constraint, const Model &model, const Partition &partition);
+    double  factor(const Constraint &constraint, double time, MotionFrame frame) const;
+    Vector3 move_led(const Group       &group,
+                     Node              &node,
+                     double             time,
+                     double             dt,
+                     MotionFrame        frame,
+                     const BodyDamping &damping,
+                     const Vector3     &force) const;
+    double  turned_angle(const Group &group, double time, MotionFrame frame) const;
+
+    static Vector3 turned(const Axis &axis, const Vector3 &start, double angle);
+    void
+    turn_freely(Group &group, double dt, const BodyDamping &damping, const double *forces) const;
+    static void add_sums(const Group       &group,
+                         const Node        &node,
+                         double             dt,
+                         const BodyDamping &damping,
+                         const Vector3     &force,
+                         const Vector3     &x,
+                         const Vector3     &v,
+                         const UpdateAxis  &axis,
+                         Sums              &sums);
+
+    const Communicator     &communicator_;
+    std::vector<Group>      groups_;
+    std::vector<UpdateAxis> axes_; ///< per body
+    std::optional<double>   part_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,42 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_watch_measurement_h
+#define vfife_dynamics_watch_measurement_h
+
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+  class VfifeOperator;
+
+  /**
+   * Mass-weighted mean rotation of @p nodes of a body about its axis beyond the turn @p turned of
+   * the whole body since time zero [rad]. Collective.
+   */
+  double measure_rotation(const Body                      &body,
+                          const std::vector<unsigned int> &nodes,
+                          double                           turned,
+                          const State                     &state,
+                          const Communicator              &communicator);
+
+  /** Sets angles and transmission errors of the measurements from positions. Collective. */
+  void measure_transmission(const Model &model, State &state, const Communicator &communicator);
+
+  /** Sets momentum and angular momentum of the measurements from the lumped @p masses of the local
+   * nodes. x x v with v half a step back is what central differences conserve. Collective. */
+  void measure_momentum(State                     &state,
+                        const std::vector<double> &masses,
+                        const Communicator        &communicator);
+
+  /** Displacement in the turning body and stress at the probes; elements' nodal stresses averaged.
+   * Collective. */
+  std::vector<ProbeValue> measure_probes(const Model         &model,
+                                         const State         &state,
+                                         const VfifeOperator &vfife,
+                                         const Communicator  &communicator);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,99 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_modes_rotating_body_h
+#define vfife_fem_modes_rotating_body_h
+
+#include <vfife/fem/fem_options.h>
+#include <vfife/fem/modes/modal_solver.h>
+#include <vfife/fem/modes/mode_description.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace vfife
+{
+  /** A natural vibration of a body that turns, as seen by an observer that turns with it. */
+  struct RotatingMode
+  {
+    double          frequency = 0; ///< [Hz]
+    double          residual  = 0;
+    ModeDescription description;
+    /** As in Mode; not a number for sectors and with Coriolis forces. */
+    std::array<double, 6> effective_mass = not_known();
+    /** Displacements of the body's nodes, 3 a node, fixed frame, largest 1 mm. */
+    std::vector<double> shape;
+
+  private:
+    static std::array<double, 6> not_known()
+    {
+      std::array<double, 6> values;
+      values.fill(std::numeric_limits<double>::quiet_NaN());
+      return values;
+    }
+  };
+
+  /** All modes of one body at one speed. */
+  struct ModesAtSpeed
+  {
+    double                    rate = 0; ///< [rad/s]
+    std::vector<RotatingMode> modes;    ///< ascending
+    unsigned int              n_rigid = 0, n_unknowns = 0;
+    bool                      counted = false;
+    double                    growth  = 0; ///< largest displacement under spin [mm]
+    double                    memory  = 0; ///< of the factors [MB]
+  };
+
+  /**
+   * Vibrations of one body of a model about its state of steady spin: geometric stiffness of the
+   * centrifugal stresses, spin softening and, when asked for, Coriolis forces (doc/fem.md). Either
+   * the whole body, or one of its sectors harmonic by harmonic, which gives the same numbers for a
+   * fraction of the work. Collective.
+   */
+  class RotatingBody
+  {
+  public:
+    RotatingBody(const Model        &model,
+                 unsigned int        body,
+                 const FemOptions   &options,
+                 const Communicator &communicator);
+    ~RotatingBody();
+
+    /** Throws NumericalError where the body is not stable at that rate [rad/s]. */
+    ModesAtSpeed find_modes(double rate) const;
+
+    /** Displacements of all points in steady spin (of the sector, where one is computed). */
+    std::vector<double> find_equilibrium(double rate) const;
+
+    const Discretization &discretization() const
+    {
+      return discretization_;
+    }
+
+  private:
+    /** Rigid motions that nothing holds, but for the rotation of a hub about the axis. */
+    unsigned int count_free_motions() const;
+    void         solve_harmonic(double                     rate,
+                                const std::vector<double> &equilibrium,
+                                unsigned int               harmonic,
+                                ModesAtSpeed              &result) const;
+    void add_modes(unsigned int harmonic, const ModalResult &found, ModesAtSpeed &result) const;
+    void add_waves(const Assembly     &assembly,
+                   unsigned int        harmonic,
+                   double              rate,
+                   const SparseValues &stiffness,
+                   const SparseValues &mass,
+                   const ModalResult  &found,
+                   ModesAtSpeed       &result) const;
+    std::vector<double> node_shape(const std::vector<double> &shape, unsigned int harmonic) const;
+
+    const Model        &model_;
+    unsigned int        body_;
+    FemOptions          options_;
+    const Communicator &communicator_;
+    Discretization      discretization_;
+    Discretization      whole_; ///< of eight-node elements, for describing modes
+    ModeDescriber       describer_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,124 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_pair_pair_equilibrium_h
+#define vfife_fem_pair_pair_equilibrium_h
+
+#include <vfife/fem/statics/compliance.h>
+#include <vfife/model/state.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  /** A contact point under pressure, for small motions u of points of the discretization: the
+   * energy stiffness/2 (sum of direction . u)^2. */
+  struct ContactTie
+  {
+    std::array<std::pair<unsigned int, Vector3>, 8> points; ///< and directions, axes of time zero
+    double                                          stiffness = 0; ///< [N/mm]
+  };
+
+  /** A loaded gear pair at rest in its turning axes. */
+  struct PairEquilibriumResult
+  {
+    double driver_turn = 0; ///< of the driver since time zero, in the drive direction [rad]
+    double touch_turn  = 0; ///< beyond its kinematic turn, where the unloaded flanks touch [rad]
+    double turn        = 0; ///< of the driven body beyond its kinematic turn, about its axis [rad]
+    /** Of all points (3 a point) on top of the turns, axes of time zero [mm]. */
+    std::vector<double> displacements;
+
+    double              turn_slope = 0;     ///< change of turn per part of the torque [rad]
+    std::vector<double> displacement_slope; ///< change of displacements per part of the torque [mm]
+
+    std::vector<ToothContact> teeth;
+    std::vector<ContactTie>   ties;               ///< the linearized contact
+    double                    contact_torque = 0; ///< on the driven body, resists the load [N mm]
+    unsigned int              iterations     = 0;
+    double                    residual       = 0; ///< unbalanced over contact forces
+  };
+
+  /**
+   * Static equilibrium of a gear pair whose driver stands at a given angle and whose driven body
+   * carries the model's torques: the elastic bodies are reduced to the compliance of the nodes that
+   * may touch, the penalty contact of the explicit solver acts on the moved flanks, and the
+   * rotation of the driven body is the last unknown (doc/fem.md). Newton's method on the springs of
+   * the contact points with a line search on the potential energy; every position is found from the
+   * undeformed bodies. Only the first contact pair is looked at for the first touch.
+   */
+  class PairEquilibrium
+  {
+  public:
+    /**
+     * @p penalties: of the model's contact pairs [N/mm^3]. @p driver_turns: all turns that will be
+     * asked for. Throws InputError where the model is no gear pair.
+     */
+    PairEquilibrium(const Model               &model,
+                    Compliance                &compliance,
+                    const std::vector<double> &penalties,
+                    const std::vector<double> &driver_turns);
+    ~PairEquilibrium();
+
+    /** Under @p part of the torques. Throws NumericalError, naming the position and the history of
+     * residuals. */
+    PairEquilibriumResult solve(double driver_turn, double part);
+
+    /**
+     * Where the pair comes to rest when its bodies would have the displacements @p free (3 a point)
+     * if they did not touch and @p torque acts on the driven body [N mm]; starts from the last
+     * equilibrium found by this function. Of the result, turns, displacements, iterations and
+     * residual are set. Throws NumericalError as solve().
+     */
+    PairEquilibriumResult press(double driver_turn, const std::vector<double> &free, double torque);
+
+    /** Turn of the driven body beyond its kinematic turn at which the flanks of the spun bodies
+     * touch [rad]. */
+    double find_touch(double driver_turn);
+
+    /** Placement of a body at the last position: at @p x in the axes of time zero, turned. */
+    Vector3 place(unsigned int body, const Vector3 &x) const;
+
+  private:
+    struct Side;
+    struct Pair;
+    struct Trial;
+    struct Tangent;
+    struct Iterate;
+
+    void                set_position(double driver_turn);
+    void                set_turn(double turn);
+    RigidMotion         body_motion(unsigned int body) const;
+    void                find_candidates();
+    void                move(Pair &pair, const Eigen::VectorXd &u);
+    Trial               evaluate(const Eigen::VectorXd &u, double turn);
+    Tangent             linearize();
+    double              find_touch(const Eigen::VectorXd &base);
+    Iterate             press_rigid(const Eigen::VectorXd &base, double load);
+    Eigen::VectorXd     at_watched(const std::vector<double> &u) const;
+    Eigen::VectorXd     apply_compliance(const Eigen::VectorXd &force);
+    std::vector<double> spread(const Eigen::VectorXd &force) const;
+    double              load(double part) const;
+    void search_line(const Eigen::VectorXd &base, double load, const Iterate &full, Iterate &now);
+    void
+    balance(const Eigen::VectorXd &base, double load, Iterate &now, PairEquilibriumResult &result);
+    void              report(const Iterate &now, double part, PairEquilibriumResult &result);
+    [[noreturn]] void fail(const std::string &what, const std::string &history) const;
+
+    const Model                       &model_;
+    Compliance                        &compliance_;
+    std::vector<std::unique_ptr<Pair>> pairs_;
+    std::unique_ptr<Iterate>           pressed_;   ///< where press() has ended
+    std::vector<Matrix3>               rotations_; ///< of the bodies since time zero
+    double                             driver_turn_ = 0;
+  };
+
+  /** Mass-weighted mean rotation of nodes of a body about its axis under a field of small
+   * displacements of all points, + about the axis [rad]. */
+  double mean_rotation(const Discretization            &discretization,
+                       unsigned int                     body,
+                       const std::vector<unsigned int> &nodes,
+                       const std::vector<double>       &displacements);
+} // namespace vfife
+
+#endif

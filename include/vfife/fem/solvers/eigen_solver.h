@@ -1,0 +1,56 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_solvers_eigen_solver_h
+#define vfife_fem_solvers_eigen_solver_h
+
+#include <vfife/fem/system/assembly.h>
+
+namespace vfife
+{
+  class DirectSolver;
+
+  /** Pairs of K x = lambda M x, ascending, x^T M x = 1. */
+  struct EigenPairs
+  {
+    std::vector<double>      values;
+    std::vector<OwnedVector> vectors;
+    unsigned int             n_iterations = 0;
+  };
+
+  /**
+   * The @p n eigenvalues above @p shift that are nearest to it, by block Krylov-Schur (Anasazi) on
+   * (K - shift M)^-1 M; @p factors are those of K - shift M, which must be positive definite.
+   * Throws NumericalError where it does not converge. Collective.
+   */
+  EigenPairs solve_shift_invert(const Assembly     &assembly,
+                                const SparseValues &mass,
+                                const DirectSolver &factors,
+                                double              shift,
+                                unsigned int        n,
+                                double              tolerance);
+
+  /**
+   * The @p n lowest eigenvalues by LOBPCG (Anasazi) with multigrid for K - shift M, which must be
+   * positive definite; the assembly's unknowns are padded. Collective.
+   */
+  EigenPairs solve_lobpcg(const Assembly                 &assembly,
+                          const SparseValues             &stiffness,
+                          const SparseValues             &mass,
+                          const std::vector<OwnedVector> &near_kernel,
+                          double                          shift,
+                          unsigned int                    n,
+                          double                          tolerance);
+
+  /** |K x - lambda M x| / (max(|lambda|, |scale|) |M x|) of each pair. Collective. */
+  std::vector<double> compute_residuals(const Assembly     &assembly,
+                                        const SparseValues &stiffness,
+                                        const SparseValues &mass,
+                                        const EigenPairs   &pairs,
+                                        double              scale);
+
+  /** Largest |x_i^T M x_j - delta_ij|. Collective. */
+  double compute_orthogonality_defect(const Assembly                 &assembly,
+                                      const SparseValues             &mass,
+                                      const std::vector<OwnedVector> &vectors);
+} // namespace vfife
+
+#endif

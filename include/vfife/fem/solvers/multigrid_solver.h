@@ -1,0 +1,45 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_solvers_multigrid_solver_h
+#define vfife_fem_solvers_multigrid_solver_h
+
+#include <vfife/fem/system/assembly.h>
+
+#include <memory>
+
+namespace vfife
+{
+  /**
+   * Conjugate gradients, preconditioned by smoothed aggregation (ML) whose coarse spaces hold the
+   * rigid motions. For positive definite matrices of an assembly with padded unknowns. Collective.
+   */
+  class MultigridSolver
+  {
+  public:
+    /** @p near_kernel: owned parts of the six rigid motions of each body. */
+    MultigridSolver(const Assembly                 &assembly,
+                    const SparseValues             &values,
+                    const std::vector<OwnedVector> &near_kernel);
+    ~MultigridSolver();
+    MultigridSolver(const MultigridSolver &)            = delete;
+    MultigridSolver &operator=(const MultigridSolver &) = delete;
+
+    /**
+     * Solves until the residual is @p tolerance of the right side. Throws NumericalError with the
+     * residual reached when that takes more than 1000 iterations or breaks down.
+     */
+    OwnedVector solve(const OwnedVector &right_side, double tolerance);
+
+    unsigned int n_iterations() const
+    {
+      return n_iterations_;
+    }
+
+  private:
+    struct Operators;
+
+    std::unique_ptr<Operators> operators_;
+    unsigned int               n_iterations_ = 0;
+  };
+} // namespace vfife
+
+#endif

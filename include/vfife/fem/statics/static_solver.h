@@ -1,0 +1,107 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_statics_static_solver_h
+#define vfife_fem_statics_static_solver_h
+
+#include <vfife/element/stress.h>
+#include <vfife/fem/fem_options.h>
+#include <vfife/fem/system/assembly.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace vfife
+{
+  class SystemMatrices;
+
+  /** What acts on the bodies at rest, in axes that turn with them. */
+  struct StaticLoads
+  {
+    double part_of_torques = 1; ///< of the model's torques
+    double part_of_loads   = 1; ///< of the model's loads and prescribed displacements
+    /** Instead of part_of_loads: the value of the histories at that time [s]. */
+    std::optional<double> time        = {};
+    bool                  centrifugal = false; ///< at each body's rate
+    /** Centrifugal force acts on the displaced mass: K - rate^2 S instead of K. */
+    bool spin_softening = false;
+    /** K + K_sigma instead of K, under the stresses of the centrifugal force alone. */
+    bool stress_stiffness = false;
+    /** At the model's nodes, fixed frame [N]; empty: none. */
+    std::vector<Vector3> nodal_forces;
+    /** Force per volume at a place of the fixed frame [N/mm^3]; empty: none. */
+    std::function<Vector3(const Vector3 &)> body_force;
+  };
+
+  struct StaticResult
+  {
+    /** Of all points of the discretization, 3 a point, fixed frame [mm]; equal on all ranks. */
+    std::vector<double> displacements;
+    /** What constraints exert on all points, 3 a point [N]: zero but for the solver's tolerance
+     * where nothing is held. */
+    std::vector<double> reactions;
+    double              strain_energy = 0; ///< of bodies and springs to the ground [mJ]
+    unsigned int        n_iterations  = 0; ///< of the last linear system; 0: direct solver
+  };
+
+  /**
+   * Small displacements of some bodies of a model at rest; contact is not looked at. Constraints
+   * are as in explicit dynamics, a prescribed rotation holds its nodes (in the turning axes) but
+   * for its angle; loads act as on the undeformed bodies.
+   */
+  class StaticSolver
+  {
+  public:
+    /**
+     * @p rotation: of hubs that turn freely; pinned ones carry no moment about the axis. Throws
+     * InputError, naming the motion, where a body can move rigidly. Collective.
+     */
+    StaticSolver(const Model                     &model,
+                 const std::vector<unsigned int> &bodies,
+                 const FemOptions                &options,
+                 const Communicator              &communicator,
+                 HubRotation                      rotation = HubRotation::free);
+
+    const Discretization &discretization() const
+    {
+      return discretization_;
+    }
+
+    /** Collective; throws NumericalError where the solver fails or the state of spin is not
+     * stable. */
+    StaticResult solve(const StaticLoads &loads) const;
+
+    /** See the function of this name. */
+    std::vector<Stress> compute_node_stresses(const StaticResult &result) const;
+
+  private:
+    /** K u less what acts on the bodies, of all points [N]; adds up the strain energy [mJ]. */
+    std::vector<double> balance(const StaticLoads         &loads,
+                                const std::vector<double> &u,
+                                const std::vector<double> &spun,
+                                double                    &strain_energy) const;
+    std::vector<double> make_forces(const StaticLoads &loads) const;
+    std::vector<double>
+    find_spun(const StaticLoads &loads, const SystemMatrices &matrices, SparseValues &K) const;
+    std::vector<double> solve_system(const SystemMatrices &matrices,
+                                     SparseValues          K,
+                                     const OwnedVector    &f,
+                                     unsigned int         &n_iterations) const;
+
+    const Model        &model_;
+    FemOptions          options_;
+    const Communicator &communicator_;
+    Discretization      discretization_;
+    HubRotation         rotation_;
+  };
+
+  /**
+   * Stresses at the model's nodes (xx yy zz xy yz zx, fixed frame [MPa]) under displacements of all
+   * points (3 a point), averages of the values of the elements that meet there; zero on bodies that
+   * are not part of the discretization. Points of the elements are extrapolated to the nodes by the
+   * functions through them.
+   */
+  std::vector<Stress> compute_node_stresses(const Discretization      &discretization,
+                                            const std::vector<double> &displacements);
+} // namespace vfife
+
+#endif

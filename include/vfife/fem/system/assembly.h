@@ -1,0 +1,121 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_system_assembly_h
+#define vfife_fem_system_assembly_h
+
+#include <vfife/fem/system/unknowns.h>
+
+#include <functional>
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+
+  /** The rows of this rank of a square sparse matrix; columns ascending. */
+  struct SparsePattern
+  {
+    int                      n         = 0; ///< of the whole matrix
+    int                      first_row = 0;
+    std::vector<std::size_t> begin;   ///< of each own row, and one past the last
+    std::vector<int>         columns; ///< global
+
+    int n_rows() const
+    {
+      return static_cast<int>(begin.size()) - 1;
+    }
+  };
+
+  /** Values of a matrix in the order of SparsePattern::columns. */
+  using SparseValues = std::vector<double>;
+
+  /** One vector of the unknowns that this rank owns. */
+  using OwnedVector = std::vector<double>;
+
+  /** Sums element matrices and vectors over a discretization, on the unknowns: T^T A T, T^T f. */
+  class Assembly
+  {
+  public:
+    using ElementMatrix = std::function<Eigen::MatrixXd(unsigned int element)>;
+    using ElementVector = std::function<Eigen::VectorXd(unsigned int element)>;
+
+    /** Points that are coupled beside elements, as by a contact. */
+    using Links = std::vector<std::vector<unsigned int>>;
+
+    Assembly(const Discretization    &discretization,
+             const Unknowns::Options &options,
+             const Communicator      &communicator,
+             Links                    links = {});
+
+    const Discretization &discretization() const
+    {
+      return discretization_;
+    }
+    const Unknowns &unknowns() const
+    {
+      return unknowns_;
+    }
+    const SparsePattern &pattern() const
+    {
+      return pattern_;
+    }
+    const Communicator &communicator() const
+    {
+      return communicator_;
+    }
+
+    /** 3n x 3n matrices of elements, for each copy of the points. Rows of padding stay zero. */
+    SparseValues matrix(const ElementMatrix &element) const;
+
+    /** Sums 3 x 3 matrices of points (copies of images included), for each copy. */
+    SparseValues point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const;
+
+    /** 3n x 3n matrices of the n points of each link. */
+    SparseValues link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const;
+
+    /** Displacement-like vectors (3n) of elements, the same on all copies of the points. */
+    OwnedVector vector(const ElementVector &element) const;
+
+    /** T^T f of forces given at all points (3 a point), the same on every rank. */
+    OwnedVector restrict_forces(const std::vector<double> &forces) const;
+
+    /** Puts @p value on the diagonal of rows of padding. */
+    void set_padding(SparseValues &values, double value) const;
+
+    /** Displacements of all points (every copy) on all ranks. Collective. */
+    std::vector<double> expand(const OwnedVector &q) const;
+
+    /** The owned part of the unknowns that reproduce a field of all points. */
+    OwnedVector restrict_field(const std::vector<double> &u) const;
+
+    /** Diagonal of a matrix, owned rows. */
+    OwnedVector diagonal(const SparseValues &values) const;
+
+    /** Mean of the positive diagonal entries, all ranks: what fits to padding. Collective. */
+    double mean_diagonal(const SparseValues &values) const;
+
+    double dot(const OwnedVector &a, const OwnedVector &b) const;
+
+  private:
+    bool is_mine(const unsigned int unknown) const
+    {
+      return unknown >= first_ && unknown < last_;
+    }
+    void        find_elements();
+    void        make_pattern();
+    void        add(const std::size_t      row_offset,
+                    const unsigned int    *points,
+                    const Eigen::MatrixXd &A,
+                    SparseValues          &values) const;
+    std::size_t find_entry(unsigned int row, unsigned int column) const;
+
+    const Discretization     &discretization_;
+    const Communicator       &communicator_;
+    Unknowns                  unknowns_;
+    unsigned int              first_, last_;
+    Links                     links_;
+    std::vector<unsigned int> elements_; ///< that touch own unknowns
+    SparsePattern             pattern_;
+  };
+} // namespace vfife
+
+#endif

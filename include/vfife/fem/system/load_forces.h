@@ -1,0 +1,29 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_system_load_forces_h
+#define vfife_fem_system_load_forces_h
+
+#include <vfife/fem/system/discretization.h>
+
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * Adds a load of the model times @p factor to forces at all points (3 a point) [N]: the nodal
+   * forces of explicit dynamics in the undeformed places; of quadratic elements, constant tractions
+   * on the faces at all their points, body forces at the corners. Springs add nothing. Throws
+   * InputError for a load that its nodes cannot carry.
+   */
+  void add_load_forces(const Load                 &load,
+                       const Discretization       &discretization,
+                       const Discretization::Part &part,
+                       double                      factor,
+                       std::vector<double>        &forces);
+
+  /** Stiffnesses [N/mm] of the model's springs to the ground, by point. Throws InputError for
+   * springs on one sector of a body. */
+  std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Discretization &discretization);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,65 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_system_system_matrices_h
+#define vfife_fem_system_system_matrices_h
+
+#include <vfife/fem/system/assembly.h>
+
+namespace vfife
+{
+  /**
+   * The matrices of small motions u in axes that turn with the body at the rate Omega about its
+   * axis (doc/fem.md), on the unknowns of an assembly: M u'' + 2 Omega G u' + (K + K_sigma -
+   * Omega^2 S) u = Omega^2 S X + f. All functions are collective.
+   */
+  class SystemMatrices
+  {
+  public:
+    SystemMatrices(const Assembly &assembly, MassKind mass);
+
+    const Assembly &assembly() const
+    {
+      return assembly_;
+    }
+
+    /** With the model's springs to the ground. */
+    SparseValues stiffness() const;
+    SparseValues mass() const;
+    /** Angular velocity of a body of the model about its axis [rad/s]. */
+    using Rate = std::function<double(unsigned int body)>;
+
+    /** Omega^2 S with S = m_ab (1 - a a^T): the mass of motions across the axis. */
+    SparseValues spin_mass(const Rate &rate) const;
+    /** Omega G with G = m_ab [a]x, skew. */
+    SparseValues gyroscopic(const Rate &rate) const;
+    /** Geometric stiffness under the stresses of @p u (all points, first copy). */
+    SparseValues geometric(const std::vector<double> &u) const;
+    /** Omega^2 S X, X from the axis [N]. */
+    OwnedVector centrifugal_load(const Rate &rate) const;
+
+    /**
+     * What keeping the radius adds at the points of hubs that turn freely: -F/r t t^T, F the radial
+     * force of the constraint in steady spin with the displacements @p u, r the radius, t the
+     * tangent. Without it a spun body on such a hub would not turn freely.
+     */
+    SparseValues hub_curvature(const std::vector<double> &u, const Rate &rate) const;
+
+    /** M r for a field r of all points: what a base motion r puts on the unknowns. */
+    OwnedVector apply_mass(const std::vector<double> &field) const;
+
+    /** Owned parts of the rigid motions of each body, for multigrid. */
+    std::vector<OwnedVector> near_kernel() const;
+
+  private:
+    Eigen::MatrixXd mass_coefficients(unsigned int e) const;
+    unsigned int    body(unsigned int e) const;
+    const Axis     &axis(unsigned int e) const;
+
+    const Assembly &assembly_;
+    MassKind        mass_;
+  };
+
+  /** a + factor * b. */
+  SparseValues add_scaled(SparseValues a, double factor, const SparseValues &b);
+} // namespace vfife
+
+#endif

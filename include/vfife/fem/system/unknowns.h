@@ -1,0 +1,134 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_system_unknowns_h
+#define vfife_fem_system_unknowns_h
+
+#include <vfife/fem/system/discretization.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace vfife
+{
+  /** What hubs that turn freely (free rotation, rigid hub) do about the axis. */
+  enum class HubRotation
+  {
+    free,
+    pinned, ///< held at one node, which carries nothing where loads have no moment about the axis
+    held    ///< as if the shaft were clamped
+  };
+
+  /**
+   * What remains of the displacements u (3 a point) under the constraints of the model: u = T q.
+   * Held points and points of a prescribed rotation have none (the system turns with the body),
+   * free rotation leaves the tangential displacement, a rigid hub one common angle. Unknowns are
+   * numbered rank by rank, each rank owning a run of them. Equal on all ranks.
+   *
+   * For a sector of a cyclic body, displacements are the real part of phasors whose value turns by
+   * exp(i h angle) from one sector to the next, h the harmonic: points of the next sector are
+   * images u' = R u exp(i h angle). With 0 < h < N/2 there are two copies of all points, real part
+   * first.
+   */
+  class Unknowns
+  {
+  public:
+    struct Term
+    {
+      unsigned int unknown;
+      double       coefficient;
+    };
+
+    struct Options
+    {
+      /** Three unknowns a point also where constraints leave less: those left over do not act.
+       * Multigrid wants it. */
+      bool         padded   = false;
+      unsigned int harmonic = 0; ///< of a sector
+      HubRotation  rotation = HubRotation::free;
+      /** Directions with a displacement other than zero are taken as held; else InputError. */
+      bool led_are_held = false;
+    };
+
+    Unknowns(const Discretization &discretization, const Options &options, unsigned int n_ranks);
+
+    unsigned int n() const
+    {
+      return padding_.size();
+    }
+    unsigned int n_copies() const
+    {
+      return n_copies_;
+    }
+    /** First unknown of rank @p r; r = number of ranks gives n(). */
+    unsigned int first(const unsigned int r) const
+    {
+      return first_[r];
+    }
+
+    /** Displacement of (3 * (copy * points + point) + component) as sum of unknowns. */
+    const Term *begin(const std::size_t row) const
+    {
+      return terms_.data() + start_[row];
+    }
+    const Term *end(const std::size_t row) const
+    {
+      return terms_.data() + start_[row + 1];
+    }
+    std::size_t n_rows() const
+    {
+      return start_.size() - 1;
+    }
+
+    bool is_padding(const unsigned int unknown) const
+    {
+      return padding_[unknown] != 0;
+    }
+
+    /** u = T q. */
+    std::vector<double> expand(const std::vector<double> &q) const;
+    /** Coefficients that reproduce @p u where it is compatible: (T^T T)^-1 T^T u, T having
+     * orthogonal columns. */
+    std::vector<double> restrict_field(const std::vector<double> &u) const;
+
+  private:
+    struct LocalAxes;
+    std::vector<LocalAxes> make_axes(const Discretization &discretization,
+                                     const Options        &options) const;
+    void                   number(const Discretization   &discretization,
+                                  bool                    padded,
+                                  unsigned int            n_ranks,
+                                  std::vector<LocalAxes> &axes);
+    void                   fill_terms(const Discretization         &discretization,
+                                      const Options                &options,
+                                      const std::vector<LocalAxes> &axes);
+
+    unsigned int              n_copies_ = 1;
+    std::vector<unsigned int> first_;
+    std::vector<std::uint8_t> padding_;
+    std::vector<std::size_t>  start_;
+    std::vector<Term>         terms_;
+  };
+
+  /**
+   * Displacements of all points (3 a point) [mm] that the constraints prescribe, zero elsewhere:
+   * constraints of directions, and rotations by an angle, taken as small. @p factor: of the
+   * constraint's value.
+   */
+  std::vector<double>
+  compute_prescribed_displacements(const Discretization                            &discretization,
+                                   const std::function<double(const Constraint &)> &factor);
+
+  /**
+   * Rigid motions of body @p part that the model's constraints leave free, as displacements of all
+   * points (one vector a motion, zero on other bodies).
+   */
+  std::vector<std::vector<double>> find_free_motions(const Discretization       &discretization,
+                                                     const Discretization::Part &part);
+
+  /** The six rigid motions of @p part, three translations and three rotations about @p centre. */
+  std::vector<std::vector<double>> make_rigid_motions(const Discretization       &discretization,
+                                                      const Discretization::Part &part,
+                                                      const Vector3              &centre);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,23 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_mesh_gear_flank_surface_h
+#define vfife_mesh_gear_flank_surface_h
+
+#include <vfife/mesh/gear/gear_sector.h>
+
+namespace vfife
+{
+  /**
+   * The flanks of one side of all teeth as FacetSurface: nodes on the true flank with true normals,
+   * and the offsets of the bilinear facets to the true flank at 5 x 5 Gauss-Lobatto points, found
+   * by Newton's method along the facet's normal field. Node i of the sector is node i + k *
+   * nodes_per_sector of tooth k. Rows of the table are shared by all teeth.
+   */
+  FacetSurface make_flank_surface(const GearMember &member,
+                                  const FlankGrid  &grid,
+                                  unsigned int      nodes_per_sector);
+
+  /** Gauss-Lobatto points of [0, 1] at which offsets are tabulated. */
+  constexpr double offset_abscissae[5] = {0., 0.17267316464601143, 0.5, 0.82732683535398857, 1.};
+} // namespace vfife
+
+#endif

@@ -1,0 +1,42 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_mesh_gear_gear_meridian_h
+#define vfife_mesh_gear_gear_meridian_h
+
+#include <vfife/base/text/table.h>
+#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/solid_integrals.h>
+
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  /** A part of a gear body in the meridian plane: closed polygon of corners (r, z) [mm]. */
+  struct MeridianPart
+  {
+    std::string          name; ///< "teeth", "rim", "web" or "hub"
+    std::vector<Vector2> corners;
+  };
+
+  /**
+   * The meridian of the true body, without a mesh: teeth between root and tip, rim (of a solid body
+   * down to the bore), web with its fillets (arcs of many chords) and hub. Everything but the teeth
+   * is a solid of revolution.
+   */
+  std::vector<MeridianPart> compute_meridian(const GearMember      &member,
+                                             const GearBodyOptions &options);
+
+  /** Corners of the parts as rows: body, part, r, z. */
+  void add_meridian_rows(const GearMember &member, const GearBodyOptions &options, Table &table);
+  /** A table with columns for these rows. */
+  Table make_meridian_table();
+
+  /**
+   * Integrals over the true body: all teeth between their generated flanks and fillets, by sections
+   * of constant cone distance, and the solids of revolution under them (doc/mesh.md). What a mesh
+   * converges to.
+   */
+  SolidIntegrals compute_true_integrals(const GearMember &member, const GearBodyOptions &options);
+} // namespace vfife
+
+#endif

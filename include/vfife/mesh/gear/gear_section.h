@@ -1,0 +1,41 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_mesh_gear_gear_section_h
+#define vfife_mesh_gear_gear_section_h
+
+#include <vfife/gear/gear_member.h>
+
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * Section L = const of tooth 0 and the two half slots beside it. Points are (h, angle): height
+   * over the pitch cone [mm] and polar angle about the axis [rad], increasing from the lower to the
+   * upper flank.
+   */
+  struct GearSection
+  {
+    double cone_distance = 0; ///< L [mm]
+    double root_height   = 0; ///< h of the root land [mm]
+    double left_angle    = 0; ///< centre of the slot below the tooth [rad]
+    double pitch         = 0; ///< to the centre of the slot above [rad]
+
+    /**
+     * Profiles of the two flanks from the root up: fillet bottom, P in the fillet, flank start,
+     * then flank_rows points to the tip, steps of h equal or graded.
+     */
+    std::vector<Vector2> lower, upper;
+  };
+
+  /** @p grading: last over first step of h. Throws InputError where the fillets of a slot overlap
+   * or the flank starts over the tip. */
+  GearSection compute_gear_section(const GearMember &member,
+                                   double            cone_distance,
+                                   unsigned int      flank_rows,
+                                   double            grading = 1.);
+
+  /** Position of a point of cone coordinates (L, h) at polar angle @p angle [mm]. */
+  Vector3 position_of(const Blank &blank, double L, double h, double angle);
+} // namespace vfife
+
+#endif

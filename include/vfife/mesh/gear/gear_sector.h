@@ -1,0 +1,75 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_mesh_gear_gear_sector_h
+#define vfife_mesh_gear_gear_sector_h
+
+#include <vfife/mesh/gear/gear_body.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  /** Nodes and facets of one flank of a tooth. */
+  struct FlankGrid
+  {
+    FlankSide                 side = FlankSide::concave;
+    std::vector<unsigned int> nodes; ///< of the sector
+    std::vector<Vector2>      L_h;   ///< cone coordinates of the nodes [mm]
+
+    /** Corners as places in the list of nodes, counter-clockwise seen from outside; the first side
+     * runs along the tooth. */
+    std::vector<std::array<unsigned int, 4>> facets;
+  };
+
+  /** Material ids of gear bodies. */
+  enum class GearRegion : unsigned int
+  {
+    tooth = 1,
+    rim   = 2,
+    web   = 3,
+    hub   = 4
+  };
+
+  /**
+   * The template that a gear body consists of: tooth 0 with the half slots beside it and what lies
+   * under it. A hexahedron's node is an index of this sector's nodes, or next_sector(index): that
+   * node of the following sector. Nodes on the sector's upper side face are the next sector's.
+   */
+  struct GearSector
+  {
+    std::vector<Vector3>      nodes; ///< [mm]
+    std::vector<CellNodes>    hexahedra;
+    std::vector<unsigned int> regions; ///< GearRegion of each hexahedron
+    std::map<std::string, std::vector<unsigned int>>
+                           node_sets; ///< sorted, by names of node_set_names.h
+    std::vector<FlankGrid> flanks;    ///< concave and convex
+
+    static constexpr unsigned int next_sector(const unsigned int index)
+    {
+      return index | next_bit;
+    }
+    static constexpr bool is_next(const unsigned int node)
+    {
+      return (node & next_bit) != 0;
+    }
+    static constexpr unsigned int index_of(const unsigned int node)
+    {
+      return node & ~next_bit;
+    }
+
+  private:
+    static constexpr unsigned int next_bit = 1u << 31;
+  };
+
+  /** Builds the template; throws NumericalError for an inverted cell, InputError as
+   * compute_gear_section(). */
+  GearSector make_gear_sector(const GearMember &member, const GearBodyOptions &options);
+
+  /** The same sector with each cell divided into eight @p times times, all new nodes of the surface
+   * on the true surfaces (gear_manifolds.h). Throws NumericalError for an inverted cell. */
+  GearSector
+  refine_gear_sector(const GearMember &member, const GearSector &sector, unsigned int times);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,83 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_mesh_gear_gear_sector_builder_h
+#define vfife_mesh_gear_gear_sector_builder_h
+
+#include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_section.h>
+#include <vfife/mesh/gear/gear_sector.h>
+
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * Builds a GearSector block by block: tooth, rim, web, hub (layout in doc/mesh.md). Member and
+   * options must outlive it.
+   */
+  class GearSectorBuilder
+  {
+  public:
+    GearSectorBuilder(const GearMember &member, const GearBodyOptions &options);
+
+    /** Only once: the sector is moved out. */
+    GearSector build();
+
+  private:
+    /** Node numbers, [row or layer][column]. */
+    using NodeLayer = std::vector<std::vector<unsigned int>>;
+
+    unsigned int add_node(const Vector3 &position);
+    Vector3      position(unsigned int node) const;
+    void         add_hexahedron(CellNodes nodes);
+    void         add_to_set(const char *name, unsigned int node);
+
+    void add_tooth();
+    void add_rim();
+    void add_flank_grid(FlankSide side);
+    void add_named_ends();
+
+    void      add_web();
+    NodeLayer make_web_nodes(double u, unsigned int columns);
+    void      add_row(const NodeLayer &rim_side, const NodeLayer &hub_side);
+    void      add_coarsening_row(const NodeLayer &rim_side, const NodeLayer &hub_side, double u);
+    void      add_hub(const NodeLayer &web_end);
+
+    Vector2 tooth_point(const GearSection &section, unsigned int row, unsigned int column) const;
+    Vector2 rim_top(const GearSection &section, unsigned int column) const;
+    double  rim_depth(unsigned int i, unsigned int row) const;
+    Vector3 rim_point(unsigned int i, unsigned int row, unsigned int column) const;
+    /** First section whose underside carries the web (not at the toe). */
+    unsigned int first_web_section() const;
+    /** Cone distance of section i on the underside, which leaves room for the web there. */
+    double underside_place(unsigned int i) const;
+    /** Centre of the slot below the tooth at cone distance L [rad]. */
+    double left_angle_at(double L) const;
+
+    Vector3 web_point(double u, unsigned int layer, double angle) const;
+    /** Angle of equally wide columns of a layer of the web, which loses the rim's spiral on the way
+     * to the hub. */
+    double web_angle(double u, unsigned int layer, double fraction) const;
+    /** Fractions u of the web's rows, from rim to hub; the row that coarsens ends at the place @p
+     * coarsening (0: none). */
+    std::vector<double> web_stations(unsigned int &coarsening) const;
+    /** Nodes of the rim where the web starts. */
+    NodeLayer web_foot() const;
+
+    unsigned int rows_above_web() const
+    {
+      return (options_.rim_rows - options_.web_layers) / 2;
+    }
+
+    const GearMember        &member_;
+    const GearBodyOptions   &options_;
+    const bool               at_toe_, at_underside_; ///< where there is a web
+    std::vector<GearSection> sections_;
+    std::vector<double>      across_, rim_parts_; ///< places of columns, of rim rows where graded
+    ConicalWeb               web_;                ///< used where the body has one
+    std::vector<NodeLayer>   tooth_, rim_;
+    GearRegion               region_ = GearRegion::tooth; ///< of the cells being added
+    GearSector               sector_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,38 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_files_csv_stream_h
+#define vfife_output_files_csv_stream_h
+
+#include <chrono>
+#include <fstream>
+#include <string>
+
+namespace vfife
+{
+  class OutputFolder;
+  class Table;
+
+  /**
+   * A .csv file that grows line by line with a table, so that a run can be watched (it reaches the
+   * disk about every second). On ranks that do not write it does nothing.
+   */
+  class CsvStream
+  {
+  public:
+    /** Opens the file and writes the header of @p table; throws std::runtime_error. */
+    CsvStream(const OutputFolder &folder, const std::string &name, const Table &table);
+
+    /** Appends those rows of @p table that are not in the file yet; throws std::runtime_error when
+     * the disk is full. */
+    void append_new_rows(const Table &table);
+
+    void flush();
+
+  private:
+    std::string                           path_;
+    std::ofstream                         file_;
+    std::size_t                           n_written_ = 0;
+    std::chrono::steady_clock::time_point flushed_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,38 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_files_mode_writer_h
+#define vfife_output_files_mode_writer_h
+
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  class Body;
+  class OutputFolder;
+
+  /** Displacements of the nodes of a body, 3 a node, under a name such as "mode 3". */
+  struct NamedShape
+  {
+    std::string         name;
+    std::vector<double> displacements;
+  };
+
+  /** A number for each node of a body, under a name such as "von mises". */
+  struct NamedScalars
+  {
+    std::string         name;
+    std::vector<double> values;
+  };
+
+  /**
+   * Writes @p shapes as vectors and @p scalars on the undeformed mesh of @p body in its place at
+   * time zero [mm] to the .vtu file @p name; the writing rank only.
+   */
+  void write_shapes(const OutputFolder              &folder,
+                    const std::string               &name,
+                    const Body                      &body,
+                    const std::vector<NamedShape>   &shapes,
+                    const std::vector<NamedScalars> &scalars = {});
+} // namespace vfife
+
+#endif

@@ -1,0 +1,95 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_files_output_folder_h
+#define vfife_output_files_output_folder_h
+
+#include <fstream>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  class Communicator;
+  class Log;
+
+  /**
+   * The folder of one run's results, on a file system that all ranks see. Whole files are written
+   * under a temporary name and renamed, so that a reader (or a run that is killed) never meets half
+   * a file.
+   */
+  class OutputFolder
+  {
+  public:
+    /**
+     * Creates the folder where it does not exist (collective). Throws on all ranks: InputError when
+     * the path is a file, std::runtime_error when it cannot be created or written to.
+     */
+    OutputFolder(std::string path, const Communicator &communicator);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder &)            = delete;
+    OutputFolder &operator=(const OutputFolder &) = delete;
+
+    const std::string  &path() const;
+    const Communicator &communicator() const;
+    /** Path of a file of the folder. */
+    std::string file(const std::string &name) const;
+    /** Whether this rank writes the text files. */
+    bool is_writer() const;
+
+    /** Collective; throws on all ranks. */
+    void make_subfolder(const std::string &name) const;
+
+    /**
+     * Lets @p write fill a file and puts it in place; on the calling rank only. Throws
+     * std::runtime_error when the file cannot be opened or the disk does not take it.
+     */
+    void write_file(const std::string                         &name,
+                    const std::function<void(std::ostream &)> &write) const;
+
+    /**
+     * Puts a copy of the file @p from into the folder; on the calling rank only. Throws
+     * std::runtime_error where it cannot be read or the disk does not take it.
+     */
+    void copy_file(const std::string &from, const std::string &name) const;
+
+    /** Removes a file of the folder if it is there; only the writing rank does. */
+    void remove_file(const std::string &name) const;
+
+    /** parameters.prm: the parameters in force, readable again. Only the writing rank writes. */
+    void write_parameters(dealii::ParameterHandler &prm);
+
+    /** What write_parameters() has written: paths ("A/B/name") and values. */
+    const std::vector<std::pair<std::string, std::string>> &parameters() const
+    {
+      return parameters_;
+    }
+
+    /**
+     * run.log: what @p log said so far and will say; @p log must not outlive the folder. With
+     * @p kept the first so many bytes of the file there is are kept in front of it.
+     */
+    void attach_log(Log &log, std::optional<std::size_t> kept = {});
+
+    /** Bytes of run.log so far; 0 on ranks that do not write. */
+    std::size_t log_size() const;
+
+  private:
+    std::string                    path_;
+    const Communicator            &communicator_;
+    std::unique_ptr<std::ofstream> log_file_;
+    Log                           *log_ = nullptr;
+
+    std::vector<std::pair<std::string, std::string>> parameters_;
+  };
+} // namespace vfife
+
+#endif

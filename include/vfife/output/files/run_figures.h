@@ -1,0 +1,27 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_files_run_figures_h
+#define vfife_output_files_run_figures_h
+
+#include <vfife/output/files/figures.h>
+
+#include <string>
+
+namespace vfife
+{
+  /** What summary.json tells of a run, for tables of several runs. */
+  struct RunFigures
+  {
+    std::string  status; ///< "finished", "failed"; empty: there is no summary that can be read
+    std::string  failure;
+    NamedFigures figures; ///< always the same names; NaN where the run has none
+  };
+
+  /** Reads summary.json in @p folder: steps, times, energy error, means and peaks of contact force
+   * and transmission error over the steady part, parts of the transmission error. */
+  RunFigures read_run_figures(const std::string &folder);
+
+  /** The number at a JSON pointer of a JSON file; NaN where there is none. */
+  double read_figure(const std::string &path, const std::string &pointer);
+} // namespace vfife
+
+#endif

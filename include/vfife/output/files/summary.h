@@ -1,0 +1,67 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_files_summary_h
+#define vfife_output_files_summary_h
+
+#include <vfife/model/state.h>
+#include <vfife/output/files/figures.h>
+#include <vfife/output/measures/steady_part.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  class OutputFolder;
+
+  /** One body, internal units. */
+  struct BodySummary
+  {
+    std::string  name;
+    unsigned int cells = 0, nodes = 0;
+    double       mass    = 0; ///< [t]
+    double       inertia = 0; ///< about its axis [t mm^2]
+    double       rate    = 0; ///< about its axis at the start [rad/s]
+    double       added   = 0; ///< by mass scaling, within `mass` [t]
+  };
+
+  /**
+   * What a run reports in figures; the study fills it, in internal units where no Figure says
+   * otherwise. Sections that stay empty are not written.
+   */
+  struct RunSummary
+  {
+    std::string status = "finished"; ///< "finished" or "failed"
+    std::string failure;             ///< message of a failed run
+    std::string study, parameter_file, version, revision, instruction_set;
+    int         ranks = 1;
+
+    std::vector<BodySummary> bodies;
+    double                   dt       = 0; ///< [s]
+    double                   time     = 0; ///< reached [s]
+    std::uint64_t            steps    = 0;
+    double                   run_time = 0; ///< of the steps, wall clock [s]
+
+    NamedFigures figures; ///< anything that is given or derived: speeds, torque, penalty, lever arm
+    std::optional<SteadyPart>   steady;
+    NamedFigures                transmission_error; ///< parts of the mean DTE
+    std::optional<EnergyLedger> energy;
+    std::vector<DampingAudit>   damping;
+    ContactLosses               contact_losses;
+    NamedFigures                timers;      ///< seconds by section
+    std::vector<std::string> contradictions; ///< checks of figures against each other that failed
+    std::vector<std::string> warnings;
+
+    /** Elements of all bodies times steps over the run time [1/s]; 0 without a run time. */
+    double element_steps_per_second() const;
+  };
+
+  /** The JSON text of summary.json; numbers that are not finite become null. */
+  std::string make_summary_text(const RunSummary &summary);
+
+  /** Writes summary.json; only the writing rank does. */
+  void write_summary(const OutputFolder &folder, const RunSummary &summary);
+} // namespace vfife
+
+#endif

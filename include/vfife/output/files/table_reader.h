@@ -1,0 +1,19 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_files_table_reader_h
+#define vfife_output_files_table_reader_h
+
+#include <vfife/base/text/table.h>
+
+#include <string>
+
+namespace vfife
+{
+  /**
+   * Reads a .csv file of results, as Table::write_csv() has written it: columns with a unit are
+   * numbers (not a number where a cell is empty or none), the others texts.
+   * @throws InputError where the file cannot be read or rows have other numbers of cells.
+   */
+  Table read_result_table(const std::string &path);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,33 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_compare_compared_case_h
+#define vfife_study_compare_compared_case_h
+
+#include <vfife/base/text/table.h>
+
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  /** A case that has been run, and its results. */
+  struct ComparedCase
+  {
+    std::string name, folder;
+    std::string kind;            ///< word of Study/kind
+    bool        is_pair = false; ///< of a gear pair, not a general model
+
+    bool has(const std::string &file) const;
+    /** A .csv file; throws InputError where it cannot be read. */
+    Table table(const std::string &file) const;
+    /** A number of a JSON file at a JSON pointer; NaN where there is none. */
+    double number(const std::string &file, const std::string &pointer) const;
+  };
+
+  using ComparedCases = std::vector<ComparedCase>;
+
+  /** The first case of a kind that has a file, or nullptr. */
+  const ComparedCase *
+  find_case(const ComparedCases &cases, const std::string &kind, const std::string &file);
+} // namespace vfife
+
+#endif

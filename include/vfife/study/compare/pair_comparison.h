@@ -1,0 +1,18 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_compare_pair_comparison_h
+#define vfife_study_compare_pair_comparison_h
+
+#include <vfife/study/compare/compared_case.h>
+#include <vfife/study/compare/comparison.h>
+
+namespace vfife
+{
+  /**
+   * Rows of a gear pair: its run against loaded contact analysis, coupled modes and lumped model,
+   * as far as these are among the cases (doc/study.md, Kind compare). Throws InputError where
+   * results cannot be read.
+   */
+  ComparisonRows compare_pair(const ComparedCases &cases, const ComparisonTolerances &tolerances);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,19 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_compare_static_comparison_h
+#define vfife_study_compare_static_comparison_h
+
+#include <vfife/study/compare/compared_case.h>
+#include <vfife/study/compare/comparison.h>
+
+namespace vfife
+{
+  /**
+   * Rows of general models at rest or in steady spin: displacements and stresses of the probes of a
+   * `static` or a `run` (its last third) against `linear static`, as far as these are among the
+   * cases (doc/study.md, Kind compare). Throws InputError where results cannot be read.
+   */
+  ComparisonRows compare_statics(const ComparedCases        &cases,
+                                 const ComparisonTolerances &tolerances);
+} // namespace vfife
+
+#endif

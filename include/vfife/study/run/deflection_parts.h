@@ -1,0 +1,85 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_run_deflection_parts_h
+#define vfife_study_run_deflection_parts_h
+
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+
+  /**
+   * Where the transmission error of a loaded pair at the mean contact comes from [rad], lag
+   * negative. With n the normal out of the gear into the pinion and p its arm about the gear axis,
+   * flanks that touch after displacements u_g and u_p at the contact ask the hub for the rotation
+   *   (n . u_g - n . u_p)/p   in the drive direction.
+   */
+  struct DeflectionParts
+  {
+    double total       = 0;
+    double centrifugal = 0; ///< displacement of both flanks by spinning alone
+    double web_windup  = 0; ///< rotation of the rim against the hub under load
+    double rim_tilt    = 0; ///< the rest of the rim's rigid motion under load: tilt and shift
+    double teeth       = 0; ///< what remains: bending of teeth and rim, contact, pinion body
+  };
+
+  /** The lowest oscillation of a loaded pair whose driver is held. */
+  struct Swing
+  {
+    double stiffness = 0; ///< torque over rotation of the driven member's hub [N mm/rad]
+    double inertia   = 0; ///< of the shape, as of a rotation of the hub [t mm^2]
+
+    /** [Hz]; 0 where nothing is known. */
+    double frequency() const;
+  };
+
+  /** Displacements of a pair at rest in its turning frames, for DeflectionParts. */
+  class DeflectionProbe
+  {
+  public:
+    DeflectionProbe(const Model &model, const Communicator &communicator);
+
+    /** To be called with the spun, unloaded state. Collective. */
+    void take_spun(State &state);
+
+    /** With the state under a part of the torque. Collective. */
+    void take_partly_loaded(State &state, double torque);
+
+    /** With the state under the full torque. Collective. */
+    DeflectionParts take_loaded(State &state) const;
+
+    /**
+     * The slope of the pair at full load, from the partly loaded state to the loaded one. With u
+     * the difference of both shapes and psi that of the hub's rotations, the swing of the pair in
+     * the shape u has the frequency (1/2pi) sqrt(k/J), k = dT/psi and J = sum m u . u/psi^2
+     * (Rayleigh). Collective.
+     */
+    Swing compute_swing(const State &loaded, const DeflectionParts &parts, double torque) const;
+
+  private:
+    struct Shape
+    {
+      double  contact  = 0;               ///< (n . u_g - n . u_p)/p at the flanks
+      double  hub_lead = 0, rim_lead = 0; ///< drive direction
+      Vector3 rim_shift =
+        Vector3::Zero(); ///< rigid motion of the rim: u = shift + tilt x (x - axis point)
+      Vector3 rim_turn = Vector3::Zero();
+    };
+
+    Shape measure(State &state) const;
+    Vector3
+    flank_displacement(const State &state, unsigned int body, const std::string &surface) const;
+    void fit_rim(const State &state, Shape &shape) const;
+
+    const Model        &model_;
+    const Communicator &communicator_;
+    Shape               spun_;
+    double              partial_torque_ = 0, partial_lead_ = 0; ///< [N mm], [rad]
+    std::vector<double> partial_position_;                      ///< records as in State
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,107 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_run_stepping_h
+#define vfife_study_run_stepping_h
+
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/model/observer.h>
+#include <vfife/model/state.h>
+#include <vfife/output/files/summary.h>
+#include <vfife/output/output_options.h>
+
+#include <functional>
+#include <memory>
+
+namespace vfife
+{
+  class ByteStream;
+  class Communicator;
+  class ExplicitSolver;
+  class FieldWriter;
+  class Log;
+  class OutputFolder;
+  class RunSignals;
+  struct Checkpoint;
+  struct DynamicsOptions;
+
+  /**
+   * The time steps of a run from its start, or from a checkpoint, to its end, whatever the model:
+   * observers, checkpoints, signals, failure, summary.json. A run that goes on from a checkpoint
+   * writes the files that it would have written without a stop.
+   */
+  class Stepping
+  {
+  public:
+    /** What the kinds of runs do each in their way; all on all ranks. */
+    struct Parts
+    {
+      /** Takes the state to where the first step begins; not called when a run goes on. */
+      std::function<void(State &)> prepare;
+      /** Passes what prepare() has found out and complete() needs; may be empty. */
+      std::function<void(ByteStream &)> exchange;
+      /** Fills in the summary of a run that has ended or failed; may be empty. */
+      std::function<void()> complete;
+    };
+
+    /** Everything given must outlive the object. The step of @p solver is set. @p sample_steps:
+     * steps from sample to sample of the histories. */
+    Stepping(OutputFolder        &folder,
+             Log                 &log,
+             Model               &model,
+             ExplicitSolver      &solver,
+             const OutputOptions &output,
+             std::uint64_t        sample_steps);
+    ~Stepping();
+
+    /** Adds an observer, made of the folder and the arguments. */
+    template <typename Writer, typename... Arguments>
+    const Writer &add(Arguments &&...arguments)
+    {
+      observers_.push_back(
+        std::make_unique<Writer>(folder_, std::forward<Arguments>(arguments)...));
+      return static_cast<const Writer &>(*observers_.back());
+    }
+
+    /** Adds the fields, a file every @p steps steps; 0: on SIGUSR1 only. */
+    void add_fields(std::uint64_t steps, const DynamicsOptions &dynamics);
+
+    State &state();
+
+    /** To be filled by the study; run() adds time, steps, energy, dampers, warnings. */
+    RunSummary &summary();
+
+    /**
+     * Runs from time zero or from @p checkpoint (nullptr: none) to @p end_time [s], of a run that
+     * would end at @p whole_time. Throws NumericalError after the summary of a failed run has been
+     * written, Interrupted after a checkpoint.
+     */
+    void run(const Checkpoint *checkpoint, double end_time, double whole_time, const Parts &parts);
+
+  private:
+    void   before_step(RunSignals &signals, std::uint64_t last_step);
+    void   stop(int signal) const;
+    void   write();
+    void   restore(const Checkpoint &checkpoint);
+    void   exchange(ByteStream &common, ByteStream *own);
+    double run_time() const;
+    void   finish(const Parts &parts);
+
+    OutputFolder        &folder_;
+    const Communicator  &communicator_;
+    Log                 &log_;
+    Model               &model_;
+    ExplicitSolver      &solver_;
+    const OutputOptions &output_;
+    std::uint64_t        sample_steps_;
+    Observers            observers_;
+    FieldWriter         *fields_ = nullptr;
+    State                state_;
+    RunSummary           summary_;
+
+    std::function<void(ByteStream &)> exchange_parts_;
+    WallClock::time_point             begin_, last_checkpoint_;
+    double                            earlier_time_   = 0; ///< run time before the checkpoint [s]
+    bool                              has_checkpoint_ = false; ///< of this run
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,69 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_sweep_history_figure_h
+#define vfife_study_sweep_history_figure_h
+
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/output/files/figures.h>
+
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  class Table;
+
+  /** What is taken of a column of a history. */
+  enum class FigureValue
+  {
+    last,
+    first,
+    mean,
+    largest,
+    smallest,
+    largest_size,      ///< of the absolute values
+    change,            ///< last over first, minus one [-]
+    mean_above_half,   ///< mean over the time in which the column is above half its largest value
+    time_above_half,   ///< that time, its ends interpolated [s]
+    zero_crossing_rate ///< half the crossings between the first and the last one a second [Hz]
+  };
+
+  const Choices<FigureValue> &figure_value_choices();
+
+  /** A number that is taken of the history of a run, and what it should be. */
+  struct HistoryFigure
+  {
+    std::string name;
+    std::string column;
+    FigureValue value = FigureValue::last;
+    std::string reference; ///< number in the figure's unit; empty: not known
+
+    void declare(dealii::ParameterHandler &prm);
+
+    /** Throws InputError with the name of @p section and the entry. */
+    void check(const std::string &section) const;
+
+    /**
+     * The number with its unit.
+     * @throws InputError where the history has no such column, with the nearest name.
+     */
+    Figure compute(const Table &history) const;
+
+    /** (value - reference)/reference, or the value where the reference is 0; NaN without one. */
+    double compute_error(double value) const;
+
+    /** The unit of compute_error(): none, but that of the value where the reference is 0. */
+    std::string error_unit(const std::string &unit) const;
+  };
+
+  /**
+   * Order of convergence from one run to the next, log(|error before/error|) over
+   * |log(value/value before)| of the parameters that differ; NaN unless these are numbers in one
+   * common ratio.
+   */
+  double compute_order(double                          error_before,
+                       double                          error,
+                       const std::vector<std::string> &values_before,
+                       const std::vector<std::string> &values);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,116 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/declared_section.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    /** An entry has a value (or stands for another one, "alias") that is a text and no tree. */
+    bool is_entry(const Json &node)
+    {
+      return node.is_object() && ((node.contains("value") && node["value"].is_string()) ||
+                                  (node.contains("alias") && node["alias"].is_string()));
+    }
+
+    DeclaredSection read_section(const std::string &name, const Json &node)
+    {
+      DeclaredSection section;
+      section.name = name;
+      // a section without entries is written as an empty text
+      if (!node.is_object())
+        return section;
+      for (const auto &[child_name, child] : node.items())
+        if (is_entry(child))
+          section.entries.push_back({child_name,
+                                     child.value("value", ""),
+                                     child.value("default_value", ""),
+                                     child.value("documentation", ""),
+                                     child.value("pattern_description", "")});
+        else
+          section.sections.push_back(read_section(child_name, child));
+      return section;
+    }
+
+    template <typename Named>
+    const Named *find_named(const std::vector<Named> &all, const std::string &name)
+    {
+      for (const Named &one : all)
+        if (one.name == name)
+          return &one;
+      return nullptr;
+    }
+
+    template <typename Named>
+    std::vector<std::string> names_of(const std::vector<Named> &all)
+    {
+      std::vector<std::string> names;
+      for (const Named &one : all)
+        names.push_back(one.name);
+      return names;
+    }
+  } // namespace
+
+  const DeclaredSection::Entry *DeclaredSection::find_entry(const std::string &entry) const
+  {
+    return find_named(entries, entry);
+  }
+
+  const DeclaredSection *DeclaredSection::find_section(const std::string &section) const
+  {
+    return find_named(sections, section);
+  }
+
+  std::vector<std::string> DeclaredSection::entry_names() const
+  {
+    return names_of(entries);
+  }
+
+  std::vector<std::pair<std::string, std::string>>
+  DeclaredSection::list_values(const std::string &path) const
+  {
+    const std::string                                inside = path.empty() ? "" : path + "/";
+    std::vector<std::pair<std::string, std::string>> values;
+    for (const Entry &entry : entries)
+      values.emplace_back(inside + entry.name, entry.value);
+    for (const DeclaredSection &section : sections)
+      for (auto &value : section.list_values(inside + section.name))
+        values.push_back(std::move(value));
+    return values;
+  }
+
+  std::vector<std::string> DeclaredSection::section_names() const
+  {
+    return names_of(sections);
+  }
+
+  std::vector<std::string> DeclaredSection::sections_with_entry(const std::string &entry,
+                                                                const std::string &path) const
+  {
+    std::vector<std::string> found;
+    if (find_entry(entry) != nullptr)
+      found.push_back(path);
+    for (const DeclaredSection &section : sections)
+      for (const std::string &below :
+           section.sections_with_entry(entry, path + (path.empty() ? "" : "/") + section.name))
+        found.push_back(below);
+    return found;
+  }
+
+  DeclaredSection find_declared(const dealii::ParameterHandler &prm)
+  {
+    // ParameterHandler lists its declarations in no other way than by printing them
+    std::stringstream text;
+    prm.print_parameters(text,
+                         dealii::ParameterHandler::JSON |
+                           dealii::ParameterHandler::KeepDeclarationOrder);
+    return read_section("", Json::parse(text));
+  }
+} // namespace vfife

@@ -1,0 +1,213 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/failure.h>
+#include <vfife/base/text/nearest_name.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <list>
+#include <ostream>
+
+namespace vfife
+{
+  namespace
+  {
+    std::string quoted_section(const std::string &path)
+    {
+      return path.empty() ? "the top level" : "section \"" + path + "\"";
+    }
+
+    /** Throws for a section name that is not declared in @p parent, whose path is @p path. */
+    [[noreturn]] void refuse_section(const std::string     &place,
+                                     const std::string     &name,
+                                     const DeclaredSection &parent,
+                                     const std::string     &path)
+    {
+      const std::vector<std::string> known   = parent.section_names();
+      std::string                    message = place + ": \"" + name + "\" is not a section of " +
+                            (path.empty() ? "the parameter file" : "\"" + path + "\"");
+      message += known.empty() ? " (it has none)" : " (allowed: " + list_of(known) + ")";
+      message += parent.find_entry(name) == nullptr ? did_you_mean(name, known)
+                                                    : "; it is an entry: set " + name + " = ...";
+      throw InputError(message);
+    }
+
+    [[noreturn]] void refuse_entry(const ParameterStatement &statement,
+                                   const DeclaredSection    &section,
+                                   const DeclaredSection    &top)
+    {
+      const std::vector<std::string> known = section.entry_names();
+      const std::string              hint  = did_you_mean(statement.name, known);
+      std::string message = statement.place + ": \"" + statement.name + "\" is not an entry of " +
+                            quoted_section(statement.section_path()) + hint;
+      const std::vector<std::string> others = top.sections_with_entry(statement.name);
+      if (section.find_section(statement.name) != nullptr)
+        message += "; it is a section: subsection " + statement.name + " ... end";
+      else if (hint.empty() && others.size() == 1)
+        message += "; it is one of " + quoted_section(others[0]);
+      else if (hint.empty())
+        message +=
+          known.empty() ? "; no entries are allowed there" : "; allowed: " + list_of(known);
+      throw InputError(message);
+    }
+
+    /** The section that a statement stands in, or nullptr; with @p strict an error instead of
+     * nullptr. */
+    const DeclaredSection *find_section_of(const ParameterStatement &statement,
+                                           const DeclaredSection    &top,
+                                           const bool                strict)
+    {
+      const DeclaredSection *section = &top;
+      std::string            path;
+      for (const std::string &name : statement.sections)
+        {
+          const DeclaredSection *const inner = section->find_section(name);
+          if (inner == nullptr && strict)
+            refuse_section(statement.place, name, *section, path);
+          if (inner == nullptr)
+            return nullptr;
+          section = inner;
+          path += (path.empty() ? "" : "/") + name;
+        }
+      return section;
+    }
+  } // namespace
+
+  ParameterFile::ParameterFile(const std::string &path, const std::vector<std::string> &overrides)
+    : path_(path)
+    , statements_(read_statements(path))
+  {
+    for (const std::string &text : overrides)
+      statements_.push_back(read_override(text));
+  }
+
+  void ParameterFile::read_known(dealii::ParameterHandler &prm) const
+  {
+    const DeclaredSection top = find_declared(prm);
+    for (const ParameterStatement &statement : statements_)
+      {
+        const DeclaredSection *const section = find_section_of(statement, top, false);
+        if (section != nullptr && !statement.opens_section &&
+            section->find_entry(statement.name) != nullptr)
+          apply(statement, prm);
+      }
+  }
+
+  void ParameterFile::read(dealii::ParameterHandler &prm) const
+  {
+    const DeclaredSection top = find_declared(prm);
+    for (const ParameterStatement &statement : statements_)
+      {
+        const DeclaredSection &section = *find_section_of(statement, top, true);
+        if (statement.opens_section)
+          {
+            if (section.find_section(statement.name) == nullptr)
+              refuse_section(statement.place, statement.name, section, statement.section_path());
+          }
+        else if (section.find_entry(statement.name) == nullptr)
+          refuse_entry(statement, section, top);
+        else
+          apply(statement, prm);
+      }
+  }
+
+  void ParameterFile::apply(const ParameterStatement &statement,
+                            dealii::ParameterHandler &prm) const
+  {
+    std::list<Subsection> sections;
+    for (const std::string &name : statement.sections)
+      sections.emplace_back(prm, name);
+
+    // the option of the command line shows name and value itself
+    const std::string place =
+      statement.from_command_line
+        ? statement.place + ": "
+        : statement.place + ": " + statement.name + " = " + statement.value + ": ";
+    try
+      {
+        prm.set(statement.name, statement.value);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(place + error.what());
+      }
+    catch (const dealii::ExceptionBase &exception)
+      {
+        throw InputError(place + short_message(exception));
+      }
+  }
+
+  const ParameterStatement *ParameterFile::find(const std::string &entry_path) const
+  {
+    // later statements win, and the command line comes last; of a section the first place is of
+    // interest
+    const ParameterStatement *found = nullptr;
+    for (const ParameterStatement &statement : statements_)
+      if (statement.path() == entry_path && !(statement.opens_section && found != nullptr))
+        found = &statement;
+    return found;
+  }
+
+  bool ParameterFile::contains(const std::string &entry_or_section) const
+  {
+    const std::string inside = entry_or_section + "/";
+    for (const ParameterStatement &statement : statements_)
+      if (statement.path() == entry_or_section ||
+          statement.path().compare(0, inside.size(), inside) == 0)
+        return true;
+    return false;
+  }
+
+  std::string ParameterFile::locate(const std::string &entry_path) const
+  {
+    const ParameterStatement *const statement = find(entry_path);
+    return statement == nullptr ? "" : statement->place;
+  }
+
+  std::string ParameterFile::explain(const InputError &error) const
+  {
+    if (const auto *const several = dynamic_cast<const InputErrors *>(&error))
+      {
+        std::string text = std::to_string(several->errors().size()) +
+                           " contradictions in the input; the program stops";
+        for (const InputError &one : several->errors())
+          text += "\n  " + explain(one);
+        return text;
+      }
+    if (error.entry().empty())
+      return error.what();
+
+    const ParameterStatement *found = find(error.entry());
+    if (found == nullptr)
+      {
+        const std::string end = "/" + error.entry();
+        std::string       path;
+        bool              unambiguous = true;
+        for (const ParameterStatement &statement : statements_)
+          {
+            const std::string candidate = statement.path();
+            if (candidate.size() > end.size() &&
+                candidate.compare(candidate.size() - end.size(), end.size(), end) == 0)
+              {
+                unambiguous = unambiguous && (path.empty() || path == candidate);
+                path        = candidate;
+              }
+          }
+        if (unambiguous && !path.empty())
+          found = find(path);
+      }
+    if (found == nullptr)
+      return path_ + " (" + error.entry() + ", not set there): " + error.what();
+    return found->place + " (" + found->path() + "): " + error.what();
+  }
+
+  void print_parameters(std::ostream &out, const dealii::ParameterHandler &prm)
+  {
+    prm.print_parameters(out,
+                         dealii::ParameterHandler::PRM |
+                           dealii::ParameterHandler::KeepDeclarationOrder);
+  }
+} // namespace vfife

@@ -1,0 +1,93 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_history.h>
+#include <vfife/base/parameters/parameters.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    bool names_a_file(const std::string &text)
+    {
+      const auto ends_in = [&](const std::string &end) {
+        return text.size() > end.size() &&
+               text.compare(text.size() - end.size(), end.size(), end) == 0;
+      };
+      return ends_in(".csv") || ends_in(".txt");
+    }
+
+    std::vector<std::pair<double, double>> read_rows(const std::string &path)
+    {
+      std::ifstream file(path);
+      if (!file)
+        throw InputError("the table \"" + path + "\" cannot be read");
+      std::vector<std::pair<double, double>> rows;
+      for (std::string line; std::getline(file, line);)
+        {
+          std::replace(line.begin(), line.end(), ',', ' ');
+          std::istringstream        numbers(line);
+          std::pair<double, double> row;
+          if (!(numbers >> row.first))
+            continue;
+          if (!(numbers >> row.second))
+            throw InputError("the table \"" + path + "\" has a line without a second number: \"" +
+                             line + "\"");
+          if (!rows.empty() && row.first <= rows.back().first)
+            throw InputError("times in the table \"" + path + "\" must increase");
+          rows.push_back(row);
+        }
+      if (rows.empty())
+        throw InputError("the table \"" + path + "\" has no rows of two numbers");
+      return rows;
+    }
+  } // namespace
+
+  void ParameterHistory::declare(dealii::ParameterHandler &prm)
+  {
+    declare_text(prm,
+                 "history",
+                 text_,
+                 "Factor over time: a formula of t [s], or a table file (.csv, .txt) of time [s] "
+                 "and factor");
+  }
+
+  void ParameterHistory::check(const std::string &section)
+  {
+    formula_.reset();
+    rows_.clear();
+    try
+      {
+        if (names_a_file(text_))
+          rows_ = read_rows(text_);
+        else
+          formula_.emplace(text_);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/history", error.what());
+      }
+  }
+
+  double ParameterHistory::value(const double time) const
+  {
+    if (formula_)
+      return (*formula_)(Vector3::Zero(), time);
+    if (rows_.empty())
+      return 1.;
+    const auto next =
+      std::lower_bound(rows_.begin(), rows_.end(), time, [](const auto &row, const double t) {
+        return row.first < t;
+      });
+    if (next == rows_.begin())
+      return rows_.front().second;
+    if (next == rows_.end())
+      return rows_.back().second;
+    const auto  &last = *(next - 1);
+    const double part = (time - last.first) / (next->first - last.first);
+    return last.second + part * (next->second - last.second);
+  }
+} // namespace vfife

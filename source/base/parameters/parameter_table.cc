@@ -1,0 +1,50 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_table.h>
+#include <vfife/base/text/csv_text.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/number_text.h>
+
+#include <fstream>
+
+namespace vfife
+{
+  Table read_parameter_table(const std::string &path)
+  {
+    const std::string name = "the table \"" + path + "\"";
+    std::ifstream     file(path);
+    const CsvText     text = read_csv(file, name);
+    Table             table;
+    for (const CsvText::Heading &heading : text.headings)
+      table.add_column(heading.name, heading.unit.value_or("-"));
+    for (const CsvText::Row &row : text.rows)
+      {
+        std::vector<Table::Cell> cells;
+        for (const std::string &cell : row.cells)
+          {
+            std::string rest;
+            cells.emplace_back(read_number(cell, rest));
+            if (!rest.empty())
+              throw InputError(row.place + ": \"" + cell + "\" is no number");
+          }
+        table.add_row(cells);
+      }
+    if (table.n_rows() == 0)
+      throw InputError(name + " has no rows");
+    return table;
+  }
+
+  const std::vector<double> &
+  find_column(const Table &table, const std::string &path, const std::string &name)
+  {
+    std::vector<std::string> names;
+    for (const Table::Column &column : table.columns())
+      {
+        if (column.name == name)
+          return column.numbers;
+        names.push_back(column.name);
+      }
+    throw InputError("the table \"" + path + "\" has no column \"" + name +
+                     "\"; it has: " + list_of(names));
+  }
+} // namespace vfife

@@ -1,0 +1,342 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/quantity.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace vfife
+{
+  namespace
+  {
+    using CheckedRead = std::function<void(const std::string &)>;
+
+    /**
+     * A pattern that knows why it refuses a text: match() throws the InputError of the reader
+     * instead of returning false, so that the reason reaches the user and not only the fact.
+     * ParameterFile adds file and line.
+     */
+    class ReasonedPattern : public dealii::Patterns::PatternBase
+    {
+    public:
+      ReasonedPattern(const CheckedRead &check, const std::string &words)
+        : check_(check)
+        , words_(words)
+      {
+      }
+
+      bool match(const std::string &text) const override
+      {
+        check_(text);
+        return true;
+      }
+
+      std::string description(const OutputStyle) const override
+      {
+        return words_;
+      }
+
+      std::unique_ptr<dealii::Patterns::PatternBase> clone() const override
+      {
+        return std::make_unique<ReasonedPattern>(*this);
+      }
+
+    private:
+      CheckedRead check_;
+      std::string words_;
+    };
+
+    /**
+     * Declares an entry whose text is read by @p read (throws on a bad text) and stored by @p
+     * store. For the default text @p default_value itself is stored, because the text may be
+     * rounded.
+     */
+    template <typename Value, typename Read, typename Store>
+    void declare(dealii::ParameterHandler &prm,
+                 const std::string        &name,
+                 const std::string        &default_text,
+                 const Value              &default_value,
+                 const Read               &read,
+                 const Store              &store,
+                 const std::string        &words,
+                 const std::string        &description)
+    {
+      const auto check = [read](const std::string &text) { (void)read(text); };
+      try
+        {
+          prm.declare_entry(name, default_text, ReasonedPattern(check, words), description);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("default " + default_text + " of \"" + name + "\": " + error.what());
+        }
+      prm.add_action(name, [read, store, default_text, default_value](const std::string &text) {
+        store(text == default_text ? default_value : read(text));
+      });
+    }
+
+    std::string range_words(const Range &range)
+    {
+      const bool        below = std::isfinite(range.lowest), above = std::isfinite(range.highest);
+      const std::string low = number_text(range.lowest), high = number_text(range.highest);
+      if (below && above)
+        return range.open_below ? "above " + low + " and at most " + high
+                                : "between " + low + " and " + high;
+      if (below && range.lowest == 0.)
+        return range.open_below ? "positive" : "not negative";
+      if (below)
+        return (range.open_below ? "above " : "at least ") + low;
+      return above ? "at most " + high : "";
+    }
+
+    void check_range(const Quantity &quantity, const Unit &unit, const Range &range)
+    {
+      const double number = quantity.in(unit);
+      // a converted number may miss the limit it means by its round-off
+      const auto slack = [&](const double limit) {
+        return quantity.unit == &unit ? 0. : 1e-14 * std::abs(limit);
+      };
+      const bool low = range.open_below ? number <= range.lowest + slack(range.lowest)
+                                        : number < range.lowest - slack(range.lowest);
+      if (low || number > range.highest + slack(range.highest))
+        {
+          const std::string words    = range_words(range);
+          const bool        negation = words.compare(0, 4, "not ") == 0;
+          throw InputError("must " + (negation ? "not be " + words.substr(4) : "be " + words) +
+                           " [" + unit.name + "]");
+        }
+    }
+
+    /** "meaning (words) [unit]" */
+    std::string
+    description_of(const std::string &meaning, const std::string &words, const std::string &unit)
+    {
+      return meaning + (words.empty() ? "" : " (" + words + ")") +
+             (unit.empty() ? "" : " [" + unit + "]");
+    }
+
+    /** The three parts between two commas. */
+    std::array<std::string, 3> split_three(const std::string &text)
+    {
+      const std::size_t first = text.find(','), second = text.find(',', first + 1);
+      if (first == std::string::npos || second == std::string::npos ||
+          text.find(',', second + 1) != std::string::npos)
+        throw InputError("must be three numbers separated by commas");
+      return {{trimmed(text.substr(0, first)),
+               trimmed(text.substr(first + 1, second - first - 1)),
+               trimmed(text.substr(second + 1))}};
+    }
+
+    std::vector<std::string> split_names(const std::string &text)
+    {
+      std::vector<std::string> names;
+      std::size_t              begin = 0;
+      if (trimmed(text).empty())
+        return names;
+      while (begin <= text.size())
+        {
+          const std::size_t end  = std::min(text.find(',', begin), text.size());
+          const std::string name = trimmed(text.substr(begin, end - begin));
+          if (name.empty())
+            throw InputError("a name is missing beside a comma");
+          if (std::find(names.begin(), names.end(), name) != names.end())
+            throw InputError("the name \"" + name + "\" stands twice");
+          names.push_back(name);
+          begin = end + 1;
+        }
+      return names;
+    }
+  } // namespace
+
+  Subsection::Subsection(dealii::ParameterHandler &prm, const std::string &name)
+    : prm_(prm)
+  {
+    prm_.enter_subsection(name);
+  }
+
+  Subsection::~Subsection()
+  {
+    prm_.leave_subsection();
+  }
+
+  void declare_quantity(dealii::ParameterHandler &prm,
+                        const std::string        &name,
+                        double                   &value,
+                        const std::string        &unit,
+                        const std::string        &meaning,
+                        const Range              &range)
+  {
+    const Unit &bare = find_unit(unit);
+    const auto  read = [&bare, range](const std::string &text) {
+      const Quantity quantity = read_quantity(text, bare.name);
+      check_range(quantity, bare, range);
+      return quantity.internal();
+    };
+    const std::string words = range_words(range);
+    declare(
+      prm,
+      name,
+      quantity_text(value, unit),
+      value,
+      read,
+      [&value](const double number) { value = number; },
+      "a number" + (words.empty() ? "" : ", " + words) + " [" + unit + "]",
+      description_of(meaning, words, unit));
+  }
+
+  void declare_vector(dealii::ParameterHandler &prm,
+                      const std::string        &name,
+                      Vector3                  &value,
+                      const std::string        &unit,
+                      const std::string        &meaning)
+  {
+    const Unit &bare = find_unit(unit);
+    const auto  read = [&bare](const std::string &text) {
+      // "0, 0, 5 m": the unit behind the last number is also that of bare numbers before it.
+      const auto     parts = split_three(text);
+      const Quantity last  = read_quantity(parts[2], bare.name);
+      Vector3        numbers;
+      numbers[2] = last.internal();
+      for (unsigned int c = 0; c < 2; ++c)
+        numbers[c] = parse_quantity(parts[c], last.unit->name);
+      return numbers;
+    };
+    const auto text = [&](const unsigned int c) { return quantity_text(value[c], unit); };
+    declare(
+      prm,
+      name,
+      text(0) + ", " + text(1) + ", " + text(2),
+      value,
+      read,
+      [&value](const Vector3 &numbers) { value = numbers; },
+      "three numbers [" + unit + "]",
+      description_of(meaning, "three numbers", unit));
+  }
+
+  void declare_number(dealii::ParameterHandler &prm,
+                      const std::string        &name,
+                      double                   &value,
+                      const std::string        &meaning,
+                      const Range              &range)
+  {
+    declare_quantity(prm, name, value, "-", meaning, range);
+  }
+
+  void declare_integer(dealii::ParameterHandler &prm,
+                       const std::string        &name,
+                       unsigned int             &value,
+                       const std::string        &meaning,
+                       const unsigned int        lowest,
+                       const unsigned int        highest)
+  {
+    const bool unlimited = highest == static_cast<unsigned int>(std::numeric_limits<int>::max());
+    const std::string words =
+      unlimited ? (lowest == 0 ? "" : "at least " + std::to_string(lowest))
+                : "between " + std::to_string(lowest) + " and " + std::to_string(highest);
+    const auto read = [lowest, highest, words](const std::string &text) {
+      std::string  rest;
+      const double number = read_number(text, rest);
+      // 1e6 is a whole number too
+      if (!rest.empty() || number != std::floor(number))
+        throw InputError("must be a whole number");
+      if (number < lowest || number > highest)
+        throw InputError("must be " +
+                         (words.empty() ? "a whole number from 0 to 2147483647" : words));
+      return static_cast<unsigned int>(number);
+    };
+    declare(
+      prm,
+      name,
+      std::to_string(value),
+      value,
+      read,
+      [&value](const unsigned int number) { value = number; },
+      "a whole number" + (words.empty() ? "" : ", " + words),
+      description_of(meaning, words, "-"));
+  }
+
+  void declare_switch(dealii::ParameterHandler &prm,
+                      const std::string        &name,
+                      bool                     &value,
+                      const std::string        &meaning)
+  {
+    const auto read = [](const std::string &text) {
+      if (text == "yes" || text == "true" || text == "on")
+        return true;
+      if (text == "no" || text == "false" || text == "off")
+        return false;
+      throw InputError("must be yes or no");
+    };
+    declare(
+      prm,
+      name,
+      value ? "yes" : "no",
+      value,
+      read,
+      [&value](const bool answer) { value = answer; },
+      "yes or no",
+      description_of(meaning, "yes, no", ""));
+  }
+
+  void declare_text(dealii::ParameterHandler &prm,
+                    const std::string        &name,
+                    std::string              &value,
+                    const std::string        &meaning)
+  {
+    declare(
+      prm,
+      name,
+      value,
+      value,
+      [](const std::string &text) { return text; },
+      [&value](const std::string &text) { value = text; },
+      "text",
+      meaning);
+  }
+
+  void declare_names(dealii::ParameterHandler &prm,
+                     const std::string        &name,
+                     std::vector<std::string> &value,
+                     const std::string        &meaning)
+  {
+    declare(
+      prm,
+      name,
+      list_of(value),
+      value,
+      split_names,
+      [&value](const std::vector<std::string> &names) { value = names; },
+      "names separated by commas",
+      description_of(meaning, "names separated by commas", ""));
+  }
+
+  void declare_choice(dealii::ParameterHandler            &prm,
+                      const std::string                   &name,
+                      const std::vector<std::string>      &words,
+                      const std::string                   &default_word,
+                      const std::function<void(unsigned)> &select,
+                      const std::string                   &meaning)
+  {
+    const auto read = [words](const std::string &text) {
+      const auto word = std::find(words.begin(), words.end(), text);
+      if (word == words.end())
+        throw InputError("must be one of " + list_of(words, true) + did_you_mean(text, words));
+      return static_cast<unsigned>(word - words.begin());
+    };
+    declare(prm,
+            name,
+            default_word,
+            read(default_word),
+            read,
+            select,
+            "one of " + list_of(words, true),
+            description_of(meaning, list_of(words), ""));
+  }
+} // namespace vfife

@@ -1,0 +1,145 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/command_line.h>
+#include <vfife/base/text/nearest_name.h>
+
+#include <deal.II/base/config.h>
+
+#include <boost/program_options.hpp>
+
+#include <vfife/base/process/revision.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    namespace options = boost::program_options;
+
+    const char usage[] = "usage: vfife FILE.prm [options]";
+
+    /** Options that users see; each is bound to its place in @p line. */
+    options::options_description visible_options(CommandLine &line)
+    {
+      options::options_description description("options");
+      description.add_options() //
+        ("output,o",
+         options::value(&line.output_folder)->value_name("DIR"),
+         "folder for results, instead of Study/output folder of the file") //
+        ("set",
+         options::value(&line.overrides)->composing()->value_name("\"SECTION/SUB/NAME=VALUE\""),
+         "sets an entry, whatever the file says; may be given several times") //
+        ("restart",
+         options::bool_switch(&line.restart),
+         "[DIR]  goes on from the last checkpoint in the folder of results, or in DIR; FILE.prm "
+         "may then be left out")                                                              //
+        ("check", options::bool_switch(&line.check), "checks the input and computes nothing") //
+        ("print-parameters",
+         options::bool_switch(&line.print_parameters),
+         "prints all parameters in force with their descriptions and computes nothing") //
+        ("parameter-reference",
+         options::bool_switch(&line.parameter_reference),
+         "prints all parameters of all kinds of studies as a page of Markdown")          //
+        ("version", options::bool_switch(&line.version), "prints the version and stops") //
+        ("help,h", options::bool_switch(&line.help), "prints this text and stops");
+      return description;
+    }
+
+    std::vector<std::string> option_names(const options::options_description &description)
+    {
+      std::vector<std::string> names;
+      for (const auto &option : description.options())
+        names.push_back("--" + option->long_name());
+      return names;
+    }
+
+    /** Takes the folder to go on in out of the arguments. */
+    void take_folder(std::vector<std::string> &files, CommandLine &line)
+    {
+      const auto folder = std::find_if(files.begin(), files.end(), [](const std::string &file) {
+        std::error_code error;
+        return std::filesystem::is_directory(file, error);
+      });
+      if (folder != files.end())
+        {
+          line.output_folder = *folder;
+          files.erase(folder);
+        }
+      if (files.empty() && !line.output_folder.empty())
+        files.push_back(line.output_folder + "/parameters.prm");
+    }
+  } // namespace
+
+  CommandLine parse_command_line(const int argc, const char *const *argv)
+  {
+    CommandLine                             line;
+    std::vector<std::string>                files;
+    const options::options_description      visible = visible_options(line);
+    options::options_description            all;
+    options::positional_options_description positional;
+    all.add(visible).add_options()("parameter-file", options::value(&files));
+    positional.add("parameter-file", -1);
+
+    try
+      {
+        // no guessing: an abbreviation today is another option tomorrow
+        const int style =
+          options::command_line_style::unix_style & ~options::command_line_style::allow_guessing;
+        options::variables_map values;
+        options::store(options::command_line_parser(argc, argv)
+                         .options(all)
+                         .positional(positional)
+                         .style(style)
+                         .run(),
+                       values);
+        options::notify(values);
+      }
+    catch (const options::unknown_option &error)
+      {
+        const std::vector<std::string> known = option_names(visible);
+        const std::string              hint  = did_you_mean(error.get_option_name(), known);
+        throw InputError("unknown option " + error.get_option_name() +
+                         (hint.empty() ? "; the options are " + list_of(known) : hint));
+      }
+    catch (const options::error &error)
+      {
+        throw InputError(std::string(error.what()) + " (vfife --help lists the options)");
+      }
+
+    if (line.restart)
+      take_folder(files, line);
+    if (files.size() > 1)
+      throw InputError("one parameter file is expected, but there are " +
+                       std::to_string(files.size()) + ": " + list_of(files, true));
+    if (files.empty() && !line.help && !line.version && !line.parameter_reference)
+      throw InputError(std::string("no parameter file; ") + usage);
+    if (!files.empty())
+      line.parameter_file = files[0];
+    return line;
+  }
+
+  std::string help_text()
+  {
+    CommandLine        line;
+    std::ostringstream text;
+    text << usage
+         << "\n\nSimulates gears by the modified vector form intrinsic finite element method as "
+            "FILE.prm "
+         << "says.\nOn several ranks: mpirun -n N vfife FILE.prm [options]\n\n"
+         << visible_options(line)
+         << "\nexit code: 0 done, 1 the input cannot be used, 2 the computation failed, 3 stopped "
+            "by a "
+            "signal after a checkpoint\nsignals to a run: SIGTERM, SIGINT or SIGUSR2 write a "
+            "checkpoint and stop, SIGUSR1 writes a field file\n";
+    return text.str();
+  }
+
+  std::string version_text()
+  {
+    return std::string("vfife ") + program_version() + " (revision " + program_revision() +
+           ", deal.II " + DEAL_II_PACKAGE_VERSION + ")\n";
+  }
+} // namespace vfife

@@ -1,0 +1,104 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/base/process/wall_clock.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <array>
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+namespace vfife
+{
+  struct MpiSession::Implementation
+  {
+    Implementation(int &argc, char **&argv)
+      : mpi(argc, argv, 1)
+      , world(MPI_COMM_WORLD)
+    {
+      MPI_Comm_dup(MPI_COMM_WORLD, &farewell);
+    }
+
+    ~Implementation()
+    {
+      MPI_Comm_free(&farewell);
+    }
+
+    dealii::Utilities::MPI::MPI_InitFinalize mpi;
+    Communicator                             world;
+    MPI_Comm
+      farewell; ///< a communicator of its own: world may be stuck in the middle of an exchange
+  };
+
+  namespace
+  {
+    void write_message(const Failure &failure)
+    {
+      std::cout.flush();
+      std::cerr << "vfife: " + failure.message + "\n" << std::flush;
+    }
+
+    /** Waits until the request is done; false if that takes longer than @p patience seconds. */
+    bool wait_for(MPI_Request &request, const double patience)
+    {
+      const auto start = WallClock::now();
+      int        done  = 0;
+      while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0)
+        {
+          if (seconds_since(start) > patience)
+            return false;
+          std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+      return true;
+    }
+  } // namespace
+
+  MpiSession::MpiSession(int &argc, char **&argv)
+    : implementation_(std::make_unique<Implementation>(argc, argv))
+  {
+    dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+    dealii::deal_II_exceptions::disable_abort_on_exception();
+  }
+
+  MpiSession::~MpiSession() = default;
+
+  Communicator &MpiSession::world()
+  {
+    return implementation_->world;
+  }
+
+  int MpiSession::finish(const Failure &failure, const double patience)
+  {
+    const Communicator &world  = implementation_->world;
+    const bool          failed = failure.exit_code != 0;
+    if (world.size() == 1)
+      {
+        if (failed)
+          write_message(failure);
+        return failure.exit_code;
+      }
+
+    // largest exit code, and the lowest failing rank as the largest of size - rank
+    std::array<int, 2> mine{
+      {failure.exit_code, failed ? static_cast<int>(world.size() - world.rank()) : 0}};
+    std::array<int, 2> all{{0, 0}};
+    MPI_Request        request;
+    MPI_Iallreduce(
+      mine.data(), all.data(), 2, MPI_INT, MPI_MAX, implementation_->farewell, &request);
+
+    // a rank without failure waits for a failing one that stops it; of several failing ranks the
+    // lowest speaks first
+    if (!failed)
+      MPI_Wait(&request, MPI_STATUS_IGNORE);
+    else if (!wait_for(request, patience + 0.2 * world.rank()))
+      {
+        write_message(failure);
+        MPI_Abort(MPI_COMM_WORLD, failure.exit_code);
+      }
+    if (failed && all[1] == static_cast<int>(world.size() - world.rank()))
+      write_message(failure);
+    return all[0];
+  }
+} // namespace vfife

@@ -1,0 +1,69 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/run_signals.h>
+
+#include <array>
+#include <csignal>
+
+namespace vfife
+{
+  namespace
+  {
+    // A handler can reach nothing but what is static.
+    volatile std::sig_atomic_t stop_signal_seen   = 0;
+    volatile std::sig_atomic_t field_request_seen = 0;
+
+    constexpr std::array<int, 4> caught = {{SIGTERM, SIGINT, SIGUSR2, SIGUSR1}};
+
+    void remember(const int signal)
+    {
+      if (signal == SIGUSR1)
+        field_request_seen = 1;
+      else
+        stop_signal_seen = signal;
+    }
+  } // namespace
+
+  struct RunSignals::Handlers
+  {
+    std::array<struct sigaction, caught.size()> before;
+  };
+
+  RunSignals::RunSignals()
+    : handlers_(std::make_unique<Handlers>())
+  {
+    stop_signal_seen = field_request_seen = 0;
+    for (std::size_t i = 0; i < caught.size(); ++i)
+      {
+        struct sigaction action = {};
+        action.sa_handler       = &remember;
+        action.sa_flags         = SA_RESTART;
+        if (caught[i] == SIGTERM || caught[i] == SIGINT)
+          action.sa_flags |= static_cast<int>(SA_RESETHAND);
+        sigemptyset(&action.sa_mask);
+        sigaction(caught[i], &action, &handlers_->before[i]);
+      }
+  }
+
+  RunSignals::~RunSignals()
+  {
+    for (std::size_t i = 0; i < caught.size(); ++i)
+      sigaction(caught[i], &handlers_->before[i], nullptr);
+  }
+
+  int RunSignals::stop_signal() const
+  {
+    return stop_signal_seen;
+  }
+
+  bool RunSignals::take_field_request()
+  {
+    const bool seen    = field_request_seen != 0;
+    field_request_seen = 0;
+    return seen;
+  }
+
+  std::string RunSignals::name(const int signal)
+  {
+    return signal == SIGTERM ? "SIGTERM" : signal == SIGINT ? "SIGINT" : "SIGUSR2";
+  }
+} // namespace vfife

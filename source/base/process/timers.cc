@@ -1,0 +1,73 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/timers.h>
+
+namespace vfife
+{
+  Timers::Timers()
+    : start_(Clock::now())
+    , last_(start_)
+  {
+    sections_.push_back({"other", Clock::duration::zero(), 0});
+    open_.reserve(32);
+    open_.push_back(0);
+  }
+
+  unsigned int Timers::section(const std::string &name)
+  {
+    for (unsigned int i = 0; i < sections_.size(); ++i)
+      if (sections_[i].name == name)
+        return i;
+    sections_.push_back({name, Clock::duration::zero(), 0});
+    return sections_.size() - 1;
+  }
+
+  double Timers::seconds(const unsigned int section) const
+  {
+    Clock::duration time = sections_.at(section).time;
+    if (section == open_.back())
+      time += Clock::now() - last_;
+    return std::chrono::duration<double>(time).count();
+  }
+
+  double Timers::total() const
+  {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+
+  Table Timers::report(const Communicator &communicator) const
+  {
+    const unsigned int n = sections_.size();
+    if (communicator.min(n) != communicator.max(n))
+      throw NumericalError("the ranks time different sections");
+
+    std::vector<double> figures;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        figures.push_back(seconds(i));
+        figures.push_back(static_cast<double>(sections_[i].calls));
+      }
+    figures.push_back(total());
+    communicator.max(figures);
+
+    Table table;
+    table.add_text_column("section");
+    table.add_column("time", "s");
+    table.add_column("share", "%");
+    table.add_column("calls", "-");
+    const double total_time = figures.back();
+    const auto   add        = [&](const unsigned int i) {
+      const double time = figures[2 * i];
+      table.add_row({sections_[i].name,
+                     time,
+                     total_time > 0. ? 100. * time / total_time : 0.,
+                     figures[2 * i + 1]});
+    };
+    for (unsigned int i = 1; i < n; ++i)
+      add(i);
+    add(0);
+    table.add_row({"total", total_time, 100., 1});
+    return table;
+  }
+} // namespace vfife

@@ -1,0 +1,40 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/byte_stream.h>
+
+#include <cstring>
+
+namespace vfife
+{
+  ByteStream::ByteStream(std::string bytes)
+    : reads_(true)
+    , bytes_(std::move(bytes))
+  {
+  }
+
+  void ByteStream::pass(std::string &value)
+  {
+    value_size(value, 1);
+    pass_bytes(value.data(), value.size());
+  }
+
+  void ByteStream::check_room(const std::size_t n, const std::size_t least) const
+  {
+    if (n > (bytes_.size() - next_) / least)
+      throw InputError("stored data end too early: they are of another version of vfife");
+  }
+
+  void ByteStream::pass_bytes(void *value, const std::size_t n)
+  {
+    if (n == 0)
+      return;
+    if (reads_)
+      {
+        check_room(n, 1);
+        std::memcpy(value, bytes_.data() + next_, n);
+        next_ += n;
+      }
+    else
+      bytes_.append(static_cast<const char *>(value), n);
+  }
+} // namespace vfife

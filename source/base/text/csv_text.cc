@@ -1,0 +1,62 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/csv_text.h>
+#include <vfife/base/text/number_text.h>
+
+#include <istream>
+
+namespace vfife
+{
+  namespace
+  {
+    std::vector<std::string> split(const std::string &line)
+    {
+      std::vector<std::string> cells(1);
+      bool                     quoted = false;
+      for (std::size_t i = 0; i < line.size(); ++i)
+        if (line[i] == '"')
+          {
+            if (quoted && i + 1 < line.size() && line[i + 1] == '"')
+              cells.back() += line[++i];
+            else
+              quoted = !quoted;
+          }
+        else if (line[i] == ',' && !quoted)
+          cells.emplace_back();
+        else
+          cells.back() += line[i];
+      for (std::string &cell : cells)
+        cell = trimmed(cell);
+      return cells;
+    }
+
+    CsvText::Heading make_heading(const std::string &text)
+    {
+      const std::size_t open = text.rfind(" [");
+      if (open == std::string::npos || text.back() != ']')
+        return {text, {}};
+      return {text.substr(0, open), text.substr(open + 2, text.size() - open - 3)};
+    }
+  } // namespace
+
+  CsvText read_csv(std::istream &in, const std::string &name)
+  {
+    CsvText     text;
+    std::string line;
+    if (!in || !std::getline(in, line))
+      throw InputError(name + " cannot be read");
+    for (const std::string &heading : split(line))
+      text.headings.push_back(make_heading(heading));
+    for (unsigned int number = 2; std::getline(in, line); ++number)
+      {
+        if (trimmed(line).empty())
+          continue;
+        CsvText::Row row{name + ", line " + std::to_string(number), split(line)};
+        if (row.cells.size() != text.headings.size())
+          throw InputError(row.place + " has " + std::to_string(row.cells.size()) +
+                           " cells; the header has " + std::to_string(text.headings.size()));
+        text.rows.push_back(std::move(row));
+      }
+    return text;
+  }
+} // namespace vfife

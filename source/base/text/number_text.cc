@@ -1,0 +1,48 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/number_text.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace vfife
+{
+  std::string trimmed(const std::string &text)
+  {
+    const char *const blanks = " \t\r\n\v\f";
+    const std::size_t begin  = text.find_first_not_of(blanks);
+    if (begin == std::string::npos)
+      return "";
+    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  }
+
+  std::string number_text(const double value)
+  {
+    char       text[32];
+    const auto result = std::to_chars(text, text + sizeof(text), value);
+    return std::string(text, result.ptr);
+  }
+
+  double read_number(const std::string &text, std::string &rest)
+  {
+    const std::string number = trimmed(text);
+    const char       *begin  = number.data();
+    const char *const end    = begin + number.size();
+
+    // from_chars knows no plus sign
+    if (number.size() > 1 && number[0] == '+' && number[1] != '-')
+      ++begin;
+
+    double     value  = 0.;
+    const auto result = std::from_chars(begin, end, value);
+    if (result.ec == std::errc::result_out_of_range)
+      throw InputError("the number \"" + number +
+                       "\" is too large or too small for double precision");
+    if (result.ec != std::errc() || !std::isfinite(value))
+      throw InputError(number.empty() ? "a number is missing"
+                                      : "\"" + number + "\" does not begin with a number");
+
+    rest = trimmed(std::string(result.ptr, end));
+    return value;
+  }
+} // namespace vfife

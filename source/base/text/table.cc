@@ -1,0 +1,182 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <ostream>
+#include <stdexcept>
+
+namespace vfife
+{
+  namespace
+  {
+    std::string csv_text(const std::string &text)
+    {
+      if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+      std::string quoted = "\"";
+      for (const char letter : text)
+        quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+      return quoted + "\"";
+    }
+
+    Json json_value(const Table::Column &column, const std::size_t row)
+    {
+      if (column.is_text)
+        return column.texts[row];
+      return std::isfinite(column.numbers[row]) ? Json(column.numbers[row]) : Json(nullptr);
+    }
+
+    Json json_row(const Table &table, const std::size_t row)
+    {
+      Json values = Json::array();
+      for (const Table::Column &column : table.columns())
+        values.push_back(json_value(column, row));
+      return values;
+    }
+
+    Json json_columns(const Table &table)
+    {
+      Json columns = Json::array();
+      for (const Table::Column &column : table.columns())
+        if (column.is_text)
+          columns.push_back({{"name", column.name}});
+        else
+          columns.push_back({{"name", column.name}, {"unit", column.unit}});
+      return columns;
+    }
+  } // namespace
+
+  void Table::add_any_column(const std::string &name, const std::string &unit, const bool is_text)
+  {
+    if (n_rows_ > 0)
+      throw std::logic_error("column \"" + name + "\" is added to a table that has rows already");
+    for (const Column &column : columns_)
+      if (column.name == name)
+        throw std::logic_error("the table has a column \"" + name + "\" already");
+    Column column;
+    column.name    = name;
+    column.unit    = unit;
+    column.is_text = is_text;
+    columns_.push_back(column);
+  }
+
+  void Table::add_column(const std::string &name, const std::string &unit)
+  {
+    add_any_column(name, unit, false);
+  }
+
+  void Table::add_text_column(const std::string &name)
+  {
+    add_any_column(name, "", true);
+  }
+
+  void Table::add_row(const std::vector<Cell> &cells)
+  {
+    if (cells.size() != columns_.size())
+      throw std::logic_error("a row of " + std::to_string(cells.size()) + " cells for a table of " +
+                             std::to_string(columns_.size()) + " columns");
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i].is_text != columns_[i].is_text)
+        throw std::logic_error("column \"" + columns_[i].name + "\" takes " +
+                               (columns_[i].is_text ? "texts" : "numbers"));
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i].is_text)
+        columns_[i].texts.push_back(cells[i].text);
+      else
+        columns_[i].numbers.push_back(cells[i].number);
+    ++n_rows_;
+  }
+
+  void Table::add_row(const std::initializer_list<Cell> cells)
+  {
+    add_row(std::vector<Cell>(cells));
+  }
+
+  void Table::exchange_rows(ByteStream &stream)
+  {
+    std::string columns = csv_header();
+    stream.pass(columns, n_rows_);
+    if (columns != csv_header())
+      throw InputError("stored rows have other columns (" + columns + ") than now (" +
+                       csv_header() + ")");
+    for (Column &column : columns_)
+      stream.pass(column.numbers, column.texts);
+  }
+
+  void Table::clear_rows()
+  {
+    for (Column &column : columns_)
+      {
+        column.numbers.clear();
+        column.texts.clear();
+      }
+    n_rows_ = 0;
+  }
+
+  const Table::Column &Table::column(const std::string &name) const
+  {
+    for (const Column &column : columns_)
+      if (column.name == name)
+        return column;
+    throw std::logic_error("the table has no column \"" + name + "\"");
+  }
+
+  const std::vector<double> &Table::numbers(const std::string &name) const
+  {
+    const Column &wanted = column(name);
+    if (wanted.is_text)
+      throw std::logic_error("column \"" + name + "\" has texts");
+    return wanted.numbers;
+  }
+
+  std::string Table::csv_header() const
+  {
+    std::string header;
+    for (const Column &column : columns_)
+      header += (header.empty() ? "" : ",") +
+                csv_text(column.is_text ? column.name : column.name + " [" + column.unit + "]");
+    return header;
+  }
+
+  std::string Table::csv_row(const std::size_t row) const
+  {
+    if (row >= n_rows_)
+      throw std::logic_error("the table has no row " + std::to_string(row));
+    std::string line;
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      {
+        const Column &column = columns_[i];
+        line += i == 0 ? "" : ",";
+        line += column.is_text ? csv_text(column.texts[row]) : number_text(column.numbers[row]);
+      }
+    return line;
+  }
+
+  void Table::write_csv(std::ostream &out) const
+  {
+    out << csv_header() << '\n';
+    for (std::size_t row = 0; row < n_rows_; ++row)
+      out << csv_row(row) << '\n';
+  }
+
+  Json Table::json() const
+  {
+    Json rows = Json::array();
+    for (std::size_t row = 0; row < n_rows_; ++row)
+      rows.push_back(json_row(*this, row));
+    return {{"columns", json_columns(*this)}, {"rows", rows}};
+  }
+
+  void Table::write_json(std::ostream &out) const
+  {
+    out << "{\"columns\": " << json_columns(*this).dump() << ",\n \"rows\": [";
+    for (std::size_t row = 0; row < n_rows_; ++row)
+      out << (row == 0 ? "\n  " : ",\n  ") << json_row(*this, row).dump();
+    out << "]}\n";
+  }
+} // namespace vfife

@@ -1,0 +1,165 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/contact/law/contact_options.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Depth over width. Points sleep until the motion of the surfaces could close their gap; two
+     * reliefs of this slope (at the edge twice the ratio) lengthen that motion by 8 %, of 25 % that
+     * the search allows. */
+    constexpr double steepest_edge_relief = 0.1;
+  } // namespace
+
+
+  const Choices<ContactDiscretization> &contact_discretizations()
+  {
+    static const Choices<ContactDiscretization> choices = {
+      {"surface points", ContactDiscretization::surface_points},
+      {"two pass", ContactDiscretization::two_pass},
+      {"nodes", ContactDiscretization::nodes}};
+    return choices;
+  }
+
+
+  const Choices<ContactSurfaceKind> &contact_surface_kinds()
+  {
+    static const Choices<ContactSurfaceKind> choices = {
+      {"true flank", ContactSurfaceKind::true_flank},
+      {"smooth patches", ContactSurfaceKind::smooth_patches},
+      {"flat facets", ContactSurfaceKind::flat_facets}};
+    return choices;
+  }
+
+
+  void ContactOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm,
+                   "discretization",
+                   discretization,
+                   contact_discretizations(),
+                   "Where pressure is sampled: Gauss points of the slave's facets, the mean of "
+                   "both directions, or the corners of the slave's facets");
+    declare_choice(prm,
+                   "surface",
+                   surface,
+                   contact_surface_kinds(),
+                   "What the facets stand for: the true surface by offsets and true normals, "
+                   "quadratic patches with the nodal normals, or themselves");
+    declare_integer(
+      prm, "points per facet", points_per_facet, "Gauss points of a facet per direction", 1, 10);
+    declare_switch(prm,
+                   "penalty from step",
+                   penalty_from_step,
+                   "Take the penalty from the stability limit of the time step");
+    declare_number(prm,
+                   "penalty fraction",
+                   penalty_fraction,
+                   "Penalty times dt^2 over the least nodal mass per area of both surfaces",
+                   {0., 1.9, true});
+    declare_quantity(prm,
+                     "penalty",
+                     penalty,
+                     "N/mm^3",
+                     "Pressure per penetration, used when it is not taken from the step",
+                     Range::positive());
+    declare_number(prm,
+                   "damping ratio",
+                   damping_ratio,
+                   "Gap-rate damping over the critical damping of a surface node on the penalty",
+                   Range::between(0., 1.));
+    declare_number(prm,
+                   "friction coefficient",
+                   friction_coefficient,
+                   "Coulomb friction",
+                   Range::between(0., 2.));
+    declare_quantity(prm,
+                     "regularization velocity",
+                     regularization_velocity,
+                     "mm/s",
+                     "Sliding speed at which friction has reached 0.7 of its full value",
+                     Range::positive());
+    declare_number(prm,
+                   "edge fading",
+                   edge_fading,
+                   "Part of a border facet of the master over which the pressure fades to zero",
+                   Range::between(0., 1.));
+    declare_quantity(
+      prm,
+      "edge relief width",
+      edge_relief_width,
+      "mm",
+      "Strip along the tip and end edges of both flanks over which they are relieved",
+      Range::not_negative());
+    declare_quantity(prm,
+                     "edge relief depth",
+                     edge_relief_depth,
+                     "mm",
+                     "Relief at the edge, falling to 0 as a parabola over the width; 0: none",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "search skin",
+                     search_skin,
+                     "mm",
+                     "Motion after which the wide search is repeated; 0: a fifth of a facet",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "depth limit",
+                     depth_limit,
+                     "mm",
+                     "Deepest penetration that is taken for contact; 0: half a facet",
+                     Range::not_negative());
+    declare_number(prm,
+                   "penetration limit",
+                   penetration_limit,
+                   "Penetration over the depth limit at which a run stops as failed; 1: never",
+                   Range::between(1e-6, 1.));
+  }
+
+
+  void ContactOptions::check(const std::string &section) const
+  {
+    const auto entry = [&section](const std::string &name) {
+      return section.empty() ? name : section + "/" + name;
+    };
+    if (points_per_facet < 1 || points_per_facet > 10)
+      throw InputError(entry("points per facet"), "1 to 10 points per direction are possible");
+    if (penalty_from_step && !(penalty_fraction > 0. && penalty_fraction <= 2.))
+      throw InputError(
+        entry("penalty fraction"),
+        "the fraction must be positive and at most 1.9; from 2 on no step is stable");
+    if (!penalty_from_step && !(penalty > 0. && std::isfinite(penalty)))
+      throw InputError(entry("penalty"), "the penalty must be a positive number of N/mm^3");
+    if (!(damping_ratio >= 0. && damping_ratio <= 1.))
+      throw InputError(entry("damping ratio"), "the damping ratio must lie between 0 and 1");
+    if (!(friction_coefficient >= 0.))
+      throw InputError(entry("friction coefficient"), "friction must not be negative");
+    if (friction_coefficient > 0. && !(regularization_velocity > 0.))
+      throw InputError(entry("regularization velocity"),
+                       "friction needs a positive regularization velocity");
+    if (!(edge_fading >= 0. && edge_fading <= 1.))
+      throw InputError(entry("edge fading"), "the fading part must lie between 0 and 1");
+    if (!(edge_relief_depth >= 0. && edge_relief_width >= 0.))
+      throw InputError(entry("edge relief depth"),
+                       "depth and width of the edge relief must not be negative");
+    if (edge_relief_depth > steepest_edge_relief * edge_relief_width)
+      throw InputError(entry("edge relief depth"),
+                       "the relief may be at most a tenth of its width (edge relief width) deep");
+    if (!(search_skin >= 0.))
+      throw InputError(entry("search skin"), "the skin must not be negative");
+    if (!(depth_limit >= 0.))
+      throw InputError(entry("depth limit"), "the depth limit must not be negative");
+    if (!(penetration_limit > 0. && penetration_limit <= 1.))
+      throw InputError(entry("penetration limit"),
+                       "the penetration limit must be positive and at most 1");
+  }
+
+
+  double ContactOptions::penalty_for(const double mass_per_area, const double dt) const
+  {
+    return penalty_from_step ? penalty_fraction * mass_per_area / (dt * dt) : penalty;
+  }
+} // namespace vfife

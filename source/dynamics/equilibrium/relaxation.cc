@@ -1,0 +1,308 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/dynamics/equilibrium/relaxation.h>
+#include <vfife/dynamics/equilibrium/standing_pattern.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Elements and contact springs keep their largest frequency at this part of the limit of
+     * central differences. */
+    constexpr double stability_fraction = 0.9;
+
+    constexpr unsigned int search_interval = 10;
+    constexpr unsigned int report_interval = 500;
+
+    /** Sums over the owned nodes of one step: what residual and damping follow from. */
+    struct StepSums
+    {
+      std::vector<double> values = std::vector<double>(3, 0.);
+
+      double &force_square()
+      {
+        return values[0];
+      }
+      double &work_of_change()
+      {
+        return values[1];
+      }
+      double &kinetic()
+      {
+        return values[2];
+      }
+    };
+
+    /** The sums over this rank's nodes. */
+    StepSums add_steps(const Partition           &partition,
+                       const std::vector<double> &masses,
+                       const std::vector<double> &velocity,
+                       const std::vector<double> &previous_forces,
+                       const std::vector<double> &forces)
+    {
+      StepSums sums;
+      for (std::size_t i = 0; i < partition.n_local(); ++i)
+        if (partition.owned[i])
+          {
+            const Eigen::Map<const Vector3> f(forces.data() + 4 * i),
+              f_old(previous_forces.data() + 4 * i), v(velocity.data() + 4 * i);
+            sums.force_square() += f.squaredNorm();
+            sums.work_of_change() -= v.dot(f - f_old);
+            sums.kinetic() += masses[i] * v.squaredNorm();
+          }
+      return sums;
+    }
+  } // namespace
+
+  Relaxation::Relaxation(const Model             &model,
+                         const RelaxationOptions &options,
+                         VfifeOperator           &vfife,
+                         ContactSystem           &contact,
+                         RigidWalls              &walls,
+                         const Communicator      &communicator,
+                         Log                     &log)
+    : model_(model)
+    , options_(options)
+    , operator_(vfife)
+    , contact_(contact)
+    , walls_(walls)
+    , communicator_(communicator)
+    , log_(log)
+    , torques_(model, vfife.partition())
+    , loads_(model, vfife, communicator)
+    , forces_(vfife.array_size())
+    , no_velocity_(vfife.array_size(), 0.)
+  {
+  }
+
+  void Relaxation::add_applied(const State &state, const Loads &loads, std::vector<double> &forces)
+  {
+    torques_.add_part(loads.torque, state.position.data(), forces.data());
+    if (loads.pattern != nullptr)
+      loads.pattern->add_forces(operator_.masses(), forces);
+    if (loads.part)
+      loads_.add_part(*loads.part, state.position.data(), forces.data());
+    else
+      loads_.add_forces(0., state.position.data(), forces.data());
+    if (!loads.centrifugal)
+      return;
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const Axis  &axis   = model_.bodies[b].axis;
+        const double square = model_.bodies[b].rate * model_.bodies[b].rate;
+        if (square > 0)
+          for (std::uint32_t i = state.partition.first_local_node[b];
+               i < state.partition.first_local_node[b + 1];
+               ++i)
+            {
+              const Vector3 r = state.node_position(i) - axis.point;
+              Eigen::Map<Vector3>(forces.data() + 4 * static_cast<std::size_t>(i)) +=
+                operator_.masses()[i] * square * (r - axis.direction.dot(r) * axis.direction);
+            }
+      }
+  }
+
+  double Relaxation::norm(const std::vector<double> &forces, const Partition &partition) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < partition.n_local(); ++i)
+      if (partition.owned[i])
+        sum += Eigen::Map<const Vector3>(forces.data() + 4 * i).squaredNorm();
+    return std::sqrt(communicator_.sum(sum));
+  }
+
+  std::vector<double> Relaxation::compute_masses(const Loads &loads, const double dt)
+  {
+    if (options_.virtual_damping > 0)
+      {
+        // The true masses in units of the step, which contact and springs have voted on.
+        std::vector<double> masses = operator_.masses();
+        for (double &mass : masses)
+          mass /= dt * dt;
+        return masses;
+      }
+    std::vector<double> masses = operator_.compute_relaxation_masses(stability_fraction);
+    loads_.add_relaxation_masses(stability_fraction, masses);
+    if (loads.contact)
+      {
+        contact_.add_relaxation_masses(stability_fraction, masses);
+        walls_.add_relaxation_masses(stability_fraction, masses);
+      }
+    return masses;
+  }
+
+  void Relaxation::add_contact(State &state, const bool search, std::vector<double> &forces)
+  {
+    const std::vector<RigidVelocity> at_rest(model_.bodies.size());
+    if (search)
+      contact_.search(state.body_motion, at_rest, state.position.data(), 0.);
+    contact_.add_forces(
+      state.body_motion, state.position.data(), no_velocity_.data(), state.dt, forces.data());
+    walls_.add_forces(state.position.data(), forces.data());
+  }
+
+  void Relaxation::compute_forces(State &state, const Loads &loads, std::vector<double> &forces)
+  {
+    forces.resize(operator_.array_size());
+    operator_.compute_internal_forces(state.position.data(), forces.data());
+    if (loads.contact)
+      add_contact(state, true, forces);
+    add_applied(state, loads, forces);
+    ConstraintMotion(model_, state.partition, communicator_)
+      .project(state.position.data(), forces.data(), !loads.hold_rotation);
+  }
+
+  double Relaxation::compute_residual(const State               &state,
+                                      const Loads               &loads,
+                                      const std::vector<double> &forces)
+  {
+    std::vector<double> applied(operator_.array_size(), 0.);
+    add_applied(state, loads, applied);
+    const double round_off = compute_round_off(state, compute_masses(loads, state.dt));
+    return norm(forces, state.partition) /
+           std::max(norm(applied, state.partition), round_off / options_.tolerance);
+  }
+
+  void Relaxation::constrain(State &state) const
+  {
+    ConstraintMotion constraints(model_, state.partition, communicator_);
+    constraints.read(state, MotionFrame::rotating);
+    place(state, constraints);
+    constraints.turn_bodies(model_, state);
+  }
+
+  void Relaxation::place(State &state, ConstraintMotion &constraints) const
+  {
+    const std::vector<double>           zero(state.position.size(), 0.);
+    std::vector<double>                 velocity = zero;
+    std::vector<ConstraintMotion::Sums> ignored(model_.bodies.size());
+    constraints.save(state.position.data(), velocity.data());
+    constraints.apply(0.,
+                      1.,
+                      MotionFrame::rotating,
+                      std::vector<BodyDamping>(model_.bodies.size()),
+                      zero.data(),
+                      state.position.data(),
+                      velocity.data(),
+                      ignored);
+  }
+
+  double Relaxation::compute_round_off(const State &state, const std::vector<double> &masses) const
+  {
+    std::vector<double> forces(operator_.array_size(), 0.);
+    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
+      Eigen::Map<Vector3>(forces.data() + 4 * i) = masses[i] * state.node_position(i);
+    return 4. * std::numeric_limits<double>::epsilon() * norm(forces, state.partition);
+  }
+
+  RelaxationReport Relaxation::solve(State &state, const Loads &loads)
+  {
+    const std::vector<double> masses = compute_masses(loads, state.dt);
+
+    ConstraintMotion constraints(model_, state.partition, communicator_);
+    if (loads.part)
+      constraints.set_part(*loads.part);
+    constraints.read(state, MotionFrame::rotating);
+    constraints.set_masses(
+      loads.hold_rotation ? std::vector<double>(masses.size(), std::numeric_limits<double>::max())
+                          : masses);
+
+    // What is led goes where it belongs before the first look at the forces, which would find
+    // equilibrium in the old place.
+    place(state, constraints);
+
+    std::vector<double> applied(operator_.array_size(), 0.);
+    add_applied(state, loads, applied);
+    const double applied_norm = norm(applied, state.partition),
+                 round_off    = compute_round_off(state, masses);
+
+    std::vector<double> velocity(operator_.array_size(), 0.), previous(operator_.array_size(), 0.);
+    const bool          adaptive = !(options_.virtual_damping > 0);
+    double              damping  = adaptive ? 1. : options_.virtual_damping * state.dt;
+    RelaxationReport    report;
+    std::string         history;
+    for (;; ++report.steps)
+      {
+        const bool searches = report.steps % search_interval == 0;
+        if (searches)
+          constraints.turn_bodies(model_, state);
+        operator_.compute_internal_forces(state.position.data(), forces_.data());
+        if (loads.contact)
+          add_contact(state, searches, forces_);
+        add_applied(state, loads, forces_);
+        // Where nothing is applied but displacements, the present reactions are what forces are
+        // measured by. Both may be small (rigid turn, slow spin), and round-off is no imbalance.
+        const double reference =
+          std::max(applied_norm > round_off ? applied_norm : norm(forces_, state.partition),
+                   round_off / options_.tolerance);
+        constraints.project(state.position.data(), forces_.data(), !loads.hold_rotation);
+
+        StepSums sums = add_steps(state.partition, masses, velocity, previous, forces_);
+        communicator_.sum(sums.values);
+        report.residual = std::sqrt(sums.force_square()) / reference;
+        if (!std::isfinite(report.residual))
+          throw NumericalError("the equilibrium diverged at relaxation step " +
+                               std::to_string(report.steps));
+        if (report.residual < loads.looseness * options_.tolerance)
+          break;
+        if (report.steps % report_interval == 0)
+          {
+            history += " " + std::to_string(report.residual);
+            log_.detail("  relaxation step ",
+                        report.steps,
+                        ": residual ",
+                        report.residual,
+                        ", damping ",
+                        damping);
+          }
+        if (report.steps >= options_.largest_steps)
+          throw NumericalError("the equilibrium was not reached in " +
+                               std::to_string(report.steps) +
+                               " relaxation steps (Dynamics/Relaxation); residual every " +
+                               std::to_string(report_interval) + " steps:" + history);
+
+        // Critical damping of the lowest mode that moves, from the stiffness which the last step
+        // has met.
+        if (adaptive && sums.kinetic() > 0 && sums.work_of_change() > 0)
+          damping = std::min(1.9, 2. * std::sqrt(sums.work_of_change() / sums.kinetic()));
+        previous = forces_;
+        move(state, masses, damping, constraints, velocity);
+      }
+    return report;
+  }
+
+  void Relaxation::move(State                     &state,
+                        const std::vector<double> &masses,
+                        const double               damping,
+                        ConstraintMotion          &constraints,
+                        std::vector<double>       &velocity)
+  {
+    constraints.save(state.position.data(), velocity.data());
+    const double keep = (1. - 0.5 * damping) / (1. + 0.5 * damping),
+                 gain = 1. / (1. + 0.5 * damping);
+    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
+      for (std::size_t k = 4 * i; k < 4 * i + 3; ++k)
+        {
+          velocity[k] = keep * velocity[k] + gain * forces_[k] / masses[i];
+          state.position[k] += velocity[k];
+        }
+
+    BodyDamping virtual_damping;
+    virtual_damping.zeta = damping;
+    std::vector<ConstraintMotion::Sums> ignored(model_.bodies.size());
+    constraints.apply(0.,
+                      1.,
+                      MotionFrame::rotating,
+                      std::vector<BodyDamping>(model_.bodies.size(), virtual_damping),
+                      forces_.data(),
+                      state.position.data(),
+                      velocity.data(),
+                      ignored);
+  }
+} // namespace vfife

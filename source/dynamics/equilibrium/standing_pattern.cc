@@ -1,0 +1,106 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/dynamics/equilibrium/standing_pattern.h>
+#include <vfife/mesh/body_mesh.h>
+
+#include <algorithm>
+#include <array>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Sectors used on either side, and the least number of sectors for them to be different. */
+    constexpr unsigned int reach = 2, least_sectors = 2 * reach + 1;
+
+    bool has_pattern(const Body &body)
+    {
+      return body.turns_on_axis && body.rate != 0. && body.mesh().n_sectors >= least_sectors &&
+             body.n_nodes() % body.mesh().n_sectors == 0;
+    }
+  } // namespace
+
+
+  StandingPattern::StandingPattern(const Model &model, const Communicator &communicator)
+    : model_(model)
+    , communicator_(communicator)
+  {
+  }
+
+
+  void StandingPattern::update(const State &state)
+  {
+    nodes_.clear();
+    const Partition &partition = state.partition;
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const Body &body = model_.bodies[b];
+        if (!has_pattern(body))
+          continue;
+        const std::uint32_t first = partition.first_local_node[b],
+                            last  = partition.first_local_node[b + 1];
+        // Neighbouring sectors may be on other ranks: everybody gets the whole body, once.
+        std::vector<double> positions(3 * static_cast<std::size_t>(body.n_nodes()), 0.);
+        for (std::uint32_t i = first; i < last; ++i)
+          if (partition.owned[i])
+            Eigen::Map<Vector3>(positions.data() +
+                                3 * (partition.global_node[i] - body.first_node)) =
+              state.node_position(i) - body.axis.point;
+        communicator_.sum(positions);
+
+        // Sectors follow each other in the positive sense of the mesh's z axis.
+        const Vector3                      axis       = body.placement.rotation.col(2);
+        const double                       rate       = body.rate * body.axis.direction.dot(axis);
+        const unsigned int                 n_sectors  = body.mesh().n_sectors;
+        const unsigned int                 per_sector = body.n_nodes() / n_sectors;
+        const double                       angle      = 2. * pi / n_sectors;
+        std::array<Matrix3, 2 * reach + 1> back;
+        for (unsigned int s = 0; s < back.size(); ++s)
+          back[s] = rotation_about(axis, -angle * (static_cast<double>(s) - reach));
+
+        for (std::uint32_t i = first; i < last; ++i)
+          {
+            const unsigned int node   = partition.global_node[i] - body.first_node;
+            const unsigned int sector = node / per_sector;
+            // The images of this node in the sectors around, turned back onto this one: they differ
+            // by the change of the displacement only.
+            std::array<Vector3, 2 * reach + 1> y;
+            for (unsigned int s = 0; s < y.size(); ++s)
+              {
+                const unsigned int other = (sector + n_sectors + s - reach) % n_sectors;
+                const std::size_t  image = other * per_sector + node % per_sector;
+                y[s] = back[s] * Eigen::Map<const Vector3>(positions.data() + 3 * image);
+              }
+            const Vector3 slope = (8. * (y[3] - y[1]) - (y[4] - y[0])) / (12. * angle);
+            const Vector3 curvature =
+              (16. * (y[3] + y[1]) - (y[4] + y[0]) - 30. * y[2]) / (12. * angle * angle);
+            nodes_.push_back({i, rate * slope, rate * rate * (curvature + 2. * axis.cross(slope))});
+          }
+      }
+  }
+
+
+  void StandingPattern::add_forces(const std::vector<double> &masses,
+                                   std::vector<double>       &forces) const
+  {
+    for (const Node &node : nodes_)
+      Eigen::Map<Vector3>(forces.data() + 4 * static_cast<std::size_t>(node.local)) -=
+        masses[node.local] * node.acceleration;
+  }
+
+
+  void StandingPattern::add_velocities(std::vector<double> &velocities) const
+  {
+    for (const Node &node : nodes_)
+      Eigen::Map<Vector3>(velocities.data() + 4 * static_cast<std::size_t>(node.local)) +=
+        node.velocity;
+  }
+
+
+  double StandingPattern::largest_velocity() const
+  {
+    double largest = 0.;
+    for (const Node &node : nodes_)
+      largest = std::max(largest, node.velocity.norm());
+    return largest;
+  }
+} // namespace vfife

@@ -1,0 +1,107 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/dynamics/loads/contact_of_pair.h>
+#include <vfife/mesh/body_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    const FacetSurface &find_surface(const Body &body, const std::string &name)
+    {
+      const auto found = body.mesh().surfaces.find(name);
+      if (found == body.mesh().surfaces.end())
+        {
+          std::string list;
+          for (const auto &s : body.mesh().surfaces)
+            list += (list.empty() ? "" : ", ") + s.first;
+          throw InputError("body \"" + body.name() + "\" has no surface \"" + name +
+                           "\" (surfaces: " + list + ")");
+        }
+      return found->second;
+    }
+  } // namespace
+
+  ContactSide::ContactSide(const unsigned int body_index,
+                           const Body        &b,
+                           const std::string &surface_name,
+                           const Partition   &partition)
+    : body(body_index)
+    , surface(&find_surface(b, surface_name))
+    , positions(3 * surface->nodes.size())
+    , velocities(3 * surface->nodes.size())
+    , forces(3 * surface->nodes.size())
+  {
+    for (const unsigned int node : surface->nodes)
+      {
+        local.push_back(partition.local_node[b.first_node + node]);
+        mass.push_back(b.node_masses()[node]);
+      }
+  }
+
+  double ContactSide::largest_deformation(const Partition   &partition,
+                                          const RigidMotion &motion,
+                                          const double      *all_positions) const
+  {
+    double largest = 0.;
+    for (std::size_t i = 0; i < local.size(); ++i)
+      if (local[i] != Partition::absent && partition.owned[local[i]])
+        {
+          const Vector3 x =
+            Eigen::Map<const Vector3>(all_positions + 4 * static_cast<std::size_t>(local[i]));
+          largest = std::max(largest, (x - motion(surface->positions[i])).squaredNorm());
+        }
+    return std::sqrt(largest);
+  }
+
+  void ContactSide::collect_motion(const Partition &partition,
+                                   const double    *local_positions,
+                                   const double    *local_velocities,
+                                   const bool       with_velocities)
+  {
+    for (const unsigned int i : *active)
+      {
+        const std::uint32_t node  = local[i];
+        const bool          owned = node != Partition::absent && partition.owned[node];
+        const std::size_t   from  = owned ? 4 * static_cast<std::size_t>(node) : 0;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            positions[3 * i + c] = owned ? local_positions[from + c] : 0.;
+            forces[3 * i + c]    = 0.;
+          }
+        if (with_velocities)
+          for (unsigned int c = 0; c < 3; ++c)
+            velocities[3 * i + c] = owned ? local_velocities[from + c] : 0.;
+      }
+  }
+
+  void ContactSide::distribute_forces(double *local_forces) const
+  {
+    for (const unsigned int i : *active)
+      {
+        // Few active nodes carry force: the others' places in the large array are not touched.
+        const double *f = forces.data() + 3 * static_cast<std::size_t>(i);
+        if (local[i] == Partition::absent || (f[0] == 0. && f[1] == 0. && f[2] == 0.))
+          continue;
+        double *target = local_forces + 4 * static_cast<std::size_t>(local[i]);
+        for (unsigned int c = 0; c < 3; ++c)
+          target[c] += f[c];
+      }
+  }
+
+  ContactOfPair::ContactOfPair(const ContactPair &pair,
+                               const Model       &model,
+                               const Partition   &partition)
+    : definition(pair)
+    , slave(pair.slave_body, model.bodies[pair.slave_body], pair.slave_surface, partition)
+    , master(pair.master_body, model.bodies[pair.master_body], pair.master_surface, partition)
+    , contact(*slave.surface, *master.surface, pair.options)
+    , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
+  {
+    slave.active  = &contact.active_slave_nodes();
+    master.active = &contact.active_master_nodes();
+  }
+} // namespace vfife

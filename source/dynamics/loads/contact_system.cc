@@ -1,0 +1,205 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/machine_speed.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/dynamics/loads/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact_system.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Where a body is after @p duration, to the second order of the angle. */
+    RigidMotion move_on(const RigidMotion &motion, const RigidVelocity &rate, const double duration)
+    {
+      const double omega = rate.omega.norm();
+      if (!(omega > 0.))
+        return {motion.rotation, motion.translation + duration * rate.velocity};
+      const Matrix3 turn = rotation_about(rate.omega / omega, omega * duration);
+      return {turn * motion.rotation, turn * motion.translation + duration * rate.velocity};
+    }
+
+    /** Adds up over the ranks what belongs to the active nodes of all sides, 3 numbers a node: the
+     * owner of a node has it, all others zero, so that sums are exact copies. */
+    void sum_over_ranks(const std::vector<std::unique_ptr<ContactOfPair>> &pairs,
+                        std::vector<double> ContactSide::*values,
+                        std::vector<double>              &buffer,
+                        const Communicator               &communicator)
+    {
+      if (communicator.size() == 1)
+        return;
+      buffer.clear();
+      for (const auto &pair : pairs)
+        for (const ContactSide *side : pair->sides())
+          for (const unsigned int i : *side->active)
+            buffer.insert(buffer.end(),
+                          (side->*values).begin() + 3 * i,
+                          (side->*values).begin() + 3 * i + 3);
+      communicator.sum(buffer);
+      const double *record = buffer.data();
+      for (const auto &pair : pairs)
+        for (ContactSide *side : pair->sides())
+          for (const unsigned int i : *side->active)
+            {
+              std::copy_n(record, 3, (side->*values).data() + 3 * i);
+              record += 3;
+            }
+    }
+  } // namespace
+
+  ContactSystem::ContactSystem(const Model        &model,
+                               const Partition    &partition,
+                               const Communicator &communicator)
+    : model_(model)
+    , partition_(partition)
+    , communicator_(communicator)
+  {
+    for (const ContactPair &pair : model.contacts)
+      {
+        pairs_.push_back(std::make_unique<ContactOfPair>(pair, model, partition));
+        needs_velocities_ = needs_velocities_ || pair.options.damping_ratio > 0. ||
+                            pair.options.friction_coefficient > 0.;
+      }
+  }
+
+  ContactSystem::~ContactSystem() = default;
+
+  bool ContactSystem::empty() const
+  {
+    return pairs_.empty();
+  }
+
+  double ContactSystem::vote_on_step(const double element_step) const
+  {
+    // omega^2 of elements and of springs between two nodes add at most: (4/dt^2) = (4/dt_e^2) + 2
+    // eps A/m.
+    double dt = element_step;
+    for (const auto &pair : pairs_)
+      {
+        const ContactOptions &options = pair->definition.options;
+        const double          inverse_square =
+          options.penalty_from_step
+                     ? 1. / (element_step * element_step * (1. - 0.5 * options.penalty_fraction))
+                     : 1. / (element_step * element_step) + 0.5 * options.penalty / pair->mass_per_area;
+        dt = std::min(dt, 1. / std::sqrt(inverse_square));
+      }
+    return dt;
+  }
+
+  void ContactSystem::set_penalties(const double dt)
+  {
+    for (const auto &pair : pairs_)
+      pair->contact.set_penalty(pair->definition.options.penalty_for(pair->mass_per_area, dt),
+                                pair->mass_per_area);
+  }
+
+  std::vector<double> ContactSystem::penalties() const
+  {
+    std::vector<double> values;
+    for (const auto &pair : pairs_)
+      values.push_back(pair->contact.penalty());
+    return values;
+  }
+
+  void ContactSystem::search(const std::vector<RigidMotion>   &body_motion,
+                             const std::vector<RigidVelocity> &rates,
+                             const double                     *positions,
+                             const double                      duration)
+  {
+    if (pairs_.empty())
+      return;
+    const double             start = times_ != nullptr ? processor_time() : 0.;
+    std::vector<RigidMotion> later;
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      later.push_back(move_on(body_motion[b], rates[b], duration));
+    std::vector<double> deformations;
+    for (const auto &pair : pairs_)
+      for (const ContactSide *side : pair->sides())
+        deformations.push_back(
+          side->largest_deformation(partition_, body_motion[side->body], positions));
+    communicator_.max(deformations);
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      {
+        // What the rigid motion of the bodies leaves out: deformation of both surfaces (twice, as
+        // it changes).
+        ContactOfPair &pair = *pairs_[i];
+        pair.contact.find_candidates(body_motion[pair.slave.body],
+                                     body_motion[pair.master.body],
+                                     later[pair.slave.body],
+                                     later[pair.master.body],
+                                     2. * (deformations[2 * i] + deformations[2 * i + 1]) +
+                                       pair.contact.search_skin());
+      }
+    if (times_ != nullptr)
+      times_->broad_search += processor_time() - start;
+  }
+
+  void ContactSystem::exchange(ByteStream &stream)
+  {
+    for (const auto &pair : pairs_)
+      pair->contact.exchange(stream);
+  }
+
+  void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,
+                                 const double                   *positions,
+                                 const double                   *velocities,
+                                 const double                    dt,
+                                 double                         *forces)
+  {
+    if (pairs_.empty())
+      return;
+    for (const auto &pair : pairs_)
+      for (ContactSide *side : pair->sides())
+        side->collect_motion(partition_, positions, velocities, needs_velocities_);
+    sum_over_ranks(pairs_, &ContactSide::positions, buffer_, communicator_);
+    if (needs_velocities_)
+      sum_over_ranks(pairs_, &ContactSide::velocities, buffer_, communicator_);
+
+    largest_penetration_ = 0;
+    sums_                = {{0., 0., 0.}};
+    for (const auto &pair : pairs_)
+      {
+        ContactSide &s = pair->slave, &m = pair->master;
+        pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion[s.body]},
+                                 {m.positions.data(), m.velocities.data(), body_motion[m.body]},
+                                 dt,
+                                 communicator_.rank(),
+                                 communicator_.size(),
+                                 s.forces.data(),
+                                 m.forces.data());
+        for (const GroupPairResult &result : pair->contact.results())
+          {
+            sums_[0] += result.energy;
+            sums_[1] += result.damping_power + result.friction_power;
+            largest_penetration_ = std::max(largest_penetration_, result.largest_penetration);
+            if (result.largest_penetration > pair->penetration_limit())
+              sums_[2] = 1;
+          }
+      }
+
+    sum_over_ranks(pairs_, &ContactSide::forces, buffer_, communicator_);
+    communicator_.sum(sums_.data(), sums_.size());
+    for (const auto &pair : pairs_)
+      for (const ContactSide *side : pair->sides())
+        side->distribute_forces(forces);
+  }
+
+  void ContactSystem::add_relaxation_masses(const double         fraction,
+                                            std::vector<double> &masses) const
+  {
+    for (const auto &pair : pairs_)
+      for (const ContactSide *side : pair->sides())
+        {
+          const auto &areas = side == &pair->slave ? pair->contact.slave_node_areas()
+                                                   : pair->contact.master_node_areas();
+          for (std::size_t i = 0; i < side->local.size(); ++i)
+            if (side->local[i] != Partition::absent)
+              // Two nodes on one spring k: omega^2 = 2 k/m <= (2 fraction)^2.
+              masses[side->local[i]] +=
+                pair->contact.penalty() * areas[i] / (2 * fraction * fraction);
+        }
+  }
+} // namespace vfife

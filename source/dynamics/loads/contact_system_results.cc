@@ -1,0 +1,116 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// What ContactSystem tells of the last evaluation.
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/loads/contact_of_pair.h>
+#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/model/tooth_contact.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace vfife
+{
+  double ContactSystem::energy() const
+  {
+    return sums_[0];
+  }
+
+  double ContactSystem::lost_power() const
+  {
+    return sums_[1];
+  }
+
+  double ContactSystem::largest_local_penetration() const
+  {
+    return largest_penetration_;
+  }
+
+  bool ContactSystem::is_too_deep() const
+  {
+    return sums_[2] > 0;
+  }
+
+  std::string ContactSystem::describe_deepest_point() const
+  {
+    double             deepest = 0; // over the limit
+    std::ostringstream text;
+    for (const auto &pair : pairs_)
+      for (const ContactPoint &point : pair->contact.points())
+        {
+          const double ratio = -point.gap / pair->penetration_limit();
+          if (!(ratio > deepest))
+            continue;
+          deepest                    = ratio;
+          const ContactSide &pressed = point.swapped ? pair->slave : pair->master;
+          const ContactSide &from    = point.swapped ? pair->master : pair->slave;
+          const auto         place   = [&](const ContactSide &side, const unsigned int facet) {
+            return "\"" + model_.bodies[side.body].name() + "\", tooth or group " +
+                   std::to_string(side.surface->group[facet]) + ", facet " + std::to_string(facet);
+          };
+          text.str("");
+          text << pair->definition.side << " side: " << place(from, point.slave_facet) << ", is "
+               << 1e3 * -point.gap << " um deep in " << place(pressed, point.master_facet)
+               << " (limit " << 1e3 * pair->penetration_limit()
+               << " um, Contact/penetration limit)";
+        }
+    const std::vector<double>      all   = communicator_.all_gather(deepest);
+    const std::vector<std::string> texts = communicator_.all_gather(text.str());
+    return texts[std::max_element(all.begin(), all.end()) - all.begin()];
+  }
+
+  std::vector<ToothContact> ContactSystem::collect_results() const
+  {
+    std::vector<ToothContact> teeth;
+    for (const auto &pair : pairs_)
+      {
+        const auto         &results = pair->contact.results();
+        std::vector<double> sums, maxima;
+        for (const GroupPairResult &r : results)
+          {
+            sums.insert(sums.end(),
+                        {r.force[0],
+                         r.force[1],
+                         r.force[2],
+                         r.moment[0],
+                         r.moment[1],
+                         r.moment[2],
+                         r.normal_force,
+                         r.area});
+            maxima.insert(maxima.end(), {r.largest_pressure, r.largest_penetration});
+          }
+        communicator_.sum(sums);
+        communicator_.max(maxima);
+
+        for (std::size_t i = 0; i < results.size(); ++i)
+          {
+            const double *s = sums.data() + 8 * i;
+            if (!(s[6] > 0))
+              continue;
+            GroupPairResult sum     = results[i];
+            sum.force               = Vector3(s[0], s[1], s[2]);
+            sum.moment              = Vector3(s[3], s[4], s[5]);
+            sum.normal_force        = s[6];
+            sum.area                = s[7];
+            sum.largest_pressure    = maxima[2 * i];
+            sum.largest_penetration = maxima[2 * i + 1];
+            teeth.push_back(make_tooth_contact(model_, pair->definition, sum));
+          }
+      }
+    return teeth;
+  }
+
+  void ContactSystem::measure_times(ContactTimes *times)
+  {
+    times_ = times;
+    for (const auto &pair : pairs_)
+      pair->contact.measure_times(times);
+  }
+
+  std::size_t ContactSystem::n_listed_points() const
+  {
+    std::size_t n = 0;
+    for (const auto &pair : pairs_)
+      n += pair->contact.n_listed_points();
+    return n;
+  }
+} // namespace vfife

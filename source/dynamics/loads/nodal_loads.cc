@@ -1,0 +1,206 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/loads/nodal_loads.h>
+#include <vfife/dynamics/operator/vfife_operator.h>
+#include <vfife/model/load_shares.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    Vector3 record(const double *values, const std::uint32_t local)
+    {
+      return Eigen::Map<const Vector3>(values + 4 * static_cast<std::size_t>(local));
+    }
+
+    void add_record(double *values, const std::uint32_t local, const Vector3 &v)
+    {
+      Eigen::Map<Vector3>(values + 4 * static_cast<std::size_t>(local)) += v;
+    }
+  } // namespace
+
+  NodalLoads::NodalLoads(const Model &model, VfifeOperator &vfife, const Communicator &communicator)
+    : model_(model)
+    , operator_(vfife)
+    , communicator_(communicator)
+  {
+    const Partition &partition = vfife.partition();
+    for (const Load &load : model.loads)
+      {
+        const Body &body    = model.bodies[load.body];
+        const auto  weights = compute_load_shares(load, body);
+        Group       group{&load, {}, {}};
+        for (std::size_t i = 0; i < load.nodes.size(); ++i)
+          {
+            const unsigned int  node  = load.nodes[i];
+            const std::uint32_t local = partition.local_node[body.first_node + node];
+            if (load.kind == LoadKind::spring)
+              largest_frequency2_ =
+                std::max(largest_frequency2_,
+                         load.vector.maxCoeff() * weights[i] / body.node_masses()[node]);
+            if (local != Partition::absent)
+              group.nodes.push_back({local,
+                                     partition.owned[local] != 0,
+                                     weights[i],
+                                     body.placement(body.node_positions()[node])});
+          }
+        if (load.kind == LoadKind::pressure)
+          {
+            add_faces(load, group);
+            has_pressure_ = true;
+          }
+        groups_.push_back(std::move(group));
+      }
+    if (!groups_.empty())
+      forces_.assign(vfife.array_size(), 0.);
+    if (has_pressure_)
+      face_forces_.assign(vfife.array_size(), 0.);
+  }
+
+  void NodalLoads::add_faces(const Load &load, Group &group) const
+  {
+    const Body      &body      = model_.bodies[load.body];
+    const Partition &partition = operator_.partition();
+    for (const BoundaryFace &boundary : find_boundary_faces(body, load.nodes))
+      if (std::binary_search(partition.elements.begin(),
+                             partition.elements.end(),
+                             body.first_element + boundary.element))
+        {
+          Face face;
+          for (unsigned int i = 0; i < 4; ++i)
+            face.local[i] = partition.local_node[body.first_node + boundary.nodes[i]];
+          group.faces.push_back(face);
+        }
+  }
+
+  double NodalLoads::vote_on_step(const double step) const
+  {
+    return 1. / std::sqrt(1. / (step * step) + 0.25 * largest_frequency2_);
+  }
+
+  void NodalLoads::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
+  {
+    for (const Group &group : groups_)
+      if (group.load->kind == LoadKind::spring)
+        for (const Node &node : group.nodes)
+          masses[node.local] +=
+            group.load->vector.maxCoeff() * node.weight / (4 * fraction * fraction);
+  }
+
+  void NodalLoads::add_moment(const Group &group, const Vector3 &moment, const double *positions)
+  {
+    MomentSums sums;
+    for (const Node &node : group.nodes)
+      if (node.owned)
+        sums.add(node.weight, record(positions, node.local));
+    communicator_.sum(sums.values);
+    const auto [centre, turn] = sums.solve(moment, group.load->name);
+    for (const Node &node : group.nodes)
+      add_record(forces_.data(),
+                 node.local,
+                 node.weight * turn.cross(record(positions, node.local) - centre));
+  }
+
+  void NodalLoads::add_pressure(const Group &group, const double pressure, const double *positions)
+  {
+    for (const Face &face : group.faces)
+      {
+        Vector3 x[4];
+        for (unsigned int i = 0; i < 4; ++i)
+          x[i] = record(positions, face.local[i]);
+        const Vector3 force = -0.25 * pressure * compute_vector_area(x[0], x[1], x[2], x[3]);
+        for (const std::uint32_t local : face.local)
+          add_record(face_forces_.data(), local, force);
+      }
+  }
+
+  void NodalLoads::add(const Group &group, const double factor, const double *positions)
+  {
+    const Load &load = *group.load;
+    switch (load.kind)
+      {
+      case LoadKind::force:
+      case LoadKind::acceleration:
+        for (const Node &node : group.nodes)
+          add_record(forces_.data(), node.local, factor * node.weight * load.vector);
+        break;
+      case LoadKind::moment:
+        add_moment(group, factor * load.vector, positions);
+        break;
+      case LoadKind::pressure:
+        add_pressure(group, factor * load.pressure, positions);
+        break;
+      case LoadKind::spring: // see add_springs()
+        break;
+      }
+  }
+
+  void NodalLoads::add_springs(const double *positions, double *forces) const
+  {
+    for (const Group &group : groups_)
+      if (group.load->kind == LoadKind::spring)
+        for (const Node &node : group.nodes)
+          add_record(forces,
+                     node.local,
+                     -node.weight *
+                       group.load->vector.cwiseProduct(record(positions, node.local) - node.start));
+  }
+
+  double NodalLoads::compute_spring_energy(const double *positions) const
+  {
+    double energy = 0;
+    for (const Group &group : groups_)
+      if (group.load->kind == LoadKind::spring)
+        for (const Node &node : group.nodes)
+          if (node.owned)
+            {
+              const Vector3 way = record(positions, node.local) - node.start;
+              energy += 0.5 * node.weight * group.load->vector.dot(way.cwiseAbs2());
+            }
+    return communicator_.sum(energy);
+  }
+
+  void NodalLoads::finish(const double *positions, double *forces)
+  {
+    add_springs(positions, forces);
+    if (has_pressure_)
+      {
+        operator_.add_over_ranks(face_forces_.data());
+        for (std::size_t i = 0; i < forces_.size(); ++i)
+          forces_[i] += face_forces_[i];
+        std::fill(face_forces_.begin(), face_forces_.end(), 0.);
+      }
+    for (std::size_t i = 0; i < forces_.size(); ++i)
+      forces[i] += forces_[i];
+  }
+
+  void NodalLoads::add_forces(const double time, const double *positions, double *forces)
+  {
+    std::fill(forces_.begin(), forces_.end(), 0.);
+    for (const Group &group : groups_)
+      add(group, group.load->history.value(time), positions);
+    finish(positions, forces);
+  }
+
+  void NodalLoads::add_part(const double part, const double *positions, double *forces)
+  {
+    std::fill(forces_.begin(), forces_.end(), 0.);
+    for (const Group &group : groups_)
+      add(group, part, positions);
+    finish(positions, forces);
+  }
+
+  double NodalLoads::half_power(const double *velocities) const
+  {
+    const Partition &partition = operator_.partition();
+    double           power     = 0;
+    if (!forces_.empty())
+      for (std::size_t i = 0; i < partition.n_local(); ++i)
+        if (partition.owned[i])
+          power += 0.5 * record(forces_.data(), i).dot(record(velocities, i));
+    return power;
+  }
+} // namespace vfife

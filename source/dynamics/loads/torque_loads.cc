@@ -1,0 +1,68 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/dynamics/loads/torque_loads.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  TorqueLoads::TorqueLoads(const Model &model, const Partition &partition)
+  {
+    for (const Torque &torque : model.torques)
+      {
+        const Body &body = model.bodies[torque.body];
+        Load        load{body.axis, torque.value, torque.ramp_time, 0., {}};
+        for (std::size_t i = 0; i < torque.nodes.size(); ++i)
+          {
+            // Nodes with this load keep their radius (free rotation, rigid hub), or nearly so: the
+            // undeformed one counts.
+            const Vector3 r =
+              body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point;
+            load.area_moment += torque.areas[i] * body.axis.direction.cross(r).norm();
+            const std::uint32_t local = partition.local_node[body.first_node + torque.nodes[i]];
+            if (local != Partition::absent)
+              load.nodes.push_back({local, partition.owned[local] != 0, torque.areas[i]});
+          }
+        loads_.push_back(std::move(load));
+      }
+  }
+
+  void
+  TorqueLoads::add(Load &load, const double torque, const double *positions, double *forces) const
+  {
+    for (Node &node : load.nodes)
+      {
+        const std::size_t i = 4 * static_cast<std::size_t>(node.local);
+        const Vector3     x(positions[i], positions[i + 1], positions[i + 2]);
+        const Vector3     tangent = load.axis.direction.cross(x - load.axis.point).normalized();
+        node.force                = (torque * node.area / load.area_moment) * tangent;
+        for (unsigned int c = 0; c < 3; ++c)
+          forces[i + c] += node.force[c];
+      }
+  }
+
+  void TorqueLoads::add_forces(const double time, const double *positions, double *forces)
+  {
+    for (Load &load : loads_)
+      add(load,
+          load.value * (load.ramp_time > 0 ? std::min(1., time / load.ramp_time) : 1.),
+          positions,
+          forces);
+  }
+
+  void TorqueLoads::add_part(const double part, const double *positions, double *forces)
+  {
+    for (Load &load : loads_)
+      add(load, part * load.value, positions, forces);
+  }
+
+  double TorqueLoads::half_power(const double *velocities) const
+  {
+    double power = 0;
+    for (const Load &load : loads_)
+      for (const Node &node : load.nodes)
+        if (node.owned)
+          power += 0.5 * node.force.dot(Eigen::Map<const Vector3>(
+                           velocities + 4 * static_cast<std::size_t>(node.local)));
+    return power;
+  }
+} // namespace vfife

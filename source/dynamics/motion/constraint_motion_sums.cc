@@ -1,0 +1,55 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// What constrained nodes add to momenta, energies and powers.
+#include <vfife/dynamics/motion/constraint_motion.h>
+
+namespace vfife
+{
+  void ConstraintMotion::add_sums(const Group       &group,
+                                  const Node        &node,
+                                  const double       dt,
+                                  const BodyDamping &damping,
+                                  const Vector3     &force,
+                                  const Vector3     &x,
+                                  const Vector3     &v,
+                                  const UpdateAxis  &axis,
+                                  Sums              &sums)
+  {
+    if (!node.owned)
+      return;
+    const Vector3 mean = 0.5 * (node.old_velocity + v);
+    sums.update.kinetic += 0.5 * node.mass * node.old_velocity.dot(v);
+    add_node_moments(axis, node.mass, x, v, sums.update);
+    if (group.turns_freely() || group.kind == ConstraintKind::directions)
+      {
+        const Vector3 relative = mean - damping.rigid.at(node.old_position);
+        sums.update.damping_power += damping.zeta * node.mass * relative.dot(mean);
+        sums.update.mesh_power += node.mass * damping.mesh.at(node.old_position).dot(mean);
+        sums.update.damping_torque -=
+          damping.zeta * node.mass *
+          group.axis.direction.cross(node.old_position - group.axis.point).dot(relative);
+      }
+    if (group.kind == ConstraintKind::directions)
+      // What the leads have added to the motion under forces and damping.
+      sums.drive_power +=
+        node.mass * (1. + 0.5 * damping.zeta * dt) / dt * (v - node.free_velocity).dot(mean);
+    else if (group.kind == ConstraintKind::prescribed_rotation)
+      {
+        const Vector3 reaction = node.mass / dt * (v - node.old_velocity) - force;
+        sums.drive_power += reaction.dot(mean);
+        sums.drive_torque +=
+          group.axis.direction.dot((node.old_position - group.axis.point).cross(reaction));
+      }
+  }
+
+  void ConstraintMotion::add_moments(const State &state, std::vector<UpdateSums> &sums) const
+  {
+    for (const Group &group : groups_)
+      for (const Node &node : group.nodes)
+        if (node.owned)
+          add_node_moments(axes_[group.body],
+                           node.mass,
+                           state.node_position(node.local),
+                           state.node_velocity(node.local),
+                           sums[group.body]);
+  }
+} // namespace vfife

@@ -1,0 +1,33 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/motion/mean_speed.h>
+#include <vfife/model/body.h>
+#include <vfife/model/state.h>
+
+namespace vfife
+{
+  RigidVelocity compute_mean_speed_rate(const Body         &body,
+                                        const State        &state,
+                                        const unsigned int  b,
+                                        const Communicator &communicator)
+  {
+    std::vector<double> sums(2, 0.);
+    for (std::uint32_t i = state.partition.first_local_node[b];
+         i < state.partition.first_local_node[b + 1];
+         ++i)
+      {
+        const double r = body.axis.direction.cross(state.node_position(i) - body.axis.point).norm();
+        if (!state.partition.owned[i] || !(r > 0))
+          continue;
+        const double mass = body.node_masses()[state.partition.global_node[i] - body.first_node];
+        sums[0] += mass * state.node_velocity(i).norm() / r;
+        sums[1] += mass;
+      }
+    communicator.sum(sums);
+
+    RigidVelocity rate;
+    rate.omega    = (body.rate < 0 ? -1. : 1.) * sums[0] / sums[1] * body.axis.direction;
+    rate.velocity = -rate.omega.cross(body.axis.point);
+    return rate;
+  }
+} // namespace vfife

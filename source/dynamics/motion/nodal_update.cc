@@ -1,0 +1,193 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/motion/nodal_update.h>
+#include <vfife/dynamics/motion/update_kernels.h>
+
+#include <Eigen/LU>
+
+namespace vfife
+{
+  namespace generic
+  {
+    UpdateFunction update_kernel;
+  }
+#ifdef __x86_64__
+  namespace avx2
+  {
+    UpdateFunction update_kernel;
+  }
+  namespace avx512
+  {
+    UpdateFunction update_kernel;
+  }
+#endif
+
+  void UpdateSums::operator+=(const UpdateSums &other)
+  {
+    kinetic += other.kinetic;
+    damping_power += other.damping_power;
+    mesh_power += other.mesh_power;
+    damping_torque += other.damping_torque;
+    axial_momentum += other.axial_momentum;
+    axial_inertia += other.axial_inertia;
+    momentum += other.momentum;
+    first_moment += other.first_moment;
+    angular_momentum += other.angular_momentum;
+    second_moment += other.second_moment;
+  }
+
+  namespace
+  {
+    UpdateKernel select_update(const InstructionSet instruction_set)
+    {
+#ifdef __x86_64__
+      if (instruction_set == InstructionSet::avx512)
+        return &avx512::update_kernel;
+      if (instruction_set == InstructionSet::avx2)
+        return &avx2::update_kernel;
+#endif
+      // Two lanes would gain nothing over plain numbers: the loop waits for memory.
+      (void)instruction_set;
+      return &generic::update_kernel;
+    }
+
+    void copy(const Vector3 &vector, double (&out)[3])
+    {
+      Eigen::Map<Vector3>(out, 3) = vector;
+    }
+
+    UpdateCoefficients
+    make_coefficients(const double dt, const BodyDamping &damping, const UpdateAxis &axis)
+    {
+      const double       a = 0.5 * damping.zeta * dt, inverse = 1. / (1. + a);
+      UpdateCoefficients result;
+      result.old_velocity = inverse * (1. - a);
+      result.acceleration = inverse * dt;
+      result.rigid        = inverse * 2. * a;
+      result.dt           = dt;
+      result.use_axis     = axis.use_axis;
+      copy(damping.rigid.velocity, result.velocity);
+      copy(damping.rigid.omega, result.omega);
+      copy(damping.mesh.velocity, result.slip);
+      copy(damping.mesh.omega, result.slip_omega);
+      copy(axis.direction, result.direction);
+      copy(-axis.direction.cross(axis.point), result.lever);
+      return result;
+    }
+  } // namespace
+
+  UpdateSums update_nodes(const std::size_t    first,
+                          const std::size_t    last,
+                          const double         dt,
+                          const BodyDamping   &damping,
+                          const UpdateAxis    &axis,
+                          const unsigned char *owned,
+                          const double        *forces,
+                          double              *positions,
+                          double              *velocities,
+                          const InstructionSet instruction_set)
+  {
+    double found[n_update_sums] = {};
+    select_update(instruction_set)(make_coefficients(dt, damping, axis),
+                                   first,
+                                   last,
+                                   owned,
+                                   forces,
+                                   positions,
+                                   velocities,
+                                   found);
+    UpdateSums sums;
+    sums.kinetic        = found[sum_of_kinetic];
+    sums.damping_power  = damping.zeta * found[sum_of_damping_power];
+    sums.mesh_power     = found[sum_of_mesh_power];
+    sums.damping_torque = damping.zeta * found[sum_of_damping_torque];
+    if (axis.use_axis)
+      {
+        sums.axial_momentum = found[sum_of_axial_momentum];
+        sums.axial_inertia  = found[sum_of_axial_inertia];
+        return sums;
+      }
+    sums.momentum         = Eigen::Map<const Vector3>(found + sum_of_momentum);
+    sums.first_moment     = Eigen::Map<const Vector3>(found + sum_of_first_moment);
+    sums.angular_momentum = Eigen::Map<const Vector3>(found + sum_of_angular_momentum);
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        const unsigned int j     = (i + 1) % 3;
+        sums.second_moment(i, i) = found[sum_of_second_moment + i];
+        sums.second_moment(i, j) = sums.second_moment(j, i) = found[sum_of_second_moment + 3 + i];
+      }
+    return sums;
+  }
+
+  void add_node_moments(
+    const UpdateAxis &axis, const double mass, const Vector3 &x, const Vector3 &v, UpdateSums &sums)
+  {
+    if (axis.use_axis)
+      {
+        const Vector3 e = axis.direction.cross(x - axis.point);
+        sums.axial_momentum += mass * e.dot(v);
+        sums.axial_inertia += mass * e.squaredNorm();
+      }
+    else
+      {
+        sums.momentum += mass * v;
+        sums.first_moment += mass * x;
+        sums.angular_momentum += mass * x.cross(v);
+        sums.second_moment += mass * x * x.transpose();
+      }
+  }
+
+  void sum_over_ranks(UpdateSums                  &sums,
+                      const Communicator          &communicator,
+                      const std::vector<double *> &more)
+  {
+    std::vector<double *> numbers = {&sums.kinetic,
+                                     &sums.damping_power,
+                                     &sums.mesh_power,
+                                     &sums.damping_torque,
+                                     &sums.axial_momentum,
+                                     &sums.axial_inertia};
+    for (unsigned int i = 0; i < 3; ++i)
+      numbers.insert(numbers.end(),
+                     {&sums.momentum[i], &sums.first_moment[i], &sums.angular_momentum[i]});
+    for (unsigned int i = 0; i < 9; ++i)
+      numbers.push_back(sums.second_moment.data() + i);
+    numbers.insert(numbers.end(), more.begin(), more.end());
+
+    std::vector<double> values;
+    for (const double *number : numbers)
+      values.push_back(*number);
+    communicator.sum(values);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      *numbers[i] = values[i];
+  }
+
+  double
+  compute_rigid_kinetic_energy(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
+  {
+    if (axis.use_axis)
+      return 0.5 * sums.axial_momentum * sums.axial_momentum / sums.axial_inertia;
+    const RigidVelocity rate   = compute_momentum_rate(axis, mass, sums);
+    const Vector3       centre = sums.first_moment / mass;
+    return 0.5 * sums.momentum.squaredNorm() / mass +
+           0.5 * rate.omega.dot(sums.angular_momentum - centre.cross(sums.momentum));
+  }
+
+  RigidVelocity
+  compute_momentum_rate(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
+  {
+    RigidVelocity rate;
+    if (axis.use_axis)
+      {
+        rate.omega    = (sums.axial_momentum / sums.axial_inertia) * axis.direction;
+        rate.velocity = -rate.omega.cross(axis.point);
+        return rate;
+      }
+    const Vector3 centre  = sums.first_moment / mass;
+    const Matrix3 second  = sums.second_moment - mass * centre * centre.transpose();
+    const Matrix3 inertia = second.trace() * Matrix3::Identity() - second;
+    rate.omega    = inertia.inverse() * (sums.angular_momentum - centre.cross(sums.momentum));
+    rate.velocity = sums.momentum / mass - rate.omega.cross(centre);
+    return rate;
+  }
+} // namespace vfife

@@ -1,0 +1,113 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/operator/halo_exchange.h>
+#include <vfife/model/model.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace vfife
+{
+  HaloExchange::HaloExchange(const Model                      &model,
+                             const Partition                  &partition,
+                             const std::vector<std::uint32_t> &rank_of_element,
+                             const Communicator               &communicator)
+    : communicator_(communicator)
+    , rank_(communicator.rank())
+  {
+    std::map<unsigned int, std::set<std::uint32_t>> global_nodes;
+    std::set<std::uint32_t>                         shared;
+    for (const Body &body : model.bodies)
+      for (std::uint32_t e = 0; e < body.n_elements(); ++e)
+        {
+          const unsigned int owner = rank_of_element[body.first_element + e];
+          if (owner == rank_)
+            continue;
+          for (const std::uint32_t node : body.elements()[e])
+            {
+              const std::uint32_t global = body.first_node + node;
+              if (partition.local_node[global] != Partition::absent)
+                {
+                  global_nodes[owner].insert(global);
+                  shared.insert(partition.local_node[global]);
+                }
+            }
+        }
+
+    for (const auto &[rank, nodes] : global_nodes)
+      {
+        Neighbour neighbour{rank, {}, {}, {}};
+        for (const std::uint32_t global : nodes)
+          neighbour.nodes.push_back(partition.local_node[global]);
+        neighbour.sent.resize(3 * nodes.size());
+        neighbour.received.resize(3 * nodes.size());
+        neighbours_.push_back(std::move(neighbour));
+      }
+    shared_.assign(shared.begin(), shared.end());
+    own_.resize(3 * shared_.size());
+    requests_.resize(2 * neighbours_.size());
+  }
+
+  void HaloExchange::add_over_ranks(double *values)
+  {
+    start(values);
+    finish(values);
+  }
+
+  void HaloExchange::start(double *values)
+  {
+    for (std::size_t i = 0; i < neighbours_.size(); ++i)
+      {
+        Neighbour &n = neighbours_[i];
+        for (std::size_t k = 0; k < n.nodes.size(); ++k)
+          std::copy_n(values + 4 * static_cast<std::size_t>(n.nodes[k]), 3, n.sent.data() + 3 * k);
+        MPI_Irecv(n.received.data(),
+                  n.received.size(),
+                  MPI_DOUBLE,
+                  n.rank,
+                  0,
+                  communicator_.mpi(),
+                  &requests_[2 * i]);
+        MPI_Isend(n.sent.data(),
+                  n.sent.size(),
+                  MPI_DOUBLE,
+                  n.rank,
+                  0,
+                  communicator_.mpi(),
+                  &requests_[2 * i + 1]);
+      }
+
+    for (std::size_t k = 0; k < shared_.size(); ++k)
+      {
+        double *v = values + 4 * static_cast<std::size_t>(shared_[k]);
+        std::copy_n(v, 3, own_.data() + 3 * k);
+        std::fill_n(v, 3, 0.);
+      }
+  }
+
+  void HaloExchange::finish(double *values)
+  {
+    MPI_Waitall(requests_.size(), requests_.data(), MPI_STATUSES_IGNORE);
+
+    const auto add_own = [&] {
+      for (std::size_t k = 0; k < shared_.size(); ++k)
+        for (unsigned int c = 0; c < 3; ++c)
+          values[4 * static_cast<std::size_t>(shared_[k]) + c] += own_[3 * k + c];
+    };
+    bool own_is_added = false;
+    for (const Neighbour &n : neighbours_)
+      {
+        if (!own_is_added && n.rank > rank_)
+          {
+            add_own();
+            own_is_added = true;
+          }
+        for (std::size_t k = 0; k < n.nodes.size(); ++k)
+          for (unsigned int c = 0; c < 3; ++c)
+            values[4 * static_cast<std::size_t>(n.nodes[k]) + c] += n.received[3 * k + c];
+      }
+    if (!own_is_added)
+      add_own();
+  }
+} // namespace vfife

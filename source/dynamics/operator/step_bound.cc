@@ -1,0 +1,131 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/dynamics/operator/step_bound.h>
+#include <vfife/dynamics/operator/vfife_operator.h>
+#include <vfife/model/model.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr unsigned int least_iterations = 20, most_iterations = 400;
+    constexpr double       wanted_deviation = 0.01;
+
+    std::vector<double> undeformed_positions(const Model &model, const VfifeOperator &vfife)
+    {
+      const Partition    &partition = vfife.partition();
+      std::vector<double> positions(vfife.array_size(), 0.);
+      for (unsigned int b = 0; b < model.bodies.size(); ++b)
+        for (std::size_t i = partition.first_local_node[b]; i < partition.first_local_node[b + 1];
+             ++i)
+          {
+            const Body &body = model.bodies[b];
+            // Near the origin of its own, a body's coordinates carry the least round-off.
+            const Vector3 &X = body.node_positions()[partition.global_node[i] - body.first_node];
+            std::copy_n(X.data(), 3, &positions[4 * i]);
+          }
+      return positions;
+    }
+
+    /** Numbers between -1 and 1 without a pattern, the same on all copies of a node. */
+    std::vector<double> start_vector(const VfifeOperator &vfife)
+    {
+      const Partition    &partition = vfife.partition();
+      std::vector<double> v(vfife.array_size(), 0.);
+      for (std::size_t i = 0; i < partition.n_local(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          v[4 * i + c] = std::sin(12.9898 * (3. * partition.global_node[i] + c) + 1.) *
+                         std::cos(78.233 * (3. * partition.global_node[i] + c));
+      return v;
+    }
+
+    /** A motion whose strains are small beside those that make forces non-linear, and large beside
+     * round-off: this part of the least element's size [mm]. */
+    double find_amplitude(const Model &model, const VfifeOperator &vfife)
+    {
+      double speed = 0;
+      for (const Body &body : model.bodies)
+        speed =
+          std::max(speed, std::sqrt(body.material().youngs_modulus / body.material().density));
+      return 1e-6 * speed * vfife.limiting_element().stable_step();
+    }
+  } // namespace
+
+
+  AssembledFrequency iterate_largest_frequency(const Model        &model,
+                                               VfifeOperator      &vfife,
+                                               const Communicator &communicator)
+  {
+    const Partition          &partition = vfife.partition();
+    const std::vector<double> x0        = undeformed_positions(model, vfife);
+    std::vector<double>       v = start_vector(vfife), x = x0, forces(vfife.array_size());
+    const double              amplitude = find_amplitude(model, vfife);
+
+    AssembledFrequency result;
+    for (unsigned int iteration = 1; iteration <= most_iterations; ++iteration)
+      {
+        double largest = 0;
+        for (const double entry : v)
+          largest = std::max(largest, std::abs(entry));
+        const double scale = amplitude / communicator.max(largest);
+        for (std::size_t i = 0; i < x.size(); ++i)
+          {
+            v[i] *= scale;
+            x[i] = x0[i] + v[i];
+          }
+        vfife.compute_internal_forces(x.data(), forces.data());
+
+        std::vector<double> sums(3, 0.); // v.M v, v.K v, K v . M^-1 K v
+        for (std::size_t i = 0; i < partition.n_local(); ++i)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              const double m = vfife.masses()[i], Kv = -forces[4 * i + c];
+              if (partition.owned[i])
+                {
+                  sums[0] += m * v[4 * i + c] * v[4 * i + c];
+                  sums[1] += v[4 * i + c] * Kv;
+                  sums[2] += Kv * Kv / m;
+                }
+              v[4 * i + c] = Kv / m;
+            }
+        communicator.sum(sums);
+        result.quotient = sums[1] / sums[0];
+        result.deviation =
+          std::sqrt(std::max(0., sums[2] / sums[0] - result.quotient * result.quotient));
+        result.iterations = iteration;
+        if (iteration >= least_iterations && result.deviation < wanted_deviation * result.quotient)
+          break;
+      }
+    result.frequency =
+      std::min(std::sqrt(result.quotient + result.deviation), vfife.limiting_element().frequency);
+    return result;
+  }
+
+
+  double find_element_step(const Model        &model,
+                           const StepBound     bound,
+                           VfifeOperator      &vfife,
+                           const Communicator &communicator,
+                           Log                &log)
+  {
+    const double worst = vfife.limiting_element().stable_step();
+    if (bound == StepBound::element)
+      return worst;
+    const AssembledFrequency assembled = iterate_largest_frequency(model, vfife, communicator);
+    const double             step      = 2. / assembled.frequency;
+    log.line("power iteration: stable step ",
+             1e9 * step,
+             " ns, ",
+             step / worst,
+             " of that of the worst element, after ",
+             assembled.iterations,
+             " iterations; an eigenvalue is within ",
+             100 * assembled.deviation / assembled.quotient,
+             " % of the quotient");
+    return step;
+  }
+} // namespace vfife

@@ -1,0 +1,147 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/operator/vfife_operator.h>
+#include <vfife/dynamics/watch/measurement.h>
+#include <vfife/element/stress.h>
+#include <vfife/model/body_frame.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  double measure_rotation(const Body                      &body,
+                          const std::vector<unsigned int> &nodes,
+                          const double                     turned,
+                          const State                     &state,
+                          const Communicator              &communicator)
+  {
+    const Vector3      &a        = body.axis.direction;
+    const Matrix3       rotation = rotation_about(a, turned);
+    std::vector<double> sums(2, 0.);
+    for (const unsigned int node : nodes)
+      {
+        const std::uint32_t local = state.partition.local_node[body.first_node + node];
+        if (local == Partition::absent || !state.partition.owned[local])
+          continue;
+        const Vector3 expected =
+          rotation * (body.placement(body.node_positions()[node]) - body.axis.point);
+        const Vector3 r    = state.node_position(local) - body.axis.point;
+        const Vector3 flat = expected - a.dot(expected) * a;
+        sums[0] += body.node_masses()[node] * std::atan2(a.dot(flat.cross(r)), flat.dot(r));
+        sums[1] += body.node_masses()[node];
+      }
+    communicator.sum(sums);
+    return sums[0] / sums[1];
+  }
+
+  void measure_transmission(const Model &model, State &state, const Communicator &communicator)
+  {
+    if (!model.transmission)
+      return;
+    const Transmission &t      = *model.transmission;
+    const Body         &driven = model.bodies[t.driven];
+    const double        turned = t.driven_rate() * state.time; // in the drive direction
+    const double        start  = t.driven_start - t.ratio() * t.driver_start;
+
+    // Differences from the kinematic turn are measured, so that no digits are lost in large angles.
+    const auto lead = [&](const std::vector<unsigned int> &nodes) {
+      return t.driven_sense *
+             measure_rotation(driven, nodes, t.driven_sense * turned, state, communicator);
+    };
+    Measurements &m          = state.measured;
+    const double  bore       = lead(t.driven_bore);
+    const double  rim        = lead(t.driven_rim);
+    m.driver_angle           = t.driver_start + t.driver_rate * state.time;
+    m.driven_angle           = t.driven_start + turned + bore;
+    m.rim_angle              = t.driven_start + turned + rim;
+    m.transmission_error     = start + bore;
+    m.rim_transmission_error = start + rim;
+  }
+
+  void measure_momentum(State                     &state,
+                        const std::vector<double> &masses,
+                        const Communicator        &communicator)
+  {
+    std::vector<double> sums(6, 0.);
+    for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
+      if (state.partition.owned[i])
+        {
+          const Vector3 momentum = masses[i] * state.node_velocity(i);
+          Eigen::Map<Vector3>(sums.data()) += momentum;
+          Eigen::Map<Vector3>(sums.data() + 3) += state.node_position(i).cross(momentum);
+        }
+    communicator.sum(sums);
+    state.measured.momentum         = Eigen::Map<const Vector3>(sums.data());
+    state.measured.angular_momentum = Eigen::Map<const Vector3>(sums.data() + 3);
+  }
+
+  std::vector<ProbeValue> measure_probes(const Model         &model,
+                                         const State         &state,
+                                         const VfifeOperator &vfife,
+                                         const Communicator  &communicator)
+  {
+    constexpr unsigned int n = 10; // position 3, stress 6, number of elements
+    std::vector<double>    sums(n * model.probes.size(), 0.);
+    for (std::size_t p = 0; p < model.probes.size(); ++p)
+      {
+        const Probe        &probe = model.probes[p];
+        const Body         &body  = model.bodies[probe.body];
+        double             *s     = sums.data() + n * p;
+        const std::uint32_t local = state.partition.local_node[body.first_node + probe.node];
+        if (local == Partition::absent)
+          continue;
+        if (state.partition.owned[local])
+          std::copy_n(state.node_position(local).data(), 3, s);
+
+        for (const std::uint32_t e : vfife.elements_at(local))
+          {
+            const auto     &nodes = body.elements()[e - body.first_element];
+            HexahedronNodes x;
+            unsigned int    corner = 0;
+            for (unsigned int i = 0; i < 8; ++i)
+              {
+                x.col(i) =
+                  state.node_position(state.partition.local_node[body.first_node + nodes[i]]);
+                if (nodes[i] == probe.node)
+                  corner = i;
+              }
+            const auto stress = compute_nodal_stresses(body.element_nodes(e - body.first_element),
+                                                       x,
+                                                       body.material(),
+                                                       vfife.stiffness(),
+                                                       vfife.frame());
+            Eigen::Map<Stress>(s + 3) += stress.col(corner);
+            s[9] += 1.;
+          }
+      }
+    communicator.sum(sums);
+
+    std::vector<ProbeValue> values(model.probes.size());
+    for (std::size_t p = 0; p < model.probes.size(); ++p)
+      {
+        const Probe  &probe = model.probes[p];
+        const Body   &body  = model.bodies[probe.body];
+        const double *s     = sums.data() + n * p;
+        const Matrix3 axes  = compute_cylindrical_axes(body, body.node_positions()[probe.node]);
+        const Vector3 moved =
+          compute_displacement(body,
+                               probe.node,
+                               Eigen::Map<const Vector3>(s),
+                               compute_turn(body, state.body_motion[probe.body]));
+        values[p].displacement = axes.transpose() * (body.placement.rotation.transpose() * moved);
+
+        const Stress mean   = Eigen::Map<const Stress>(s + 3) / s[9];
+        values[p].von_mises = von_mises(mean);
+        if (probe.fixed_axes)
+          {
+            values[p].displacement =
+              Eigen::Map<const Vector3>(s) - body.placement(body.node_positions()[probe.node]);
+            Eigen::Map<Stress>(values[p].stress.data()) = mean;
+          }
+        else
+          Eigen::Map<Stress>(values[p].stress.data()) = turn_stress(mean, axes);
+      }
+    return values;
+  }
+} // namespace vfife

@@ -1,0 +1,193 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/modes/campbell.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double rpm = 30. / pi; // of 1 rad/s
+
+    /** Waves that clearly travel; the bodies' unequal meshes may mix others. */
+    std::string direction_of(const ModeDescription &description)
+    {
+      if (description.nodal_diameter <= 0)
+        return "standing";
+      return description.forward > .75   ? "forward"
+             : description.forward < .25 ? "backward"
+                                         : "standing";
+    }
+  } // namespace
+
+  Table make_mode_table()
+  {
+    Table table;
+    table.add_text_column("body");
+    table.add_column("speed", "rpm");
+    table.add_column("mode", "-");
+    table.add_column("frequency", "Hz");
+    table.add_column("residual", "-");
+    table.add_column("nodal diameter", "-");
+    table.add_column("nodal circles", "-");
+    table.add_column("share of the diameter", "-");
+    table.add_text_column("direction");
+    for (const char *part : {"axial", "radial", "tangential"})
+      table.add_column(part, "-");
+    for (const char *axis : {"x", "y", "z"})
+      table.add_column(std::string("effective mass ") + axis, "kg");
+    for (const char *axis : {"x", "y", "z"})
+      table.add_column(std::string("effective inertia ") + axis, "kg mm^2");
+    return table;
+  }
+
+  void add_modes(const std::string &body, const ModesAtSpeed &modes, Table &table)
+  {
+    for (std::size_t k = 0; k < modes.modes.size(); ++k)
+      {
+        const RotatingMode      &mode = modes.modes[k];
+        const ModeDescription   &d    = mode.description;
+        std::vector<Table::Cell> row  = {body,
+                                         modes.rate * rpm,
+                                         k + 1,
+                                         mode.frequency,
+                                         mode.residual,
+                                         d.nodal_diameter,
+                                         d.nodal_circles,
+                                         d.share,
+                                         direction_of(d),
+                                         d.axial,
+                                         d.radial,
+                                         d.tangential};
+        for (const double value : mode.effective_mass)
+          row.emplace_back(1e3 * value); // t -> kg
+        table.add_row(row);
+      }
+  }
+
+  std::vector<CampbellBranch> make_branches(const std::vector<ModesAtSpeed> &speeds)
+  {
+    bool travelling = false;
+    for (const ModesAtSpeed &at_speed : speeds)
+      for (const RotatingMode &mode : at_speed.modes)
+        travelling = travelling || (mode.description.nodal_diameter > 0 &&
+                                    direction_of(mode.description) != "standing");
+
+    std::map<std::tuple<int, std::string, unsigned int>, CampbellBranch> branches;
+    for (const ModesAtSpeed &at_speed : speeds)
+      {
+        const auto add =
+          [&](const RotatingMode &mode, const std::string &direction, const unsigned int order) {
+            const int       n      = mode.description.nodal_diameter;
+            CampbellBranch &branch = branches[std::make_tuple(n, direction, order)];
+            branch.nodal_diameter  = n;
+            branch.order           = order;
+            branch.direction       = direction;
+            branch.rates.push_back(at_speed.rate);
+            branch.frequencies.push_back(mode.frequency);
+          };
+        std::map<std::pair<int, std::string>, unsigned int> counts;
+        for (const RotatingMode &mode : at_speed.modes)
+          {
+            if (mode.frequency == 0)
+              continue; // rigid
+            const int          n         = mode.description.nodal_diameter;
+            const std::string  direction = direction_of(mode.description);
+            const unsigned int count     = counts[{n, direction}]++;
+            // Standing modes with diameters come in pairs of one frequency: both are one branch,
+            // or the two waves of a body at rest whose waves differ at speed.
+            if (n <= 0 || direction != "standing")
+              add(mode, direction, count + 1);
+            else if (count % 2 == 0 && !travelling)
+              add(mode, direction, count / 2 + 1);
+            else if (travelling)
+              add(mode, count % 2 == 0 ? "backward" : "forward", count / 2 + 1);
+          }
+      }
+    std::vector<CampbellBranch> list;
+    for (auto &branch : branches)
+      list.push_back(std::move(branch.second));
+    return list;
+  }
+
+  Table make_campbell_table()
+  {
+    Table table;
+    table.add_text_column("body");
+    table.add_column("nodal diameter", "-");
+    table.add_column("order", "-");
+    table.add_text_column("direction");
+    table.add_column("speed", "rpm");
+    table.add_column("frequency", "Hz");
+    return table;
+  }
+
+  void
+  add_branches(const std::string &body, const std::vector<CampbellBranch> &branches, Table &table)
+  {
+    for (const CampbellBranch &branch : branches)
+      for (std::size_t i = 0; i < branch.rates.size(); ++i)
+        table.add_row({body,
+                       branch.nodal_diameter,
+                       branch.order,
+                       branch.direction,
+                       branch.rates[i] * rpm,
+                       branch.frequencies[i]});
+  }
+
+  Table make_resonance_table()
+  {
+    Table table;
+    table.add_text_column("body");
+    table.add_column("nodal diameter", "-");
+    table.add_column("order", "-");
+    table.add_text_column("wave");
+    table.add_column("mesh order", "-");
+    table.add_column("speed", "rpm");
+    table.add_column("frequency", "Hz");
+    return table;
+  }
+
+  void add_resonances(const std::string                 &body,
+                      const std::vector<CampbellBranch> &branches,
+                      const unsigned int                 teeth,
+                      const unsigned int                 mesh_orders,
+                      Table                             &table)
+  {
+    for (const CampbellBranch &branch : branches)
+      for (unsigned int m = 0; m <= mesh_orders && branch.nodal_diameter >= 0; ++m)
+        for (const int sign : {1, -1})
+          {
+            // Multiples of the speed at which the turning body feels the force.
+            const int         orders = static_cast<int>(m * teeth) + sign * branch.nodal_diameter;
+            const std::string wave   = branch.nodal_diameter == 0 ? "standing"
+                                       : sign > 0 || orders < 0   ? "backward"
+                                                                  : "forward";
+            const bool        same_again = sign < 0 && (branch.nodal_diameter == 0 || m == 0);
+            if (orders == 0 || same_again ||
+                (branch.direction != "standing" && branch.direction != wave))
+              continue;
+            const auto excess = [&](const std::size_t i) {
+              return branch.frequencies[i] -
+                     std::abs(orders) * std::abs(branch.rates[i]) / (2. * pi);
+            };
+            for (std::size_t i = 1; i < branch.rates.size(); ++i)
+              if ((excess(i - 1) > 0) != (excess(i) > 0))
+                {
+                  const double part = excess(i - 1) / (excess(i - 1) - excess(i));
+                  const double rate =
+                    branch.rates[i - 1] + part * (branch.rates[i] - branch.rates[i - 1]);
+                  table.add_row({body,
+                                 branch.nodal_diameter,
+                                 branch.order,
+                                 wave,
+                                 m,
+                                 rate * rpm,
+                                 std::abs(orders * rate) / (2. * pi)});
+                }
+          }
+  }
+} // namespace vfife

@@ -1,0 +1,204 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/fem/modes/modal_solver.h>
+#include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/fem/solvers/eigen_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Modes beyond those asked for: among them the gap for counting is looked for, and a double
+     * mode at the end is not cut in two. */
+    constexpr unsigned int n_guards = 6;
+
+    SparseValues shifted(const SparseValues &K, const SparseValues &M, const double shift)
+    {
+      return add_scaled(K, -shift, M);
+    }
+  } // namespace
+
+  /** Pairs, and what was learnt while finding them. */
+  struct ModalSolver::Found
+  {
+    EigenPairs pairs;
+    bool       counted = false;
+    double     memory  = 0;
+  };
+
+  double Mode::frequency() const
+  {
+    return std::copysign(std::sqrt(std::abs(eigenvalue)) / (2. * pi), eigenvalue);
+  }
+
+  ModalSolver::ModalSolver(const Assembly &assembly, const FemOptions &options)
+    : assembly_(assembly)
+    , options_(options)
+    , matrices_(assembly, options.mass)
+  {
+    // The Krylov space has 2 (n + guards + 10) vectors.
+    const unsigned int n = assembly.unknowns().n();
+    if (2 * (options.n_modes + n_guards + 10) > n)
+      throw InputError("Fem/modes",
+                       std::to_string(options.n_modes) + " modes are too many for " +
+                         std::to_string(n) + " unknowns; ask for fewer modes or take a finer mesh");
+  }
+
+  ModalResult ModalSolver::solve() const
+  {
+    return solve(matrices_.stiffness(), matrices_.mass(), 0.);
+  }
+
+  double
+  choose_shift(const Assembly &assembly, const SparseValues &stiffness, const SparseValues &mass)
+  {
+    const OwnedVector k = assembly.diagonal(stiffness), m = assembly.diagonal(mass);
+    double            largest = 0;
+    for (std::size_t i = 0; i < k.size(); ++i)
+      if (m[i] > 0)
+        largest = std::max(largest, k[i] / m[i]);
+    return -1e-10 * assembly.communicator().max(largest);
+  }
+
+  ModalResult ModalSolver::solve(const SparseValues &stiffness,
+                                 const SparseValues &mass,
+                                 const double        lowest) const
+  {
+    const double base  = choose_shift(assembly_, stiffness, mass);
+    const double shift = base + 1.2 * std::min(lowest, 0.);
+    Found        found = options_.eigen_solver == EigenSolverKind::lobpcg
+                           ? find_by_lobpcg(stiffness, mass, shift)
+                           : find_by_factorization(stiffness, mass, shift);
+    found.pairs.values.resize(options_.n_modes);
+    found.pairs.vectors.resize(options_.n_modes);
+    const std::vector<double> residuals =
+      compute_residuals(assembly_, stiffness, mass, found.pairs, shift);
+    check_orthogonality(mass, found.pairs.vectors);
+
+    ModalResult result;
+    // Round-off of factorization and quotient stays far below the shift.
+    result.rigid_rate = std::sqrt(.1 * std::abs(base) + 1.2 * std::abs(std::min(lowest, 0.)));
+    for (unsigned int k = 0; k < options_.n_modes; ++k)
+      {
+        Mode mode;
+        mode.eigenvalue = found.pairs.values[k];
+        mode.residual   = residuals[k];
+        mode.shape      = assembly_.expand(found.pairs.vectors[k]);
+        if (result.is_rigid(mode))
+          ++result.n_rigid;
+        // A mode is as exact as the square of its residual; beyond this one it may not be a mode.
+        if (!(mode.residual < 1e-3))
+          {
+            std::ostringstream text;
+            text << "mode " << k + 1 << " at " << mode.frequency() << " Hz has the residual "
+                 << mode.residual << ": the eigenvalue solver has failed";
+            throw NumericalError(text.str());
+          }
+        result.modes.push_back(std::move(mode));
+      }
+    result.vectors      = std::move(found.pairs.vectors);
+    result.n_unknowns   = assembly_.unknowns().n();
+    result.counted      = found.counted;
+    result.n_iterations = found.pairs.n_iterations;
+    result.memory       = found.memory;
+    result.shift        = shift;
+    if (assembly_.unknowns().n_copies() == 1 && assembly_.discretization().sector_angle() == 0)
+      add_effective_masses(result);
+    return result;
+  }
+
+  ModalSolver::Found ModalSolver::find_by_factorization(const SparseValues &stiffness,
+                                                        const SparseValues &mass,
+                                                        const double        shift) const
+  {
+    Found        found;
+    unsigned int n_wanted = options_.n_modes + n_guards;
+    for (unsigned int attempt = 0; attempt < 3; ++attempt)
+      {
+        {
+          const DirectSolver factors(assembly_.pattern(),
+                                     shifted(stiffness, mass, shift),
+                                     assembly_.communicator());
+          if (factors.n_negative() > 0)
+            throw NumericalError("the body is not stable: " + std::to_string(factors.n_negative()) +
+                                 " motions have a negative stiffness (speed too high)");
+          found.memory = factors.memory();
+          found.pairs =
+            solve_shift_invert(assembly_, mass, factors, shift, n_wanted, options_.eigen_tolerance);
+        }
+        if (!options_.count_modes)
+          return found;
+
+        // The widest gap behind the modes asked for.
+        const std::vector<double> &values = found.pairs.values;
+        unsigned int               below  = options_.n_modes;
+        for (unsigned int i = options_.n_modes; i < values.size(); ++i)
+          if (values[i] - values[i - 1] > values[below] - values[below - 1])
+            below = i;
+        const DirectSolver count(assembly_.pattern(),
+                                 shifted(stiffness, mass, .5 * (values[below] + values[below - 1])),
+                                 assembly_.communicator());
+        if (count.n_negative() == below)
+          {
+            found.counted = true;
+            return found;
+          }
+        // Missed modes: a larger space finds them, or their further copies.
+        n_wanted += count.n_negative() > below ? count.n_negative() - below + n_guards : n_guards;
+      }
+    throw NumericalError("the modes found are not complete: a factorization counts another number "
+                         "below the highest one, also after searching again");
+  }
+
+  ModalSolver::Found
+  ModalSolver::find_by_lobpcg(SparseValues stiffness, SparseValues mass, const double shift) const
+  {
+    assembly_.set_padding(stiffness, assembly_.mean_diagonal(stiffness));
+    // Start vectors are zero at padding and nothing couples to it: any mass will do.
+    assembly_.set_padding(mass, assembly_.mean_diagonal(mass));
+    Found found;
+    found.pairs = solve_lobpcg(assembly_,
+                               stiffness,
+                               mass,
+                               matrices_.near_kernel(),
+                               shift,
+                               options_.n_modes + n_guards,
+                               options_.eigen_tolerance);
+    return found;
+  }
+
+  void ModalSolver::check_orthogonality(const SparseValues             &mass,
+                                        const std::vector<OwnedVector> &x) const
+  {
+    const double defect = compute_orthogonality_defect(assembly_, mass, x);
+    if (!(defect < 1e-6))
+      {
+        std::ostringstream text;
+        text << "modes are orthogonal to " << defect << " only: the eigenvalue solver has failed";
+        throw NumericalError(text.str());
+      }
+  }
+
+  void ModalSolver::add_effective_masses(ModalResult &result) const
+  {
+    const Discretization &d = assembly_.discretization();
+    for (const Discretization::Part &part : d.parts())
+      {
+        const auto rigid = make_rigid_motions(d, part, d.model().bodies[part.body].axis.point);
+        for (unsigned int r = 0; r < 6; ++r)
+          {
+            const OwnedVector load = matrices_.apply_mass(rigid[r]);
+            for (unsigned int k = 0; k < result.modes.size(); ++k)
+              {
+                const double factor = assembly_.dot(load, result.vectors[k]);
+                result.modes[k].effective_mass[r] += factor * factor;
+              }
+          }
+      }
+  }
+} // namespace vfife

@@ -1,0 +1,162 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/modes/mode_description.h>
+#include <vfife/mesh/body_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Whether node i of sector k is node i of sector 0 turned by k pitches about the axis z. */
+    bool has_turned_sectors(const Body &body)
+    {
+      const unsigned int n = body.mesh().n_sectors;
+      if (n < 3 || body.n_nodes() % n != 0)
+        return false;
+      const auto        &X       = body.node_positions();
+      const unsigned int n_nodes = body.n_nodes() / n;
+      double             size    = 0;
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        size = std::max(size, X[i].norm());
+      for (unsigned int k = 1; k < n; ++k)
+        {
+          const Matrix3 turn = rotation_about(Vector3::UnitZ(), 2. * pi * k / n);
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            if ((turn * X[i] - X[k * n_nodes + i]).norm() > 1e-9 * size)
+              return false;
+        }
+      return true;
+    }
+  } // namespace
+
+  ModeDescriber::ModeDescriber(const Discretization       &discretization,
+                               const Discretization::Part &part)
+    : discretization_(discretization)
+    , first_point_(part.first_point)
+    , body_(discretization.model().bodies[part.body])
+    , n_sectors_(has_turned_sectors(body_) ? body_.mesh().n_sectors : 0)
+  {
+    const Vector3 z = body_.axis.direction;
+    for (unsigned int i = 0; i < body_.n_nodes(); ++i)
+      {
+        const Vector3 x      = discretization_.points()[first_point_ + i] - body_.axis.point;
+        const Vector3 across = x - z.dot(x) * z;
+        const Vector3 r = across.norm() > 0 ? Vector3(across.normalized()) : z.unitOrthogonal();
+        Matrix3       axes;
+        axes << r, z.cross(r), z;
+        axes_.push_back(axes);
+        if (n_sectors_ > 0 && i < body_.n_nodes() / n_sectors_)
+          radii_.push_back(across.norm());
+      }
+  }
+
+  Vector3 ModeDescriber::components(const unsigned int node, const std::vector<double> &shape) const
+  {
+    const double *u = shape.data() + 3 * static_cast<std::size_t>(first_point_ + node);
+    return axes_[node].transpose() * Vector3(u[0], u[1], u[2]);
+  }
+
+  ModeDescription ModeDescriber::describe(const std::vector<double> &shape) const
+  {
+    return describe(shape, std::vector<double>(shape.size(), 0.));
+  }
+
+  ModeDescription ModeDescriber::describe(const std::vector<double> &real,
+                                          const std::vector<double> &imaginary) const
+  {
+    Amplitudes values(3 * static_cast<std::size_t>(body_.n_nodes()));
+    Vector3    energy = Vector3::Zero();
+    for (unsigned int i = 0; i < body_.n_nodes(); ++i)
+      {
+        const Vector3 a = components(i, real), b = components(i, imaginary);
+        energy += body_.node_masses()[i] * (a.cwiseAbs2() + b.cwiseAbs2());
+        for (unsigned int c = 0; c < 3; ++c)
+          values[3 * i + c] = {a[c], b[c]};
+      }
+    ModeDescription description;
+    description.radial     = energy[0] / energy.sum();
+    description.tangential = energy[1] / energy.sum();
+    description.axial      = energy[2] / energy.sum();
+    if (n_sectors_ == 0)
+      return description;
+
+    const auto energy_of = [&](const Amplitudes &amplitudes) {
+      double sum = 0;
+      for (std::size_t i = 0; i < amplitudes.size(); ++i)
+        sum += body_.node_masses()[i / 3] * std::norm(amplitudes[i]);
+      return sum / n_sectors_;
+    };
+    double largest = 0, positive = 0;
+    for (unsigned int h = 0; h <= n_sectors_ / 2; ++h)
+      {
+        const bool   both  = h > 0 && 2 * h < n_sectors_;
+        const double plus  = energy_of(harmonic(values, h)),
+                     minus = both ? energy_of(harmonic(values, -static_cast<int>(h))) : 0.;
+        if (plus + minus > largest)
+          {
+            largest                    = plus + minus;
+            positive                   = plus;
+            description.nodal_diameter = h;
+          }
+      }
+    description.share = largest / energy.sum();
+    // exp(i (h theta + omega t)) travels towards - theta.
+    if (description.nodal_diameter > 0)
+      description.forward = 1. - positive / largest;
+    unsigned int component;
+    energy.maxCoeff(&component);
+    description.nodal_circles =
+      count_circles(harmonic(values, description.nodal_diameter), component);
+    return description;
+  }
+
+  ModeDescriber::Amplitudes ModeDescriber::harmonic(const Amplitudes &values, const int h) const
+  {
+    const std::size_t per_sector = values.size() / n_sectors_;
+    Amplitudes        sums(per_sector);
+    for (unsigned int k = 0; k < n_sectors_; ++k)
+      {
+        const std::complex<double> phase =
+          std::polar(1., -2. * pi * h * static_cast<double>(k) / n_sectors_);
+        for (std::size_t i = 0; i < per_sector; ++i)
+          sums[i] += phase * values[k * per_sector + i];
+      }
+    return sums;
+  }
+
+  int ModeDescriber::count_circles(const Amplitudes &amplitudes, const unsigned int component) const
+  {
+    // Real at the meridian of largest motion.
+    std::complex<double> square = 0;
+    for (std::size_t i = 0; i < radii_.size(); ++i)
+      square +=
+        body_.node_masses()[i] * amplitudes[3 * i + component] * amplitudes[3 * i + component];
+    const std::complex<double> phase = std::polar(1., -.5 * std::arg(square));
+
+    constexpr unsigned int n_rings = 24;
+    const auto             range   = std::minmax_element(radii_.begin(), radii_.end());
+    std::vector<double>    sum(n_rings, 0.), mass(n_rings, 0.);
+    for (std::size_t i = 0; i < radii_.size(); ++i)
+      {
+        const double       part = (radii_[i] - *range.first) / (*range.second - *range.first);
+        const unsigned int ring = std::min<unsigned int>(n_rings * part, n_rings - 1);
+        sum[ring] += body_.node_masses()[i] * (phase * amplitudes[3 * i + component]).real();
+        mass[ring] += body_.node_masses()[i];
+      }
+    double largest = 0;
+    for (unsigned int ring = 0; ring < n_rings; ++ring)
+      if (mass[ring] > 0)
+        largest = std::max(largest, std::abs(sum[ring] /= mass[ring]));
+    int    circles = 0;
+    double before  = 0;
+    for (const double value : sum)
+      if (std::abs(value) > .05 * largest)
+        {
+          circles += value * before < 0;
+          before = value;
+        }
+    return circles;
+  }
+} // namespace vfife

@@ -1,0 +1,233 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/fem/modes/gyroscopic_modes.h>
+#include <vfife/fem/modes/rotating_body.h>
+#include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/mesh/body_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    SystemMatrices::Rate constant(const double rate)
+    {
+      return [rate](unsigned int) { return rate; };
+    }
+
+    void scale_to_one(std::vector<double> &shape, std::vector<double> &imaginary)
+    {
+      double largest = 0;
+      for (std::size_t i = 0; i < shape.size(); ++i)
+        largest = std::max(largest, std::hypot(shape[i], imaginary[i]));
+      for (std::size_t i = 0; i < shape.size(); ++i)
+        {
+          shape[i] /= largest;
+          imaginary[i] /= largest;
+        }
+    }
+  } // namespace
+
+  RotatingBody::RotatingBody(const Model        &model,
+                             const unsigned int  body,
+                             const FemOptions   &options,
+                             const Communicator &communicator)
+    : model_(model)
+    , body_(body)
+    , options_(options)
+    , communicator_(communicator)
+    , discretization_(options.cyclic_symmetry
+                        ? Discretization::sector_of(model, body, options.element)
+                        : Discretization(model, {body}, options.element))
+    , whole_(model, {body}, FemElement::incompatible_modes)
+    , describer_(whole_, whole_.parts()[0])
+  {
+  }
+
+  RotatingBody::~RotatingBody() = default;
+
+  unsigned int RotatingBody::count_free_motions() const
+  {
+    unsigned int n = find_free_motions(whole_, whole_.parts()[0]).size();
+    for (const Constraint &constraint : model_.constraints)
+      if (constraint.body == body_ && (constraint.kind == ConstraintKind::free_rotation ||
+                                       constraint.kind == ConstraintKind::rigid_hub))
+        return n > 0 ? n - 1 : 0; // the rotation is pinned
+    return n;
+  }
+
+  std::vector<double> RotatingBody::find_equilibrium(const double rate) const
+  {
+    Unknowns::Options options;
+    options.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::pinned;
+    const Assembly       assembly(discretization_, options, communicator_);
+    const SystemMatrices matrices(assembly, options_.mass);
+    SparseValues K = add_scaled(matrices.stiffness(), -1., matrices.spin_mass(constant(rate)));
+    OwnedVector  q = matrices.centrifugal_load(constant(rate));
+    const unsigned int n_free = count_free_motions();
+    if (n_free > 0)
+      {
+        // Nothing holds the body: where it is balanced, the load does no work on rigid motions, and
+        // a weak bed of springs only keeps the factorization from dividing by zero.
+        const SparseValues M = matrices.mass();
+        K                    = add_scaled(std::move(K), -choose_shift(assembly, K, M), M);
+      }
+    const DirectSolver solver(assembly.pattern(), K, communicator_);
+    if (solver.n_negative() > n_free || solver.n_zero() > 0)
+      throw NumericalError("body \"" + model_.bodies[body_].name() +
+                           "\" has no stable state of spin at " + std::to_string(rate * 30. / pi) +
+                           " rpm: the speed is too high");
+    solver.solve(q.data(), 1);
+    return assembly.expand(q);
+  }
+
+  ModesAtSpeed RotatingBody::find_modes(const double rate) const
+  {
+    ModesAtSpeed result;
+    result.rate = rate;
+    std::vector<double> equilibrium;
+    if (rate != 0)
+      {
+        equilibrium = find_equilibrium(rate);
+        for (std::size_t i = 0; i < equilibrium.size(); i += 3)
+          result.growth =
+            std::max(result.growth, Eigen::Map<const Vector3>(equilibrium.data() + i).norm());
+      }
+    if (!options_.cyclic_symmetry)
+      solve_harmonic(rate, equilibrium, 0, result);
+    else
+      {
+        result.counted          = true;
+        const unsigned int half = model_.bodies[body_].mesh().n_sectors / 2;
+        const unsigned int last = std::min(half, options_.largest_diameter);
+        for (unsigned int h = 0; h <= last; ++h)
+          solve_harmonic(rate, equilibrium, h, result);
+      }
+    std::stable_sort(result.modes.begin(),
+                     result.modes.end(),
+                     [](const RotatingMode &a, const RotatingMode &b) {
+                       return a.frequency < b.frequency;
+                     });
+    return result;
+  }
+
+  void RotatingBody::solve_harmonic(const double               rate,
+                                    const std::vector<double> &equilibrium,
+                                    const unsigned int         harmonic,
+                                    ModesAtSpeed              &result) const
+  {
+    Unknowns::Options unknowns;
+    unknowns.padded   = ModalSolver::needs_padding(options_);
+    unknowns.harmonic = harmonic;
+    unknowns.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::free;
+    const Assembly        assembly(discretization_, unknowns, communicator_);
+    const ModalSolver     solver(assembly, options_);
+    const SystemMatrices &matrices = solver.matrices();
+    SparseValues          K = matrices.stiffness(), M = matrices.mass();
+    double                lowest = 0;
+    if (rate != 0)
+      {
+        K = add_scaled(std::move(K), 1., matrices.geometric(equilibrium));
+        K = add_scaled(std::move(K), -1., matrices.spin_mass(constant(rate)));
+        if (!options_.hold_hubs)
+          K = add_scaled(std::move(K), 1., matrices.hub_curvature(equilibrium, constant(rate)));
+        // Spin softens translations of a body that nothing holds by this much; the rotation of a
+        // hub is left with terms of the order of the strain.
+        lowest = (count_free_motions() > 0 ? -1. : -1e-3) * rate * rate;
+      }
+    const ModalResult found = solver.solve(K, M, lowest);
+    result.n_rigid += found.n_rigid;
+    result.n_unknowns = std::max(result.n_unknowns, found.n_unknowns);
+    result.memory     = std::max(result.memory, found.memory);
+    result.counted    = options_.cyclic_symmetry ? result.counted && found.counted : found.counted;
+    if (options_.coriolis && rate != 0)
+      add_waves(assembly, harmonic, rate, K, M, found, result);
+    else
+      add_modes(harmonic, found, result);
+  }
+
+  void RotatingBody::add_modes(const unsigned int harmonic,
+                               const ModalResult &found,
+                               ModesAtSpeed      &result) const
+  {
+    for (const Mode &mode : found.modes)
+      {
+        RotatingMode entry;
+        entry.frequency = found.is_rigid(mode) ? 0. : mode.frequency();
+        entry.residual  = mode.residual;
+        if (!options_.cyclic_symmetry)
+          entry.effective_mass = mode.effective_mass;
+        entry.shape = node_shape(mode.shape, harmonic);
+        std::vector<double> none(entry.shape.size(), 0.);
+        scale_to_one(entry.shape, none);
+        entry.description = describer_.describe(entry.shape);
+        result.modes.push_back(std::move(entry));
+      }
+  }
+
+  void RotatingBody::add_waves(const Assembly     &assembly,
+                               const unsigned int  harmonic,
+                               const double        rate,
+                               const SparseValues &stiffness,
+                               const SparseValues &mass,
+                               const ModalResult  &found,
+                               ModesAtSpeed       &result) const
+  {
+    const SystemMatrices matrices(assembly, options_.mass);
+    const DirectSolver   factors(assembly.pattern(),
+                               add_scaled(stiffness, -found.shift, mass),
+                               communicator_);
+    for (const GyroscopicMode &wave : find_gyroscopic_modes(assembly,
+                                                            stiffness,
+                                                            mass,
+                                                            matrices.gyroscopic(constant(rate)),
+                                                            factors,
+                                                            found.vectors,
+                                                            found.rigid_rate,
+                                                            options_.n_modes - found.n_rigid))
+      {
+        RotatingMode entry;
+        entry.frequency               = wave.rate / (2. * pi);
+        entry.residual                = wave.residual;
+        entry.shape                   = node_shape(assembly.expand(wave.real), harmonic);
+        std::vector<double> imaginary = node_shape(assembly.expand(wave.imaginary), harmonic);
+        scale_to_one(entry.shape, imaginary);
+        entry.description = describer_.describe(entry.shape, imaginary);
+        if (rate < 0)
+          entry.description.forward = 1. - entry.description.forward;
+        result.modes.push_back(std::move(entry));
+      }
+  }
+
+  std::vector<double> RotatingBody::node_shape(const std::vector<double> &shape,
+                                               const unsigned int         harmonic) const
+  {
+    const Body       &body = model_.bodies[body_];
+    const std::size_t n    = 3 * static_cast<std::size_t>(body.n_nodes());
+    if (!options_.cyclic_symmetry)
+      return std::vector<double>(shape.begin(), shape.begin() + n);
+
+    const unsigned int  n_sectors = body.mesh().n_sectors;
+    const std::size_t   n_nodes   = body.n_nodes() / n_sectors;
+    const std::size_t   copy      = 3 * static_cast<std::size_t>(discretization_.n_points());
+    std::vector<double> whole;
+    whole.reserve(n);
+    for (unsigned int k = 0; k < n_sectors; ++k)
+      {
+        const double  angle = k * discretization_.sector_angle(), phase = harmonic * angle;
+        const Matrix3 turn = rotation_about(body.axis.direction, angle);
+        for (std::size_t i = 0; i < n_nodes; ++i)
+          {
+            Vector3 u = std::cos(phase) * Eigen::Map<const Vector3>(shape.data() + 3 * i);
+            if (shape.size() > copy)
+              u -= std::sin(phase) * Eigen::Map<const Vector3>(shape.data() + copy + 3 * i);
+            u = (turn * u).eval();
+            whole.insert(whole.end(), u.data(), u.data() + 3);
+          }
+      }
+    return whole;
+  }
+} // namespace vfife

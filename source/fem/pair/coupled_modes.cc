@@ -1,0 +1,287 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "standing_derivative.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/fem/modes/modal_solver.h>
+#include <vfife/fem/pair/coupled_modes.h>
+#include <vfife/fem/solvers/sparse_matrix.h>
+#include <vfife/fem/system/torque_forces.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace vfife
+{
+  namespace
+  {
+    Assembly::Links make_links(const std::vector<ContactTie> &ties)
+    {
+      Assembly::Links links;
+      for (const ContactTie &tie : ties)
+        {
+          links.emplace_back();
+          for (const auto &point : tie.points)
+            links.back().push_back(point.first);
+        }
+      return links;
+    }
+
+    SparseValues make_contact(const Assembly &assembly, const std::vector<ContactTie> &ties)
+    {
+      return assembly.link_matrix([&](const unsigned int l) {
+        Eigen::VectorXd direction(3 * ties[l].points.size());
+        for (std::size_t k = 0; k < ties[l].points.size(); ++k)
+          direction.segment<3>(3 * k) = ties[l].points[k].second;
+        return Eigen::MatrixXd(ties[l].stiffness * direction * direction.transpose());
+      });
+    }
+
+    /** Forces of a unit torque on the driven body, as the model's torques act. */
+    OwnedVector make_unit_torque(const Assembly &assembly)
+    {
+      const Discretization &d = assembly.discretization();
+      const Model          &m = d.model();
+      std::vector<double>   forces(3 * static_cast<std::size_t>(d.n_points()), 0.);
+      double                sum = 0;
+      for (const Torque &torque : m.torques)
+        if (torque.body == m.transmission->driven)
+          sum += torque.value;
+      for (const Torque &torque : m.torques)
+        if (torque.body == m.transmission->driven)
+          add_torque_forces(torque, d, *d.find_part(torque.body), torque.value / sum, forces);
+      return assembly.restrict_forces(forces);
+    }
+
+    /** Kinetic energies of both bodies and the motion of the driven one for a complex shape. */
+    class ShapeReader
+    {
+    public:
+      explicit ShapeReader(const Discretization &d)
+        : part_(*d.find_part(d.model().transmission->driven))
+        , discretization_(d)
+        , describer_(d, part_)
+      {
+      }
+
+      CoupledMode read(const double               frequency,
+                       std::vector<double>        real,
+                       const std::vector<double> &imaginary) const
+      {
+        CoupledMode mode;
+        mode.frequency = frequency;
+        mode.driven    = describer_.describe(real, imaginary);
+        double all = 0, driven = 0, largest = 0;
+        for (const Discretization::Part &part : discretization_.parts())
+          {
+            const Body &body = discretization_.model().bodies[part.body];
+            for (unsigned int i = 0; i < body.n_nodes(); ++i)
+              {
+                const std::size_t row = 3 * std::size_t(part.first_point + i);
+                const double      square =
+                  Eigen::Map<const Vector3>(real.data() + row).squaredNorm() +
+                  Eigen::Map<const Vector3>(imaginary.data() + row).squaredNorm();
+                all += body.node_masses()[i] * square;
+                driven += part.body == part_.body ? body.node_masses()[i] * square : 0.;
+                largest = std::max(largest, square);
+              }
+          }
+        mode.driven_energy = driven / all;
+        mode.shape         = std::move(real);
+        for (double &value : mode.shape)
+          value /= std::sqrt(largest);
+        return mode;
+      }
+
+    private:
+      const Discretization::Part &part_;
+      const Discretization       &discretization_;
+      ModeDescriber               describer_;
+    };
+
+    std::vector<double> combine(const std::vector<Mode> &modes, const Eigen::VectorXd &coefficients)
+    {
+      std::vector<double> sum(modes.front().shape.size(), 0.);
+      for (std::size_t k = 0; k < modes.size(); ++k)
+        for (std::size_t i = 0; i < sum.size(); ++i)
+          sum[i] += coefficients[k] * modes[k].shape[i];
+      return sum;
+    }
+
+    /** The equations of doc/fem.md in a basis of turning modes, M the unit matrix. */
+    struct Reduced
+    {
+      Eigen::MatrixXd stiffness, skew;
+      Eigen::VectorXd load; ///< of a unit torque
+    };
+
+    Reduced reduce(const Assembly       &assembly,
+                   const SystemMatrices &matrices,
+                   const SparseValues   &mass,
+                   const ModalResult    &found)
+    {
+      const Model &model = assembly.discretization().model();
+      const auto   rate  = [&model](const unsigned int body) { return model.bodies[body].rate; };
+      const SparseMatrix       M(assembly, mass), G(assembly, matrices.gyroscopic(rate));
+      std::vector<OwnedVector> turned;
+      for (const Mode &mode : found.modes)
+        turned.push_back(assembly.restrict_field(
+          apply_standing_derivative(assembly.discretization(), mode.shape)));
+      const auto     &x = found.vectors;
+      Reduced         r;
+      Eigen::MatrixXd skew = 2 * (M.project(x, turned) + G.project(x, x));
+      // Derivative and turning commute; P is skew under M, so that P^2 is -P^T P.
+      Eigen::MatrixXd stiffness = 2 * G.project(x, turned) - M.project(turned, turned);
+      for (std::size_t k = 0; k < x.size(); ++k)
+        stiffness(k, k) += found.modes[k].eigenvalue;
+      r.skew      = .5 * (skew - skew.transpose());
+      r.stiffness = .5 * (stiffness + stiffness.transpose());
+      r.load.resize(x.size());
+      const OwnedVector torque = make_unit_torque(assembly);
+      for (std::size_t k = 0; k < x.size(); ++k)
+        r.load[k] = assembly.dot(torque, x[k]);
+      return r;
+    }
+
+    /** Modes that stand in space; @p compliance: turn under a unit torque of the whole pair, frozen
+     * in turning axes. */
+    std::vector<CoupledMode> find_standing(const Reduced           &r,
+                                           const std::vector<Mode> &basis,
+                                           const double             compliance,
+                                           const unsigned int       n,
+                                           const ShapeReader       &reader)
+    {
+      const int       size                = basis.size();
+      const double    scale               = std::sqrt(r.stiffness.diagonal().cwiseAbs().maxCoeff());
+      Eigen::MatrixXd linear              = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+      linear.topRightCorner(size, size)   = scale * Eigen::MatrixXd::Identity(size, size);
+      linear.bottomLeftCorner(size, size) = -r.stiffness / scale;
+      linear.bottomRightCorner(size, size) = -r.skew;
+      const Eigen::EigenSolver<Eigen::MatrixXd> solver(linear);
+      std::vector<std::pair<double, int>>       order;
+      for (int k = 0; k < 2 * size; ++k)
+        {
+          const std::complex<double> value = solver.eigenvalues()[k];
+          if (value.real() > 1e-6 * std::abs(value))
+            throw NumericalError("a coupled motion that stands in space grows: the pair is not "
+                                 "stable at this speed");
+          if (value.imag() > 0)
+            order.emplace_back(value.imag(), k);
+        }
+      std::sort(order.begin(), order.end());
+      order.resize(std::min<std::size_t>(order.size(), n));
+      // Modes beyond the basis give way as they do in turning axes.
+      double total = compliance + r.load.dot(r.stiffness.partialPivLu().solve(r.load));
+      for (int k = 0; k < size; ++k)
+        total -= r.load[k] * r.load[k] / basis[k].eigenvalue;
+      std::vector<CoupledMode> modes;
+      for (const auto &entry : order)
+        {
+          const Eigen::VectorXcd x = solver.eigenvectors().col(entry.second).head(size);
+          CoupledMode            mode =
+            reader.read(entry.first / (2 * pi), combine(basis, x.real()), combine(basis, x.imag()));
+          const double energy =
+            entry.first * entry.first * x.squaredNorm() + x.dot(r.stiffness * x).real();
+          mode.share_of_turn =
+            2 * std::norm(x.dot(r.load.cast<std::complex<double>>())) / energy / total;
+          modes.push_back(std::move(mode));
+        }
+      return modes;
+    }
+  } // namespace
+
+  CoupledModes find_coupled_modes(const Compliance              &compliance,
+                                  const FemOptions              &fem_options,
+                                  const bool                     centrifugal,
+                                  const std::vector<ContactTie> &ties,
+                                  const unsigned int             n,
+                                  const Communicator            &communicator)
+  {
+    const Discretization &d       = compliance.discretization();
+    FemOptions            options = fem_options;
+    if (centrifugal && options.element == FemElement::quadratic)
+      throw InputError("Fem/element",
+                       "coupled modes of a spinning pair stand in space, which is computed for "
+                       "elements of eight nodes only; take incompatible modes or centrifugal = no");
+    options.eigen_solver = EigenSolverKind::shift_invert;
+    // Shapes that stand in space are made of more than as many turning ones.
+    options.n_modes = 2 * n + 10;
+    const Assembly        assembly(d, Unknowns::Options(), communicator, make_links(ties));
+    const ModalSolver     solver(assembly, options);
+    const SystemMatrices &matrices = solver.matrices();
+    const auto         rate = [&d](const unsigned int body) { return d.model().bodies[body].rate; };
+    SparseValues       K    = add_scaled(matrices.stiffness(), 1., make_contact(assembly, ties));
+    const SparseValues M    = matrices.mass();
+    if (centrifugal)
+      {
+        K = add_scaled(std::move(K), -1., matrices.spin_mass(rate));
+        K = add_scaled(std::move(K), 1., matrices.geometric(compliance.spun()));
+        K = add_scaled(std::move(K), 1., matrices.hub_curvature(compliance.spun(), rate));
+      }
+    CoupledModes result;
+    OwnedVector  turn = make_unit_torque(assembly);
+    {
+      const OwnedVector  torque = turn;
+      const DirectSolver factors(assembly.pattern(), K, communicator);
+      factors.solve(turn.data(), 1);
+      result.stiffness = 1 / assembly.dot(torque, turn);
+    }
+    const ModalResult found = solver.solve(K, M, 0.);
+    result.counted          = found.counted;
+    result.n_unknowns       = found.n_unknowns;
+    const ShapeReader         reader(d);
+    const Reduced             reduced = reduce(assembly, matrices, M, found);
+    const std::vector<double> none(found.modes.front().shape.size(), 0.);
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const Mode &mode = found.modes[k];
+        result.turning.push_back(reader.read(mode.frequency(), mode.shape, none));
+        result.turning.back().share_of_turn =
+          reduced.load[k] * reduced.load[k] / mode.eigenvalue * result.stiffness;
+      }
+    if (centrifugal)
+      result.standing = find_standing(reduced, found.modes, 1 / result.stiffness, n, reader);
+    return result;
+  }
+
+  Table make_coupled_mode_table()
+  {
+    Table table;
+    table.add_text_column("axes");
+    table.add_column("mode", "-");
+    table.add_column("frequency", "Hz");
+    table.add_column("share of the static turn", "-");
+    table.add_column("energy in the gear", "-");
+    table.add_column("nodal diameter of the gear", "-");
+    table.add_column("share of the diameter", "-");
+    for (const char *part : {"axial", "radial", "tangential"})
+      table.add_column(part, "-");
+    return table;
+  }
+
+  void add_coupled_modes(const CoupledModes &modes, Table &table)
+  {
+    const auto add = [&table](const char *axes, const std::vector<CoupledMode> &list) {
+      for (std::size_t k = 0; k < list.size(); ++k)
+        {
+          const ModeDescription &d = list[k].driven;
+          table.add_row({axes,
+                         k + 1,
+                         list[k].frequency,
+                         list[k].share_of_turn,
+                         list[k].driven_energy,
+                         d.nodal_diameter,
+                         d.share,
+                         d.axial,
+                         d.radial,
+                         d.tangential});
+        }
+    };
+    add("turning", modes.turning);
+    add("standing", modes.standing);
+  }
+} // namespace vfife

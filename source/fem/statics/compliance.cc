@@ -1,0 +1,156 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/fem/statics/compliance.h>
+#include <vfife/fem/system/system_matrices.h>
+#include <vfife/fem/system/torque_forces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vfife
+{
+  namespace
+  {
+    std::vector<unsigned int> all_bodies(const Model &model)
+    {
+      std::vector<unsigned int> bodies(model.bodies.size());
+      std::iota(bodies.begin(), bodies.end(), 0u);
+      return bodies;
+    }
+
+    double norm(const std::vector<double> &u)
+    {
+      return std::sqrt(std::inner_product(u.begin(), u.end(), u.begin(), 0.));
+    }
+
+    double distance(const std::vector<double> &u, const std::vector<double> &v)
+    {
+      double sum = 0;
+      for (std::size_t i = 0; i < u.size(); ++i)
+        sum += (u[i] - v[i]) * (u[i] - v[i]);
+      return std::sqrt(sum);
+    }
+
+    /** The state of spin changes its own stiffness by some per cent of the bending of slender webs:
+     * four rounds leave 1e-6 of it. */
+    constexpr unsigned int largest_rounds  = 4;
+    constexpr double       round_tolerance = 1e-5;
+    /** Right sides solved for at once. */
+    constexpr unsigned int block = 32;
+  } // namespace
+
+  Compliance::Compliance(const Model        &model,
+                         const FemOptions   &options,
+                         const bool          centrifugal,
+                         const Communicator &communicator)
+    : model_(model)
+    , communicator_(communicator)
+    , discretization_(model, all_bodies(model), options.element)
+  {
+    check_motions();
+    Unknowns::Options unknowns;
+    unknowns.rotation = HubRotation::pinned;
+    assembly_         = std::make_unique<Assembly>(discretization_, unknowns, communicator);
+    const SystemMatrices matrices(*assembly_, options.mass);
+    const auto   rate = [&model](const unsigned int body) { return model.bodies[body].rate; };
+    SparseValues K    = matrices.stiffness();
+    spun_.assign(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
+    if (centrifugal)
+      K = add_scaled(std::move(K), -1., matrices.spin_mass(rate));
+    factorize(K);
+    for (unsigned int round = 0; centrifugal && round <= largest_rounds; ++round)
+      {
+        const std::vector<double> before = spun_;
+        OwnedVector               q      = matrices.centrifugal_load(rate);
+        solver_->solve(q.data(), 1);
+        spun_ = assembly_->expand(q);
+        if (round == largest_rounds || distance(spun_, before) < round_tolerance * norm(spun_))
+          break;
+        SparseValues spinning = add_scaled(K, 1., matrices.geometric(spun_));
+        spinning = add_scaled(std::move(spinning), 1., matrices.hub_curvature(spun_, rate));
+        factorize(spinning);
+      }
+
+    std::vector<double> forces(spun_.size(), 0.);
+    for (const Torque &torque : model.torques)
+      if (const auto *part = discretization_.find_part(torque.body))
+        add_torque_forces(torque, discretization_, *part, torque.value, forces);
+    twisted_ = solve(forces);
+  }
+
+  void Compliance::check_motions() const
+  {
+    for (const Discretization::Part &part : discretization_.parts())
+      {
+        unsigned int allowed = 0;
+        for (const Constraint &constraint : model_.constraints)
+          if (constraint.body == part.body && (constraint.kind == ConstraintKind::free_rotation ||
+                                               constraint.kind == ConstraintKind::rigid_hub))
+            allowed = 1;
+        if (find_free_motions(discretization_, part).size() > allowed)
+          throw InputError("body \"" + model_.bodies[part.body].name() +
+                           "\" can move rigidly otherwise than by turning on its hub, so it has no "
+                           "static equilibrium; hold more of its nodes");
+      }
+  }
+
+  void Compliance::factorize(const SparseValues &K)
+  {
+    solver_.reset(); // its memory first
+    solver_ = std::make_unique<DirectSolver>(assembly_->pattern(), K, communicator_);
+    if (solver_->n_negative() > 0 || solver_->n_zero() > 0)
+      throw NumericalError("the bodies have no stable state of spin: the speed is too high");
+  }
+
+  std::vector<double> Compliance::solve(const std::vector<double> &forces) const
+  {
+    OwnedVector q = assembly_->restrict_forces(forces);
+    solver_->solve(q.data(), 1);
+    return assembly_->expand(q);
+  }
+
+  void Compliance::watch(std::vector<unsigned int> points)
+  {
+    watched_ = std::move(points);
+    columns_.assign(3 * watched_.size(), Eigen::VectorXd());
+  }
+
+  void Compliance::prepare(const std::vector<unsigned int> &rows)
+  {
+    std::vector<unsigned int> missing;
+    for (const unsigned int row : rows)
+      if (columns_[row].size() == 0)
+        missing.push_back(row);
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    n_prepared_ += missing.size();
+
+    std::vector<double> force(spun_.size(), 0.);
+    for (std::size_t first = 0; first < missing.size(); first += block)
+      {
+        const std::size_t   n = std::min<std::size_t>(block, missing.size() - first);
+        std::vector<double> all;
+        for (std::size_t i = first; i < first + n; ++i)
+          {
+            double &entry       = force[3 * std::size_t(watched_[missing[i] / 3]) + missing[i] % 3];
+            entry               = 1.;
+            const OwnedVector q = assembly_->restrict_forces(force);
+            all.insert(all.end(), q.begin(), q.end());
+            entry = 0.;
+          }
+        solver_->solve(all.data(), n);
+        const std::size_t n_own = all.size() / n;
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const OwnedVector         q(all.begin() + i * n_own, all.begin() + (i + 1) * n_own);
+            const std::vector<double> u      = assembly_->expand(q);
+            Eigen::VectorXd          &column = columns_[missing[first + i]];
+            column.resize(3 * watched_.size());
+            for (std::size_t k = 0; k < watched_.size(); ++k)
+              column.segment<3>(3 * k) = Eigen::Map<const Vector3>(u.data() + 3 * watched_[k]);
+          }
+      }
+  }
+} // namespace vfife

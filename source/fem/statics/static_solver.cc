@@ -1,0 +1,333 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/fem/solvers/multigrid_solver.h>
+#include <vfife/fem/statics/static_solver.h>
+#include <vfife/fem/system/load_forces.h>
+#include <vfife/fem/system/system_matrices.h>
+#include <vfife/fem/system/torque_forces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace vfife
+{
+  namespace
+  {
+    Eigen::VectorXd integrate_body_force(const ElementNodes                            &X,
+                                         const std::function<Vector3(const Vector3 &)> &force)
+    {
+      ElementNodes forces = ElementNodes::Zero(3, X.cols());
+      for (const ElementPoint &point : compute_element_points(X))
+        forces += point.weight * force(X * point.N) * point.N.transpose();
+      return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
+    }
+
+    /** Of a body's element at some places, its points undeformed at @p X [N]. */
+    Eigen::VectorXd centrifugal_force(const ElementNodes &X,
+                                      const ElementNodes &places,
+                                      const Body         &body,
+                                      const MassKind      mass)
+    {
+      const Vector3     &a = body.axis.direction;
+      const ElementNodes arms =
+        (Matrix3::Identity() - a * a.transpose()) * (places.colwise() - body.axis.point);
+      const ElementNodes forces =
+        body.rate * body.rate * arms * compute_mass_coefficients(X, body.material().density, mass);
+      return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
+    }
+
+    double factor_of(const ParameterHistory &history, const StaticLoads &loads)
+    {
+      return loads.time ? history.value(*loads.time) : loads.part_of_loads;
+    }
+
+    /** The state of spin changes its own stiffness little; each round leaves that part of the
+     * change. */
+    constexpr unsigned int largest_rounds  = 20;
+    constexpr double       round_tolerance = 1e-7;
+
+    /** Values at the corners of an element from those at its n^3 Gauss points. */
+    Eigen::MatrixXd corner_extrapolation(const unsigned int n)
+    {
+      const double        outer  = n == 2 ? 1. / std::sqrt(3.) : std::sqrt(.6);
+      std::vector<double> points = {-outer, outer};
+      if (n == 3)
+        points = {-outer, 0., outer};
+      const auto lagrange = [&](const unsigned int i, const double x) {
+        double value = 1.;
+        for (unsigned int j = 0; j < n; ++j)
+          if (j != i)
+            value *= (x - points[j]) / (points[i] - points[j]);
+        return value;
+      };
+      Eigen::MatrixXd matrix(n * n * n, 8);
+      for (unsigned int q = 0; q < n * n * n; ++q)
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            const Vector3 x = reference_corner(v);
+            matrix(q, v) =
+              lagrange(q % n, x[0]) * lagrange(q / n % n, x[1]) * lagrange(q / (n * n), x[2]);
+          }
+      return matrix;
+    }
+  } // namespace
+
+  StaticSolver::StaticSolver(const Model                     &model,
+                             const std::vector<unsigned int> &bodies,
+                             const FemOptions                &options,
+                             const Communicator              &communicator,
+                             const HubRotation                rotation)
+    : model_(model)
+    , options_(options)
+    , communicator_(communicator)
+    , discretization_(model, bodies, options.element)
+    , rotation_(rotation)
+  {
+    for (const Discretization::Part &part : discretization_.parts())
+      {
+        const bool has_hub =
+          std::any_of(model.constraints.begin(),
+                      model.constraints.end(),
+                      [&part](const Constraint &constraint) {
+                        return constraint.body == part.body &&
+                               (constraint.kind == ConstraintKind::free_rotation ||
+                                constraint.kind == ConstraintKind::rigid_hub);
+                      });
+        const std::size_t n       = find_free_motions(discretization_, part).size();
+        const std::size_t allowed = has_hub && rotation != HubRotation::free ? 1 : 0;
+        if (n > allowed)
+          throw InputError("body \"" + model.bodies[part.body].name() +
+                           "\": " + std::to_string(n - allowed) +
+                           " of its 6 rigid motions are not held by any constraint, so it has no "
+                           "static equilibrium; hold more of its nodes");
+      }
+  }
+
+  std::vector<double> StaticSolver::make_forces(const StaticLoads &loads) const
+  {
+    std::vector<double> forces(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
+    for (const Torque &torque : model_.torques)
+      if (const auto *part = discretization_.find_part(torque.body))
+        add_torque_forces(
+          torque, discretization_, *part, loads.part_of_torques * torque.value, forces);
+    for (const Load &load : model_.loads)
+      if (const auto *part = discretization_.find_part(load.body);
+          part != nullptr && load.kind != LoadKind::spring)
+        add_load_forces(load, discretization_, *part, factor_of(load.history, loads), forces);
+    if (!loads.nodal_forces.empty())
+      for (const Discretization::Part &part : discretization_.parts())
+        {
+          const Body &body = model_.bodies[part.body];
+          for (unsigned int i = 0; i < body.n_nodes(); ++i)
+            for (unsigned int c = 0; c < 3; ++c)
+              forces[3 * std::size_t(part.first_point + i) + c] +=
+                loads.nodal_forces[body.first_node + i][c];
+        }
+    return forces;
+  }
+
+  std::vector<double> StaticSolver::balance(const StaticLoads         &loads,
+                                            const std::vector<double> &u,
+                                            const std::vector<double> &spun,
+                                            double                    &strain_energy) const
+  {
+    const Discretization &d       = discretization_;
+    const bool            is_root = communicator_.is_root();
+    const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; });
+    std::vector<double> sums(u.size(), 0.);
+    if (is_root)
+      {
+        const std::vector<double> forces = make_forces(loads);
+        std::transform(forces.begin(), forces.end(), sums.begin(), std::negate<double>());
+        for (const auto &spring : find_springs(d))
+          {
+            const std::size_t               row = 3 * std::size_t(spring.first);
+            const Eigen::Map<const Vector3> way(u.data() + row);
+            Eigen::Map<Vector3>(sums.data() + row) += spring.second * way;
+            strain_energy += .5 * way.dot(spring.second * way);
+          }
+      }
+    // Elements are dealt out to the ranks in equal runs.
+    const auto first = [&](const unsigned int rank) {
+      return static_cast<unsigned long long>(rank) * d.n_elements() / communicator_.size();
+    };
+    for (unsigned int e = first(communicator_.rank()); e < first(communicator_.rank() + 1); ++e)
+      {
+        const ElementNodes    X      = d.element_nodes(e);
+        const Eigen::VectorXd v      = d.gather(e, u);
+        Eigen::VectorXd       forces = Eigen::VectorXd::Zero(v.size());
+        if (moved)
+          {
+            forces = compute_fem_stiffness(X, d.material(e), d.element()) * v;
+            strain_energy += .5 * v.dot(forces);
+            if (loads.centrifugal && loads.stress_stiffness)
+              forces += expand_coefficients(compute_geometric_coefficients(
+                                              X, d.material(e), d.element(), d.gather(e, spun)),
+                                            Matrix3::Identity()) *
+                        v;
+          }
+        if (loads.body_force)
+          forces -= integrate_body_force(X, loads.body_force);
+        if (loads.centrifugal)
+          {
+            ElementNodes places = X;
+            if (loads.spin_softening)
+              places += Eigen::Map<const ElementNodes>(v.data(), 3, X.cols());
+            forces -=
+              centrifugal_force(X, places, model_.bodies[d.part_of_element(e).body], options_.mass);
+          }
+        for (int i = 0; i < forces.size(); ++i)
+          sums[3 * std::size_t(d.element_points(e)[i / 3]) + i % 3] += forces[i];
+      }
+    communicator_.sum(sums);
+    strain_energy = communicator_.sum(strain_energy);
+    return sums;
+  }
+
+  std::vector<double> StaticSolver::solve_system(const SystemMatrices &matrices,
+                                                 SparseValues          K,
+                                                 const OwnedVector    &f,
+                                                 unsigned int         &n_iterations) const
+  {
+    const Assembly &assembly = matrices.assembly();
+    OwnedVector     q        = f;
+    const double    size     = assembly.dot(f, f);
+    if (!std::isfinite(size))
+      throw NumericalError("the loads of the static solution are not finite");
+    if (size == 0)
+      return assembly.expand(q);
+    bool stable = true;
+    if (options_.linear_solver == LinearSolverKind::direct)
+      {
+        const DirectSolver solver(assembly.pattern(), K, communicator_);
+        stable = solver.n_negative() == 0 && solver.n_zero() == 0;
+        solver.solve(q.data(), 1);
+      }
+    else
+      {
+        assembly.set_padding(K, assembly.mean_diagonal(K));
+        MultigridSolver solver(assembly, K, matrices.near_kernel());
+        q            = solver.solve(f, options_.linear_tolerance);
+        n_iterations = solver.n_iterations();
+      }
+    const double work = assembly.dot(f, q);
+    if (!std::isfinite(work))
+      throw NumericalError("the static solution is not finite");
+    if (!stable || !(work > 0))
+      throw NumericalError("the bodies have no stable equilibrium: a speed is too high");
+    return assembly.expand(q);
+  }
+
+  std::vector<double> StaticSolver::find_spun(const StaticLoads    &loads,
+                                              const SystemMatrices &matrices,
+                                              SparseValues         &K) const
+  {
+    std::vector<double> stressed(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
+    if (!loads.centrifugal || !loads.stress_stiffness)
+      return stressed;
+    const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
+    // Softened bodies may be stable under their stresses only: the first round is not softened.
+    SparseValues now          = matrices.stiffness();
+    unsigned int n_iterations = 0;
+    for (unsigned int round = 0; round < largest_rounds; ++round)
+      {
+        const std::vector<double> spun =
+          solve_system(matrices, now, matrices.centrifugal_load(rate), n_iterations);
+        double change = 0, size = 0;
+        for (std::size_t i = 0; i < spun.size(); ++i)
+          {
+            change = std::max(change, std::abs(spun[i] - stressed[i]));
+            size   = std::max(size, std::abs(spun[i]));
+          }
+        if (change <= round_tolerance * size)
+          {
+            if (round > 0)
+              K = std::move(now);
+            return stressed;
+          }
+        stressed = spun;
+        now      = add_scaled(K, 1., matrices.geometric(stressed));
+        now      = add_scaled(std::move(now), 1., matrices.hub_curvature(stressed, rate));
+      }
+    throw NumericalError("the state of spin does not settle under its own stresses: a speed is too "
+                         "high");
+  }
+
+  StaticResult StaticSolver::solve(const StaticLoads &loads) const
+  {
+    Unknowns::Options unknowns;
+    unknowns.padded       = options_.linear_solver == LinearSolverKind::multigrid;
+    unknowns.rotation     = rotation_;
+    unknowns.led_are_held = true;
+    const Assembly       assembly(discretization_, unknowns, communicator_);
+    const SystemMatrices matrices(assembly, options_.mass);
+    SparseValues         K = matrices.stiffness();
+    if (loads.centrifugal && loads.spin_softening)
+      K = add_scaled(std::move(K), -1., matrices.spin_mass([this](const unsigned int body) {
+        return model_.bodies[body].rate;
+      }));
+    const std::vector<double> spun = find_spun(loads, matrices, K);
+
+    // K T q = -(K u - f) at the prescribed displacements u alone.
+    const std::vector<double> led =
+      compute_prescribed_displacements(discretization_, [&loads](const Constraint &constraint) {
+        return factor_of(constraint.history, loads);
+      });
+    double              energy = 0;
+    std::vector<double> forces = balance(loads, led, spun, energy);
+    std::transform(forces.begin(), forces.end(), forces.begin(), std::negate<double>());
+
+    StaticResult result;
+    result.displacements =
+      solve_system(matrices, std::move(K), assembly.restrict_forces(forces), result.n_iterations);
+    std::transform(led.begin(),
+                   led.end(),
+                   result.displacements.begin(),
+                   result.displacements.begin(),
+                   std::plus<double>());
+    result.reactions = balance(loads, result.displacements, spun, result.strain_energy);
+    return result;
+  }
+
+  std::vector<Stress> StaticSolver::compute_node_stresses(const StaticResult &result) const
+  {
+    return vfife::compute_node_stresses(discretization_, result.displacements);
+  }
+
+  std::vector<Stress> compute_node_stresses(const Discretization      &discretization,
+                                            const std::vector<double> &displacements)
+  {
+    const Model              &model = discretization.model();
+    std::vector<Stress>       stresses(model.n_nodes(), Stress::Zero());
+    std::vector<unsigned int> counts(model.n_nodes(), 0);
+    const Eigen::MatrixXd     corners =
+      corner_extrapolation(discretization.element() == FemElement::quadratic ? 3 : 2);
+    for (const Discretization::Part &part : discretization.parts())
+      {
+        const Body &body = model.bodies[part.body];
+        for (unsigned int e = 0; e < part.n_elements; ++e)
+          {
+            const unsigned int                element = part.first_element + e;
+            const Eigen::Matrix<double, 6, 8> values =
+              compute_point_stresses(discretization.element_nodes(element),
+                                     body.material(),
+                                     discretization.element(),
+                                     discretization.gather(element, displacements)) *
+              corners;
+            for (unsigned int v = 0; v < 8; ++v)
+              {
+                const unsigned int node = body.first_node + body.elements()[e][v];
+                stresses[node] += values.col(v);
+                ++counts[node];
+              }
+          }
+      }
+    for (std::size_t i = 0; i < stresses.size(); ++i)
+      if (counts[i] > 0)
+        stresses[i] /= counts[i];
+    return stresses;
+  }
+} // namespace vfife

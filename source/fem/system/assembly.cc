@@ -1,0 +1,239 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/fem/system/assembly.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  Assembly::Assembly(const Discretization    &discretization,
+                     const Unknowns::Options &options,
+                     const Communicator      &communicator,
+                     Links                    links)
+    : discretization_(discretization)
+    , communicator_(communicator)
+    , unknowns_(discretization, options, communicator.size())
+    , first_(unknowns_.first(communicator.rank()))
+    , last_(unknowns_.first(communicator.rank() + 1))
+    , links_(std::move(links))
+  {
+    find_elements();
+    make_pattern();
+  }
+
+  void Assembly::find_elements()
+  {
+    const unsigned int n_local = discretization_.points_per_element();
+    const std::size_t  copy    = 3 * static_cast<std::size_t>(discretization_.n_points());
+    for (unsigned int e = 0; e < discretization_.n_elements(); ++e)
+      {
+        bool mine = false;
+        for (unsigned int a = 0; a < n_local && !mine; ++a)
+          for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+            {
+              const std::size_t row =
+                k * copy + 3 * std::size_t(discretization_.element_points(e)[a]);
+              for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row + 2); ++t)
+                mine = mine || is_mine(t->unknown);
+            }
+        if (mine)
+          elements_.push_back(e);
+      }
+  }
+
+  void Assembly::make_pattern()
+  {
+    const unsigned int            n_local = discretization_.points_per_element();
+    const std::size_t             copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    std::vector<std::vector<int>> rows(last_ - first_);
+    std::vector<std::size_t>      compressed(rows.size(), 0);
+    const auto                    compress = [](std::vector<int> &row) {
+      std::sort(row.begin(), row.end());
+      row.erase(std::unique(row.begin(), row.end()), row.end());
+    };
+    const auto couple = [&](const unsigned int *points, const unsigned int n) {
+      for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+        {
+          std::vector<int> touched;
+          for (unsigned int a = 0; a < n; ++a)
+            {
+              const std::size_t row = k * copy + 3 * std::size_t(points[a]);
+              for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row + 2); ++t)
+                touched.push_back(t->unknown);
+            }
+          compress(touched);
+          for (const int i : touched)
+            if (is_mine(i))
+              {
+                auto &row = rows[i - first_];
+                row.insert(row.end(), touched.begin(), touched.end());
+                // Each column comes from several elements: rows are kept short on the way.
+                if (row.size() > 2 * compressed[i - first_] + 200)
+                  {
+                    compress(row);
+                    compressed[i - first_] = row.size();
+                  }
+              }
+        }
+    };
+    for (const unsigned int e : elements_)
+      couple(discretization_.element_points(e), n_local);
+    for (const std::vector<unsigned int> &link : links_)
+      couple(link.data(), link.size());
+    pattern_.n         = unknowns_.n();
+    pattern_.first_row = first_;
+    pattern_.begin.push_back(0);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        rows[i].push_back(first_ + i); // padding has a diagonal only
+        compress(rows[i]);
+        pattern_.columns.insert(pattern_.columns.end(), rows[i].begin(), rows[i].end());
+        pattern_.begin.push_back(pattern_.columns.size());
+        std::vector<int>().swap(rows[i]);
+      }
+  }
+
+  std::size_t Assembly::find_entry(const unsigned int row, const unsigned int column) const
+  {
+    const auto from = pattern_.columns.begin() + pattern_.begin[row - first_];
+    const auto to   = pattern_.columns.begin() + pattern_.begin[row - first_ + 1];
+    return std::lower_bound(from, to, static_cast<int>(column)) - pattern_.columns.begin();
+  }
+
+  void Assembly::add(const std::size_t      row_offset,
+                     const unsigned int    *points,
+                     const Eigen::MatrixXd &A,
+                     SparseValues          &values) const
+  {
+    const auto row_of = [&](const int i) {
+      return row_offset + 3 * static_cast<std::size_t>(points[i / 3]) + i % 3;
+    };
+    for (int i = 0; i < A.rows(); ++i)
+      for (const auto *s = unknowns_.begin(row_of(i)); s != unknowns_.end(row_of(i)); ++s)
+        {
+          if (!is_mine(s->unknown))
+            continue;
+          for (int j = 0; j < A.cols(); ++j)
+            if (A(i, j) != 0)
+              for (const auto *t = unknowns_.begin(row_of(j)); t != unknowns_.end(row_of(j)); ++t)
+                values[find_entry(s->unknown, t->unknown)] +=
+                  s->coefficient * t->coefficient * A(i, j);
+        }
+  }
+
+  SparseValues Assembly::matrix(const ElementMatrix &element) const
+  {
+    SparseValues      values(pattern_.columns.size(), 0.);
+    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    for (const unsigned int e : elements_)
+      {
+        const Eigen::MatrixXd A = element(e);
+        for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+          add(k * copy, discretization_.element_points(e), A, values);
+      }
+    return values;
+  }
+
+  SparseValues
+  Assembly::point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const
+  {
+    SparseValues      values(pattern_.columns.size(), 0.);
+    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    for (const auto &point : points)
+      for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+        {
+          const unsigned int index = point.first;
+          add(k * copy, &index, point.second, values);
+        }
+    return values;
+  }
+
+  SparseValues
+  Assembly::link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const
+  {
+    SparseValues      values(pattern_.columns.size(), 0.);
+    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    for (unsigned int l = 0; l < links_.size(); ++l)
+      for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+        add(k * copy, links_[l].data(), link(l), values);
+    return values;
+  }
+
+  OwnedVector Assembly::vector(const ElementVector &element) const
+  {
+    OwnedVector       values(last_ - first_, 0.);
+    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    for (const unsigned int e : elements_)
+      {
+        const Eigen::VectorXd f      = element(e);
+        const unsigned int   *points = discretization_.element_points(e);
+        for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+          for (int i = 0; i < f.size(); ++i)
+            {
+              const std::size_t row =
+                k * copy + 3 * static_cast<std::size_t>(points[i / 3]) + i % 3;
+              for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row); ++t)
+                if (is_mine(t->unknown))
+                  values[t->unknown - first_] += t->coefficient * f[i];
+            }
+      }
+    return values;
+  }
+
+  OwnedVector Assembly::restrict_forces(const std::vector<double> &forces) const
+  {
+    OwnedVector values(last_ - first_, 0.);
+    for (std::size_t row = 0; row < forces.size(); ++row)
+      for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row); ++t)
+        if (is_mine(t->unknown))
+          values[t->unknown - first_] += t->coefficient * forces[row];
+    return values;
+  }
+
+  void Assembly::set_padding(SparseValues &values, const double value) const
+  {
+    for (unsigned int i = first_; i < last_; ++i)
+      if (unknowns_.is_padding(i))
+        values[find_entry(i, i)] = value;
+  }
+
+  std::vector<double> Assembly::expand(const OwnedVector &q) const
+  {
+    return unknowns_.expand(communicator_.all_gather(q));
+  }
+
+  OwnedVector Assembly::restrict_field(const std::vector<double> &u) const
+  {
+    const std::vector<double> q = unknowns_.restrict_field(u);
+    return OwnedVector(q.begin() + first_, q.begin() + last_);
+  }
+
+  OwnedVector Assembly::diagonal(const SparseValues &values) const
+  {
+    OwnedVector d(last_ - first_);
+    for (unsigned int i = first_; i < last_; ++i)
+      d[i - first_] = values[find_entry(i, i)];
+    return d;
+  }
+
+  double Assembly::mean_diagonal(const SparseValues &values) const
+  {
+    double       sum = 0;
+    unsigned int n   = 0;
+    for (const double d : diagonal(values))
+      if (d > 0)
+        {
+          sum += d;
+          ++n;
+        }
+    return communicator_.sum(sum) / communicator_.sum(n);
+  }
+
+  double Assembly::dot(const OwnedVector &a, const OwnedVector &b) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      sum += a[i] * b[i];
+    return communicator_.sum(sum);
+  }
+} // namespace vfife

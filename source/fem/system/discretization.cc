@@ -1,0 +1,233 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/fem/system/discretization.h>
+#include <vfife/mesh/body_mesh.h>
+
+#include <algorithm>
+#include <map>
+
+namespace vfife
+{
+  namespace
+  {
+    void refuse_hanging_nodes(const Body &body)
+    {
+      if (body.mesh().triangulation.n_levels() > 1 && body.mesh().triangulation.has_hanging_nodes())
+        throw InputError("body \"" + body.name() +
+                         "\": its mesh is refined locally and has hanging nodes, which the finite "
+                         "element solver does not take; refine it everywhere");
+    }
+
+    /** Marks the middles of face @p f (normal f / 2, lower or upper) whose corners are marked. */
+    void
+    add_face_middles(const unsigned int *points, const unsigned int f, std::vector<bool> &inside)
+    {
+      const unsigned int step[3] = {1, 3, 9};
+      const unsigned int normal = f / 2, base = (f % 2) * 2 * step[normal],
+                         s = step[(normal + 1) % 3], t = step[(normal + 2) % 3];
+      const auto is_in = [&](const unsigned int i, const unsigned int j) {
+        return bool(inside[points[base + i * s + j * t]]);
+      };
+      const auto mark = [&](const unsigned int i, const unsigned int j) {
+        inside[points[base + i * s + j * t]] = true;
+      };
+      for (const unsigned int side : {0u, 2u})
+        {
+          if (is_in(0, side) && is_in(2, side))
+            mark(1, side);
+          if (is_in(side, 0) && is_in(side, 2))
+            mark(side, 1);
+        }
+      if (is_in(0, 0) && is_in(2, 0) && is_in(0, 2) && is_in(2, 2))
+        mark(1, 1);
+    }
+  } // namespace
+
+  Discretization::Discretization(const Model &model, const FemElement element)
+    : model_(&model)
+    , element_(element)
+    , n_local_(element == FemElement::quadratic ? 27 : 8)
+  {
+  }
+
+  Discretization::Discretization(const Model                     &model,
+                                 const std::vector<unsigned int> &bodies,
+                                 const FemElement                 element)
+    : Discretization(model, element)
+  {
+    for (const unsigned int body : bodies)
+      add_body(body);
+  }
+
+  void Discretization::add_body(const unsigned int b)
+  {
+    const Body &body = model_->bodies[b];
+    refuse_hanging_nodes(body);
+    Part part{b, n_points(), body.n_nodes(), n_elements(), body.n_elements()};
+    for (const Vector3 &x : body.node_positions())
+      points_.push_back(body.placement(x));
+    if (n_local_ == 8)
+      for (const auto &nodes : body.elements())
+        for (const std::uint32_t node : nodes)
+          element_points_.push_back(part.first_point + node);
+    else
+      {
+        add_middles(body, part);
+        part.n_points = n_points() - part.first_point;
+      }
+    parts_.push_back(part);
+  }
+
+  void Discretization::add_middles(const Body &body, const Part &part)
+  {
+    // A middle is known by the corners it lies between: 2 of an edge, 4 of a face, 8 of a cell.
+    std::map<std::vector<unsigned int>, unsigned int> middles;
+    for (const auto &nodes : body.elements())
+      for (unsigned int a = 0; a < 27; ++a)
+        {
+          const unsigned int        at[3] = {a % 3, a / 3 % 3, a / 9};
+          std::vector<unsigned int> corners;
+          for (unsigned int v = 0; v < 8; ++v)
+            {
+              bool inside = true;
+              for (unsigned int d = 0; d < 3; ++d)
+                inside = inside && (at[d] == 1 || (v >> d & 1u) == at[d] / 2);
+              if (inside)
+                corners.push_back(part.first_point + nodes[v]);
+            }
+          if (corners.size() == 1)
+            {
+              element_points_.push_back(corners.front());
+              continue;
+            }
+          Vector3 mean = Vector3::Zero();
+          for (const unsigned int corner : corners)
+            mean += points_[corner] / corners.size();
+          std::sort(corners.begin(), corners.end());
+          const auto found = middles.emplace(corners, n_points());
+          if (found.second)
+            points_.push_back(mean);
+          element_points_.push_back(found.first->second);
+        }
+  }
+
+  Discretization
+  Discretization::sector_of(const Model &model, const unsigned int b, const FemElement element)
+  {
+    const Body        &body = model.bodies[b];
+    const unsigned int n    = body.mesh().n_sectors;
+    if (element == FemElement::quadratic)
+      throw InputError("cyclic symmetry is there for elements with 8 nodes only");
+    if (n < 3 || body.n_nodes() % n != 0 || body.n_elements() % n != 0)
+      throw InputError("body \"" + body.name() + "\" is not made of three or more equal sectors");
+
+    Discretization     sector(model, element);
+    const unsigned int n_nodes = body.n_nodes() / n, n_elements = body.n_elements() / n;
+    sector.sector_angle_ = 2. * pi / n;
+    const auto   &X      = body.node_positions();
+    const Matrix3 turn   = rotation_about(Vector3::UnitZ(), sector.sector_angle_);
+    double        size   = 0;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      size = std::max(size, X[i].norm());
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      {
+        if ((turn * X[i] - X[n_nodes + i]).norm() > 1e-9 * size)
+          throw InputError("body \"" + body.name() + "\": its sectors are not turned copies");
+        sector.points_.push_back(body.placement(X[i]));
+      }
+    std::map<unsigned int, unsigned int> copies;
+    for (unsigned int e = 0; e < n_elements; ++e)
+      for (const std::uint32_t node : body.elements()[e])
+        {
+          if (node < n_nodes)
+            {
+              sector.element_points_.push_back(node);
+              continue;
+            }
+          if (node >= 2 * n_nodes)
+            throw InputError("body \"" + body.name() + "\": a sector touches more than the next");
+          const auto found = copies.emplace(node, sector.n_points());
+          if (found.second)
+            {
+              sector.points_.push_back(body.placement(X[node]));
+              sector.images_.emplace_back(found.first->second, node - n_nodes);
+            }
+          sector.element_points_.push_back(found.first->second);
+        }
+    sector.parts_.push_back({b, 0, sector.n_points(), 0, n_elements});
+    return sector;
+  }
+
+  ElementNodes Discretization::element_nodes(const unsigned int e) const
+  {
+    ElementNodes        X(3, n_local_);
+    const unsigned int *p = element_points(e);
+    for (unsigned int a = 0; a < n_local_; ++a)
+      X.col(a) = points_[p[a]];
+    return X;
+  }
+
+  const Discretization::Part &Discretization::part_of_element(const unsigned int e) const
+  {
+    std::size_t i = 0;
+    while (e >= parts_[i].first_element + parts_[i].n_elements)
+      ++i;
+    return parts_[i];
+  }
+
+  const Discretization::Part &Discretization::part_of_point(const unsigned int p) const
+  {
+    std::size_t i = 0;
+    while (p >= parts_[i].first_point + parts_[i].n_points)
+      ++i;
+    return parts_[i];
+  }
+
+  const Discretization::Part *Discretization::find_part(const unsigned int body) const
+  {
+    for (const Part &part : parts_)
+      if (part.body == body)
+        return &part;
+    return nullptr;
+  }
+
+  std::vector<unsigned int> Discretization::points_of(const Part                      &part,
+                                                      const std::vector<unsigned int> &nodes) const
+  {
+    const unsigned int n_own = part.n_points - images_.size();
+    std::vector<bool>  inside(n_points(), false);
+    for (const unsigned int node : nodes)
+      if (node < n_own)
+        inside[part.first_point + node] = true;
+
+    if (n_local_ == 27)
+      {
+        // Edges through the interior between two nodes of the set are not part of it: only
+        // boundary faces and their edges are, as for the areas of the nodes.
+        unsigned int e = part.first_element;
+        for (const auto &cell :
+             model_->bodies[part.body].mesh().triangulation.active_cell_iterators())
+          {
+            const unsigned int *p = element_points(e++);
+            for (unsigned int f = 0; f < 6; ++f)
+              if (cell->face(f)->at_boundary())
+                add_face_middles(p, f, inside);
+          }
+      }
+    std::vector<unsigned int> points;
+    for (unsigned int p = 0; p < inside.size(); ++p)
+      if (inside[p])
+        points.push_back(p);
+    return points;
+  }
+
+  Eigen::VectorXd Discretization::gather(const unsigned int e, const std::vector<double> &u) const
+  {
+    Eigen::VectorXd     values(3 * n_local_);
+    const unsigned int *p = element_points(e);
+    for (unsigned int a = 0; a < n_local_; ++a)
+      for (unsigned int c = 0; c < 3; ++c)
+        values[3 * a + c] = u[3 * static_cast<std::size_t>(p[a]) + c];
+    return values;
+  }
+} // namespace vfife

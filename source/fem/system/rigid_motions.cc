@@ -1,0 +1,77 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/system/held_directions.h>
+#include <vfife/fem/system/unknowns.h>
+
+#include <Eigen/Eigenvalues>
+
+namespace vfife
+{
+  std::vector<std::vector<double>> make_rigid_motions(const Discretization       &discretization,
+                                                      const Discretization::Part &part,
+                                                      const Vector3              &centre)
+  {
+    std::vector<std::vector<double>> motions(
+      6, std::vector<double>(3 * static_cast<std::size_t>(discretization.n_points()), 0.));
+    for (std::size_t p = part.first_point; p < part.first_point + part.n_points; ++p)
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          motions[d][3 * p + d] = 1.;
+          const Vector3 turn    = Vector3::Unit(d).cross(discretization.points()[p] - centre);
+          for (unsigned int c = 0; c < 3; ++c)
+            motions[3 + d][3 * p + c] = turn[c];
+        }
+    return motions;
+  }
+
+  std::vector<std::vector<double>> find_free_motions(const Discretization       &discretization,
+                                                     const Discretization::Part &part)
+  {
+    const Model &model  = discretization.model();
+    Vector3      centre = Vector3::Zero();
+    for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
+      centre += discretization.points()[p] / part.n_points;
+    double size = 0;
+    for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
+      size = std::max(size, (discretization.points()[p] - centre).norm());
+
+    // Sum of squares of what the constraints forbid, for translations and rotations times size.
+    // A hub that turns rigidly forbids nothing more than free rotation: rigid motions turn all
+    // nodes by one angle anyway.
+    Eigen::Matrix<double, 6, 6> forbidden = Eigen::Matrix<double, 6, 6>::Zero();
+    const auto                  forbid    = [&](const unsigned int p, const Matrix3 &held) {
+      Eigen::Matrix<double, 3, 6> motion;
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          motion.col(d) = Vector3::Unit(d);
+          motion.col(3 + d) = Vector3::Unit(d).cross(discretization.points()[p] - centre) / size;
+        }
+      forbidden += motion.transpose() * held * motion / part.n_points;
+    };
+    for (const Constraint &constraint : model.constraints)
+      if (constraint.body == part.body)
+        for (const unsigned int p : discretization.points_of(part, constraint.nodes))
+          forbid(p,
+                 held_directions(constraint,
+                                 model.bodies[part.body].axis,
+                                 discretization.points()[p]));
+    for (const Load &load : model.loads)
+      if (load.kind == LoadKind::spring && load.body == part.body)
+        for (const unsigned int p : discretization.points_of(part, load.nodes))
+          forbid(p, Matrix3(load.vector.cwiseSign().asDiagonal()));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(forbidden);
+    const auto                       rigid = make_rigid_motions(discretization, part, centre);
+    std::vector<std::vector<double>> motions;
+    for (unsigned int m = 0; m < 6; ++m)
+      {
+        // Far below what one held node gives, far above round-off.
+        if (modes.eigenvalues()[m] > 1e-11 / part.n_points)
+          continue;
+        motions.emplace_back(rigid[0].size(), 0.);
+        for (unsigned int d = 0; d < 6; ++d)
+          for (std::size_t i = 0; i < motions.back().size(); ++i)
+            motions.back()[i] +=
+              modes.eigenvectors()(d, m) * (d < 3 ? 1. : 1. / size) * rigid[d][i];
+      }
+    return motions;
+  }
+} // namespace vfife

@@ -1,0 +1,184 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/system/load_forces.h>
+#include <vfife/fem/system/system_matrices.h>
+
+#include <algorithm>
+#include <map>
+
+namespace vfife
+{
+  namespace
+  {
+    /** [a]x: cross product with the axis. */
+    Matrix3 cross_matrix(const Vector3 &a)
+    {
+      Matrix3 m;
+      m << 0., -a[2], a[1], a[2], 0., -a[0], -a[1], a[0], 0.;
+      return m;
+    }
+
+    Matrix3 across(const Vector3 &a)
+    {
+      return Matrix3::Identity() - a * a.transpose();
+    }
+  } // namespace
+
+  SystemMatrices::SystemMatrices(const Assembly &assembly, const MassKind mass)
+    : assembly_(assembly)
+    , mass_(mass)
+  {
+  }
+
+  Eigen::MatrixXd SystemMatrices::mass_coefficients(const unsigned int e) const
+  {
+    const Discretization &d = assembly_.discretization();
+    return compute_mass_coefficients(d.element_nodes(e), d.material(e).density, mass_);
+  }
+
+  unsigned int SystemMatrices::body(const unsigned int e) const
+  {
+    return assembly_.discretization().part_of_element(e).body;
+  }
+
+  const Axis &SystemMatrices::axis(const unsigned int e) const
+  {
+    return assembly_.discretization().model().bodies[body(e)].axis;
+  }
+
+  SparseValues SystemMatrices::stiffness() const
+  {
+    const Discretization &d       = assembly_.discretization();
+    SparseValues          K       = assembly_.matrix([&](const unsigned int e) {
+      return compute_fem_stiffness(d.element_nodes(e), d.material(e), d.element());
+    });
+    const auto            springs = find_springs(d);
+    return springs.empty() ? K : add_scaled(std::move(K), 1., assembly_.point_matrix(springs));
+  }
+
+  SparseValues SystemMatrices::mass() const
+  {
+    return assembly_.matrix([&](const unsigned int e) {
+      return expand_coefficients(mass_coefficients(e), Matrix3::Identity());
+    });
+  }
+
+  SparseValues SystemMatrices::spin_mass(const Rate &rate) const
+  {
+    return assembly_.matrix([&](const unsigned int e) {
+      const double omega = rate(body(e));
+      return expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
+    });
+  }
+
+  SparseValues SystemMatrices::gyroscopic(const Rate &rate) const
+  {
+    return assembly_.matrix([&](const unsigned int e) {
+      return expand_coefficients(rate(body(e)) * mass_coefficients(e),
+                                 cross_matrix(axis(e).direction));
+    });
+  }
+
+  SparseValues SystemMatrices::geometric(const std::vector<double> &u) const
+  {
+    const Discretization &d = assembly_.discretization();
+    return assembly_.matrix([&](const unsigned int e) {
+      return expand_coefficients(compute_geometric_coefficients(
+                                   d.element_nodes(e), d.material(e), d.element(), d.gather(e, u)),
+                                 Matrix3::Identity());
+    });
+  }
+
+  OwnedVector SystemMatrices::centrifugal_load(const Rate &rate) const
+  {
+    const Discretization &d = assembly_.discretization();
+    return assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
+      const Axis        &line  = axis(e);
+      const double       omega = rate(body(e));
+      const ElementNodes arms =
+        across(line.direction) * (d.element_nodes(e).colwise() - line.point);
+      const ElementNodes forces = omega * omega * arms * mass_coefficients(e);
+      return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
+    });
+  }
+
+  SparseValues SystemMatrices::hub_curvature(const std::vector<double> &u, const Rate &rate) const
+  {
+    const Discretization           &d = assembly_.discretization();
+    std::map<unsigned int, Vector3> reactions;
+    for (const Constraint &constraint : d.model().constraints)
+      if (const Discretization::Part *part = d.find_part(constraint.body))
+        if (constraint.kind == ConstraintKind::free_rotation ||
+            constraint.kind == ConstraintKind::rigid_hub)
+          for (const unsigned int p : d.points_of(*part, constraint.nodes))
+            reactions.emplace(p, Vector3::Zero());
+    for (const auto &image : d.images())
+      if (reactions.count(image.second) != 0)
+        reactions.emplace(image.first, Vector3::Zero());
+
+    // Force of the constraint on a point: internal forces minus centrifugal ones.
+    for (unsigned int e = 0; e < d.n_elements(); ++e)
+      {
+        const unsigned int *points = d.element_points(e);
+        const auto          is_hub = [&](const unsigned int p) { return reactions.count(p) != 0; };
+        if (std::none_of(points, points + d.points_per_element(), is_hub))
+          continue;
+        const ElementNodes    X        = d.element_nodes(e);
+        const Eigen::VectorXd v        = d.gather(e, u);
+        const Eigen::VectorXd internal = compute_fem_stiffness(X, d.material(e), d.element()) * v;
+        const Axis           &line     = axis(e);
+        const double          omega    = rate(body(e));
+        const ElementNodes    moved = X + Eigen::Map<const ElementNodes>(v.data(), 3, v.size() / 3);
+        const ElementNodes    spin  = omega * omega * across(line.direction) *
+                                  (moved.colwise() - line.point) * mass_coefficients(e);
+        for (unsigned int a = 0; a < d.points_per_element(); ++a)
+          if (is_hub(points[a]))
+            reactions[points[a]] += internal.segment<3>(3 * a) - spin.col(a);
+      }
+
+    std::vector<std::pair<unsigned int, Matrix3>> curvatures;
+    for (const auto &reaction : reactions)
+      {
+        const Axis   &line   = d.model().bodies[d.part_of_point(reaction.first).body].axis;
+        const Vector3 arm    = across(line.direction) * (d.points()[reaction.first] - line.point);
+        const Vector3 radial = arm.normalized(), tangent = line.direction.cross(radial);
+        if (arm.norm() > 0)
+          curvatures.emplace_back(reaction.first,
+                                  -reaction.second.dot(radial) / arm.norm() * tangent *
+                                    tangent.transpose());
+      }
+    return assembly_.point_matrix(curvatures);
+  }
+
+  OwnedVector SystemMatrices::apply_mass(const std::vector<double> &field) const
+  {
+    const Discretization &d = assembly_.discretization();
+    return assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
+      const Eigen::VectorXd values = d.gather(e, field);
+      const ElementNodes    forces =
+        Eigen::Map<const ElementNodes>(values.data(), 3, values.size() / 3) * mass_coefficients(e);
+      return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
+    });
+  }
+
+  std::vector<OwnedVector> SystemMatrices::near_kernel() const
+  {
+    const Discretization    &d = assembly_.discretization();
+    std::vector<OwnedVector> kernel;
+    for (const Discretization::Part &part : d.parts())
+      {
+        Vector3 centre = Vector3::Zero();
+        for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
+          centre += d.points()[p] / part.n_points;
+        for (const auto &motion : make_rigid_motions(d, part, centre))
+          kernel.push_back(assembly_.restrict_field(motion));
+      }
+    return kernel;
+  }
+
+  SparseValues add_scaled(SparseValues a, const double factor, const SparseValues &b)
+  {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      a[i] += factor * b[i];
+    return a;
+  }
+} // namespace vfife

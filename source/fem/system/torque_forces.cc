@@ -1,0 +1,27 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/system/torque_forces.h>
+
+namespace vfife
+{
+  void add_torque_forces(const Torque               &torque,
+                         const Discretization       &discretization,
+                         const Discretization::Part &part,
+                         const double                value,
+                         std::vector<double>        &forces)
+  {
+    const Body          &body = discretization.model().bodies[torque.body];
+    std::vector<Vector3> tangents;
+    double               moment = 0;
+    for (std::size_t i = 0; i < torque.nodes.size(); ++i)
+      {
+        const Vector3 arm = body.axis.direction.cross(
+          body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point);
+        tangents.push_back(arm.normalized());
+        moment += torque.areas[i] * arm.norm();
+      }
+    for (std::size_t i = 0; i < torque.nodes.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        forces[3 * std::size_t(part.first_point + torque.nodes[i]) + c] +=
+          value * torque.areas[i] / moment * tangents[i][c];
+  }
+} // namespace vfife

@@ -1,0 +1,281 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/fem/system/unknowns.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+    double distance_from(const Axis &axis, const Vector3 &point)
+    {
+      return axis.direction.cross(point - axis.point).norm();
+    }
+
+    /** Axes r, theta, z (columns) at a point; on the axis itself any r is taken. */
+    Matrix3 cylindrical_axes(const Axis &axis, const Vector3 &point)
+    {
+      const Vector3 tangent = axis.direction.cross(point - axis.point);
+      Matrix3       columns;
+      columns.col(1) =
+        tangent.norm() > 0. ? tangent.normalized() : Vector3(axis.direction.unitOrthogonal());
+      columns.col(0) = columns.col(1).cross(axis.direction);
+      columns.col(2) = axis.direction;
+      return columns;
+    }
+
+    /** Displacement of a point that @p constraint prescribes [mm]. */
+    Vector3
+    prescribed_displacement(const Constraint &constraint, const Axis &axis, const Vector3 &point)
+    {
+      if (constraint.kind == ConstraintKind::prescribed_rotation)
+        return constraint.angle.value_or(0.) * axis.direction.cross(point - axis.point);
+      Vector3 led = Vector3::Zero();
+      if (constraint.kind == ConstraintKind::directions)
+        for (unsigned int c = 0; c < 3; ++c)
+          if (constraint.prescribed[c])
+            led[c] = constraint.displacement[c];
+      if (!constraint.cylindrical)
+        return led;
+      led[1] *= distance_from(axis, point);
+      return cylindrical_axes(axis, point) * led;
+    }
+  } // namespace
+
+  /** Directions in which a point may move, and the unknowns that belong to them. */
+  struct Unknowns::LocalAxes
+  {
+    Matrix3                     columns  = Matrix3::Identity();
+    std::array<bool, 3>         active   = {{true, true, true}};
+    unsigned int                hub      = none; ///< index of the shared unknown of column 1
+    bool                        is_image = false;
+    std::array<unsigned int, 3> unknown  = {{none, none, none}};
+
+    /** Holds the directions that a constraint of that kind prescribes. */
+    void hold(const Constraint &constraint, const Axis &axis, const Vector3 &point)
+    {
+      std::array<bool, 3> held = constraint.prescribed;
+      if (constraint.cylindrical)
+        {
+          columns = cylindrical_axes(axis, point);
+          // On the axis, whatever leads the radius or the angle leaves neither way free.
+          if (!(distance_from(axis, point) > 0.))
+            held[0] = held[1] = held[0] || held[1];
+        }
+      // Another constraint may hold more directions of the same axes.
+      for (unsigned int c = 0; c < 3; ++c)
+        active[c] = active[c] && !held[c];
+    }
+  };
+
+  Unknowns::Unknowns(const Discretization &discretization,
+                     const Options        &options,
+                     const unsigned int    n_ranks)
+  {
+    const double       angle = discretization.sector_angle();
+    const unsigned int n     = angle > 0 ? std::lround(2. * pi / angle) : 0;
+    if (options.harmonic > n / 2)
+      throw InputError("a body of " + std::to_string(n) + " sectors has harmonics 0 to " +
+                       std::to_string(n / 2) + ", not " + std::to_string(options.harmonic));
+    n_copies_ = options.harmonic > 0 && 2 * options.harmonic < n ? 2 : 1;
+
+    std::vector<LocalAxes> axes = make_axes(discretization, options);
+    number(discretization, options.padded, n_ranks, axes);
+    fill_terms(discretization, options, axes);
+  }
+
+  std::vector<Unknowns::LocalAxes> Unknowns::make_axes(const Discretization &discretization,
+                                                       const Options        &options) const
+  {
+    const Model           &model    = discretization.model();
+    const unsigned int     n_points = discretization.n_points();
+    std::vector<LocalAxes> axes(n_points);
+    for (unsigned int c = 0; c < model.constraints.size(); ++c)
+      {
+        const Constraint           &constraint = model.constraints[c];
+        const Discretization::Part *part       = discretization.find_part(constraint.body);
+        if (part == nullptr)
+          continue;
+        const Axis &axis   = model.bodies[constraint.body].axis;
+        const auto  points = discretization.points_of(*part, constraint.nodes);
+        for (const unsigned int p : points)
+          {
+            LocalAxes &local = axes[p];
+            if (constraint.kind == ConstraintKind::directions)
+              {
+                if (!options.led_are_held && !constraint.displacement.isZero(0.))
+                  throw InputError("constraint \"" + constraint.name +
+                                   "\": vibrations and contact by conventional finite elements "
+                                   "hold directions, they do not prescribe displacements");
+                local.hold(constraint, axis, discretization.points()[p]);
+                continue;
+              }
+            local.active = {{false, false, false}};
+            if (constraint.kind == ConstraintKind::held ||
+                constraint.kind == ConstraintKind::prescribed_rotation)
+              continue;
+            const Vector3 arm     = discretization.points()[p] - axis.point;
+            const Vector3 tangent = axis.direction.cross(arm);
+            if (!(tangent.norm() > 0.))
+              continue; // on the axis: neither radius nor angle
+            local.columns.col(0) = -axis.direction.cross(tangent.normalized());
+            local.columns.col(1) = tangent.normalized();
+            local.columns.col(2) = axis.direction;
+            const bool hub       = constraint.kind == ConstraintKind::rigid_hub;
+            const bool turns =
+              options.rotation == HubRotation::free ||
+              (options.rotation == HubRotation::pinned && !hub && p != points.front());
+            local.active[1] = turns && !(hub && options.harmonic > 0);
+            if (hub)
+              {
+                local.hub = c;
+                local.columns.col(1) *= tangent.norm();
+              }
+          }
+      }
+    for (const auto &image : discretization.images())
+      axes[image.first].is_image = true;
+
+    std::vector<LocalAxes> all = axes;
+    if (n_copies_ == 2)
+      all.insert(all.end(), axes.begin(), axes.end());
+    return all;
+  }
+
+  void Unknowns::number(const Discretization   &discretization,
+                        const bool              padded,
+                        const unsigned int      n_ranks,
+                        std::vector<LocalAxes> &axes)
+  {
+    // A point belongs to the rank of its first element; elements are dealt out in equal runs.
+    const unsigned int        n_points   = discretization.n_points();
+    const unsigned int        n_elements = discretization.n_elements();
+    std::vector<unsigned int> rank(n_points, none);
+    for (unsigned int e = 0; e < n_elements; ++e)
+      for (unsigned int a = 0; a < discretization.points_per_element(); ++a)
+        {
+          unsigned int &r = rank[discretization.element_points(e)[a]];
+          if (r == none)
+            r = static_cast<unsigned long long>(e) * n_ranks / n_elements;
+        }
+
+    std::map<unsigned int, unsigned int> hubs; // constraint -> unknown
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      {
+        first_.push_back(padding_.size());
+        for (std::size_t i = 0; i < axes.size(); ++i)
+          {
+            LocalAxes &local = axes[i];
+            if (rank[i % n_points] != r || (local.is_image && !padded))
+              continue;
+            for (unsigned int k = 0; k < 3; ++k)
+              {
+                const bool shared = local.hub != none && hubs.count(local.hub) != 0;
+                const bool acts   = local.active[k] && !local.is_image;
+                if (acts && shared)
+                  local.unknown[k] = hubs.at(local.hub);
+                else if (acts)
+                  {
+                    local.unknown[k] = padding_.size();
+                    if (local.hub != none)
+                      hubs.emplace(local.hub, local.unknown[k]);
+                  }
+                if (padded || (acts && !shared))
+                  padding_.push_back(!acts || shared);
+              }
+          }
+      }
+    first_.push_back(padding_.size());
+  }
+
+  void Unknowns::fill_terms(const Discretization         &discretization,
+                            const Options                &options,
+                            const std::vector<LocalAxes> &axes)
+  {
+    const unsigned int                   n_points = discretization.n_points();
+    std::map<unsigned int, unsigned int> original;
+    for (const auto &image : discretization.images())
+      original.insert(image);
+
+    Matrix3 turn = Matrix3::Identity();
+    if (!original.empty())
+      turn =
+        rotation_about(discretization.model().bodies[discretization.parts()[0].body].axis.direction,
+                       discretization.sector_angle());
+    const double phase = options.harmonic * discretization.sector_angle();
+
+    const auto add = [&](const LocalAxes &local, const Matrix3 &factor, const unsigned int c) {
+      for (unsigned int k = 0; k < 3; ++k)
+        if (local.unknown[k] != none)
+          terms_.push_back({local.unknown[k], factor.row(c).dot(local.columns.col(k))});
+    };
+    start_.push_back(0);
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          const auto found = original.find(i % n_points);
+          if (found == original.end())
+            add(axes[i], Matrix3::Identity(), c);
+          else
+            {
+              // (a + i b) exp(i phase): the real part of the image takes a cos - b sin.
+              const bool imaginary = i >= n_points;
+              const auto same      = found->second + (imaginary ? n_points : 0);
+              add(axes[same], std::cos(phase) * turn, c);
+              if (n_copies_ == 2)
+                add(axes[found->second + (imaginary ? 0 : n_points)],
+                    (imaginary ? 1. : -1.) * std::sin(phase) * turn,
+                    c);
+            }
+          start_.push_back(terms_.size());
+        }
+  }
+
+  std::vector<double> Unknowns::expand(const std::vector<double> &q) const
+  {
+    std::vector<double> u(n_rows(), 0.);
+    for (std::size_t row = 0; row < u.size(); ++row)
+      for (const Term *t = begin(row); t != end(row); ++t)
+        u[row] += t->coefficient * q[t->unknown];
+    return u;
+  }
+
+  std::vector<double> Unknowns::restrict_field(const std::vector<double> &u) const
+  {
+    std::vector<double> q(n(), 0.), weight(n(), 0.);
+    for (std::size_t row = 0; row < u.size(); ++row)
+      for (const Term *t = begin(row); t != end(row); ++t)
+        {
+          q[t->unknown] += t->coefficient * u[row];
+          weight[t->unknown] += t->coefficient * t->coefficient;
+        }
+    for (std::size_t i = 0; i < q.size(); ++i)
+      if (weight[i] > 0)
+        q[i] /= weight[i];
+    return q;
+  }
+
+  std::vector<double>
+  compute_prescribed_displacements(const Discretization                            &discretization,
+                                   const std::function<double(const Constraint &)> &factor)
+  {
+    std::vector<double> u(3 * static_cast<std::size_t>(discretization.n_points()), 0.);
+    const Model        &model = discretization.model();
+    for (const Constraint &constraint : model.constraints)
+      if (const Discretization::Part *part = discretization.find_part(constraint.body))
+        for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
+          {
+            const Vector3 led = prescribed_displacement(constraint,
+                                                        model.bodies[constraint.body].axis,
+                                                        discretization.points()[p]);
+            if (!led.isZero(0.))
+              Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) += factor(constraint) * led;
+          }
+    return u;
+  }
+} // namespace vfife

@@ -1,0 +1,302 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/mesh/files/mesh_import.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <unordered_map>
+
+namespace vfife
+{
+  namespace
+  {
+    std::string upper(std::string text)
+    {
+      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) {
+        return static_cast<char>(std::toupper(c));
+      });
+      return text;
+    }
+
+    /** The words between commas, without blanks around them. */
+    std::vector<std::string> split(const std::string &line)
+    {
+      std::vector<std::string> words;
+      std::istringstream       in(line);
+      std::string              word;
+      while (std::getline(in, word, ','))
+        {
+          const auto first = word.find_first_not_of(" \t\r"), last = word.find_last_not_of(" \t\r");
+          words.push_back(first == std::string::npos ? "" : word.substr(first, last - first + 1));
+        }
+      while (!words.empty() && words.back().empty())
+        words.pop_back();
+      return words;
+    }
+
+    /** Reads the keywords of the mesh; all others are skipped with their data. */
+    class AbaqusReader
+    {
+    public:
+      explicit AbaqusReader(const std::string &path)
+        : path_(path)
+      {
+      }
+
+      FileMesh read()
+      {
+        std::ifstream in(path_);
+        std::string   line;
+        while (std::getline(in, line))
+          {
+            ++line_;
+            if (line.find_first_not_of(" \t\r") == std::string::npos || line.rfind("**", 0) == 0)
+              continue;
+            if (line[0] == '*')
+              read_keyword(split(line));
+            else if (data_ != nullptr)
+              (this->*data_)(split(line));
+          }
+        if (mesh_.elements.empty())
+          refuse("there are no hexahedra (C3D8 elements)");
+        finish();
+        return std::move(mesh_);
+      }
+
+    private:
+      using Members = std::map<std::string, std::vector<unsigned int>>;
+
+      [[noreturn]] void refuse(const std::string &message) const
+      {
+        throw InputError(path_ + ":" + std::to_string(line_) + ": " + message);
+      }
+
+      unsigned long label(const std::string &word) const
+      {
+        if (word.empty() || word.find_first_not_of("0123456789") != std::string::npos ||
+            word.size() > 18)
+          refuse("\"" + word + "\" is no number of a node or element");
+        return std::stoul(word);
+      }
+
+      double number(const std::string &word) const
+      {
+        std::istringstream in(word);
+        double             value;
+        if (!(in >> value) || !in.eof())
+          refuse("\"" + word + "\" is no number");
+        return value;
+      }
+
+      unsigned int node(const std::string &word) const
+      {
+        const auto found = node_index_.find(label(word));
+        if (found == node_index_.end())
+          refuse("there is no node " + word);
+        return found->second;
+      }
+
+      void read_keyword(const std::vector<std::string> &words)
+      {
+        options_.clear();
+        for (std::size_t i = 1; i < words.size(); ++i)
+          {
+            const auto equals = words[i].find('=');
+            const auto key    = upper(split(words[i].substr(0, equals)).at(0));
+            options_[key] =
+              equals == std::string::npos || split(words[i].substr(equals + 1)).empty()
+                ? ""
+                : split(words[i].substr(equals + 1))[0];
+          }
+        pending_.clear();
+        const std::string keyword = upper(words[0]);
+        data_                     = nullptr;
+        if (keyword == "*NODE")
+          data_ = &AbaqusReader::read_node;
+        else if (keyword == "*ELEMENT")
+          start_elements();
+        else if (keyword == "*NSET" || keyword == "*ELSET")
+          {
+            set_ = &(keyword == "*NSET" ? node_sets_[options_["NSET"]]
+                                        : element_sets_[options_["ELSET"]]);
+            data_ =
+              keyword == "*NSET" ? &AbaqusReader::read_node_set : &AbaqusReader::read_element_set;
+          }
+        else if (keyword == "*SURFACE" &&
+                 (options_.count("TYPE") == 0 || upper(options_["TYPE"]) == "ELEMENT"))
+          data_ = &AbaqusReader::read_surface;
+        else if (keyword == "*INCLUDE")
+          refuse("*INCLUDE is not followed: put the mesh into one file");
+      }
+
+      void start_elements()
+      {
+        const std::string type = upper(options_["TYPE"]);
+        if (type == "C3D8" || type == "C3D8R" || type == "C3D8I")
+          data_ = &AbaqusReader::read_hexahedron;
+        else if (type.rfind("C3D", 0) == 0)
+          refuse("elements of type " + type + " are no 8-node hexahedra (C3D8)");
+        else if (type.find('4') != std::string::npos && type[0] != 'T' && type[0] != 'B')
+          data_ = &AbaqusReader::read_shell;
+      }
+
+      void read_node(const std::vector<std::string> &words)
+      {
+        if (words.size() < 4)
+          refuse("a node needs a number and three coordinates");
+        node_index_[label(words[0])] = mesh_.nodes.size();
+        if (!options_["NSET"].empty())
+          node_sets_[options_["NSET"]].push_back(mesh_.nodes.size());
+        mesh_.nodes.emplace_back(number(words[1]), number(words[2]), number(words[3]));
+      }
+
+      void read_hexahedron(const std::vector<std::string> &words)
+      {
+        constexpr unsigned int place[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+        pending_.insert(pending_.end(), words.begin(), words.end());
+        if (pending_.size() < 9)
+          return; // goes on in the next line
+        CellNodes nodes;
+        for (unsigned int k = 0; k < 8; ++k)
+          nodes[place[k]] = node(pending_[k + 1]);
+        element_index_[label(pending_[0])] = mesh_.elements.size();
+        element_sets_[options_["ELSET"]].push_back(mesh_.elements.size());
+        mesh_.elements.push_back(nodes);
+        pending_.clear();
+      }
+
+      void read_shell(const std::vector<std::string> &words)
+      {
+        if (words.size() != 5)
+          refuse("a 4-node element needs its number and four nodes");
+        for (unsigned int k = 1; k < 5; ++k)
+          surfaces_[options_["ELSET"]].push_back(node(words[k]));
+      }
+
+      void read_node_set(const std::vector<std::string> &words)
+      {
+        read_set(words, node_sets_, node_index_);
+      }
+
+      void read_element_set(const std::vector<std::string> &words)
+      {
+        read_set(words, element_sets_, element_index_);
+      }
+
+      void read_set(const std::vector<std::string>                        &words,
+                    const Members                                         &sets,
+                    const std::unordered_map<unsigned long, unsigned int> &index)
+      {
+        const auto add = [&](const unsigned long member) {
+          const auto found = index.find(member);
+          if (found != index.end()) // sets may also hold what is no part of the solid
+            set_->push_back(found->second);
+        };
+        if (options_.count("GENERATE") != 0)
+          {
+            if (words.size() < 2)
+              refuse("GENERATE needs first and last number");
+            const unsigned long step = words.size() > 2 ? label(words[2]) : 1;
+            if (step == 0)
+              refuse("the step of GENERATE must not be 0");
+            const unsigned long last = label(words[1]);
+            for (unsigned long i = label(words[0]); i <= last; i += step)
+              add(i);
+            return;
+          }
+        for (const std::string &word : words)
+          {
+            const auto other = sets.find(word);
+            if (other != sets.end() && &other->second != set_)
+              set_->insert(set_->end(), other->second.begin(), other->second.end());
+            else if (!word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) != 0)
+              add(label(word));
+          }
+      }
+
+      void read_surface(const std::vector<std::string> &words)
+      {
+        // corners of the faces S1 ... S6 in lexicographic numbers
+        constexpr unsigned int corners[6][4] = {
+          {0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 4, 5}, {1, 3, 5, 7}, {2, 3, 6, 7}, {0, 2, 4, 6}};
+        if (words.size() < 2 || words[1].size() != 2 || upper(words[1])[0] != 'S' ||
+            words[1][1] < '1' || words[1][1] > '6')
+          refuse("a line of *SURFACE must be an element or ELSET, and a face S1 to S6");
+        std::vector<unsigned int> elements;
+        const auto                set = element_sets_.find(words[0]);
+        if (set != element_sets_.end())
+          elements = set->second;
+        else
+          {
+            const auto found = element_index_.find(label(words[0]));
+            if (found == element_index_.end())
+              refuse("there is no element " + words[0]);
+            elements = {found->second};
+          }
+        for (const unsigned int element : elements)
+          for (const unsigned int corner : corners[words[1][1] - '1'])
+            surfaces_[options_["NAME"]].push_back(mesh_.elements[element][corner]);
+      }
+
+      /** Sorted groups; nodes that no hexahedron uses (of shells, reference points) go. */
+      void finish()
+      {
+        const unsigned int        none = -1;
+        std::vector<unsigned int> index(mesh_.nodes.size(), none);
+        std::vector<Vector3>      nodes;
+        for (CellNodes &element : mesh_.elements)
+          for (unsigned int &corner : element)
+            {
+              if (index[corner] == none)
+                {
+                  index[corner] = nodes.size();
+                  nodes.push_back(mesh_.nodes[corner]);
+                }
+              corner = index[corner];
+            }
+        mesh_.nodes         = nodes;
+        const auto renumber = [&](std::vector<unsigned int> &members) {
+          std::vector<unsigned int> used;
+          for (const unsigned int member : members)
+            if (index[member] != none)
+              used.push_back(index[member]);
+          members = used;
+        };
+        const auto hand_over = [](Members &members, std::vector<FileMesh::Group> &groups) {
+          for (auto &group : members)
+            {
+              std::sort(group.second.begin(), group.second.end());
+              group.second.erase(std::unique(group.second.begin(), group.second.end()),
+                                 group.second.end());
+              if (!group.first.empty() && !group.second.empty())
+                groups.push_back({group.first, group.second});
+            }
+        };
+        for (Members *members : {&node_sets_, &surfaces_})
+          for (auto &group : *members)
+            renumber(group.second);
+        hand_over(node_sets_, mesh_.node_sets);
+        hand_over(surfaces_, mesh_.surfaces);
+        hand_over(element_sets_, mesh_.regions);
+      }
+
+      const std::string &path_;
+      unsigned int       line_ = 0;
+      FileMesh           mesh_;
+      void (AbaqusReader::*data_)(const std::vector<std::string> &) = nullptr;
+      std::map<std::string, std::string>              options_; ///< of the present keyword
+      std::vector<std::string>                        pending_; ///< of an element over two lines
+      std::vector<unsigned int>                      *set_ = nullptr;
+      std::unordered_map<unsigned long, unsigned int> node_index_, element_index_;
+      Members                                         node_sets_, element_sets_, surfaces_;
+    };
+  } // namespace
+
+  FileMesh read_abaqus(const std::string &path)
+  {
+    return AbaqusReader(path).read();
+  }
+} // namespace vfife

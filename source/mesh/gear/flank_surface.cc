@@ -1,0 +1,155 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/mesh/gear/flank_surface.h>
+#include <vfife/mesh/node_set_names.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr unsigned int n_points = sizeof(offset_abscissae) / sizeof(offset_abscissae[0]);
+
+    /** Far below the offsets (micrometres) and above round-off of coordinates of 100 mm. */
+    constexpr double offset_tolerance = 1e-11;
+
+    /**
+     * Distance along the unit vector @p direction from @p point to the flank. Newton: intersect the
+     * tangent plane, then take the flank point at the cone coordinates reached.
+     */
+    double distance_to_flank(const GearMember &member,
+                             const FlankSide   side,
+                             const Vector3    &point,
+                             const Vector3    &direction)
+    {
+      double delta = 0.;
+      for (unsigned int iteration = 0; iteration < 20; ++iteration)
+        {
+          const Vector3      y    = point + delta * direction;
+          const Vector2      L_h  = member.blank().cone_coordinates({std::hypot(y[0], y[1]), y[2]});
+          const SurfacePoint x    = member.flank_point(side, L_h[0], L_h[1]);
+          const double       step = (x.position - y).dot(x.normal) / direction.dot(x.normal);
+          delta += step;
+          if (std::abs(step) < offset_tolerance)
+            return delta;
+        }
+      throw NumericalError(member.name() + ": no offset from a facet to the true flank found");
+    }
+
+    /** Bilinear weights in the order of FacetSurface. */
+    std::array<double, 4> bilinear_weights(const double xi, const double eta)
+    {
+      return {{(1. - xi) * (1. - eta), xi * (1. - eta), xi * eta, (1. - xi) * eta}};
+    }
+
+    /** Nodes, facets and rows of tooth 0. */
+    FacetSurface make_first_tooth(const GearMember &member, const FlankGrid &grid)
+    {
+      FacetSurface tooth;
+      tooth.nodes = grid.nodes;
+      for (const Vector2 &L_h : grid.L_h)
+        {
+          const SurfacePoint point = member.flank_point(grid.side, L_h[0], L_h[1]);
+          tooth.positions.push_back(point.position);
+          tooth.normals.push_back(-point.normal); // out of the metal
+        }
+      tooth.facets = grid.facets;
+      return tooth;
+    }
+
+    /** Numbers of the edges of a flank. */
+    enum Edge : unsigned char
+    {
+      no_edge,
+      tip,
+      toe,
+      heel
+    };
+
+    /** Sides 0 and 2 of a facet run along the tooth: at the border the higher is the tip, the lower
+     * goes on into the fillet. The ends are sides 1 and 3. */
+    std::vector<std::array<unsigned char, 4>> find_edges(const FlankGrid    &grid,
+                                                         const FacetSurface &tooth)
+    {
+      std::vector<std::array<unsigned char, 4>> edges;
+      for (std::size_t f = 0; f < grid.facets.size(); ++f)
+        {
+          edges.push_back({{no_edge, no_edge, no_edge, no_edge}});
+          const auto &k = grid.facets[f];
+          for (unsigned int side = 0; side < 4; ++side)
+            {
+              if (tooth.neighbours[f][side] != FacetSurface::no_facet)
+                continue;
+              const Vector2 here  = grid.L_h[k[side]] + grid.L_h[k[(side + 1) % 4]];
+              const Vector2 there = grid.L_h[k[(side + 2) % 4]] + grid.L_h[k[(side + 3) % 4]];
+              if (side % 2 == 0)
+                edges[f][side] = here[1] > there[1] ? tip : no_edge;
+              else
+                edges[f][side] = here[0] > there[0] ? heel : toe;
+            }
+        }
+      return edges;
+    }
+
+    void add_offsets(const GearMember &member, const FlankSide side, FacetSurface &tooth)
+    {
+      tooth.offset_points = n_points;
+      for (const auto &facet : tooth.facets)
+        for (const double eta : offset_abscissae)
+          for (const double xi : offset_abscissae)
+            {
+              const auto weights = bilinear_weights(xi, eta);
+              Vector3    point = Vector3::Zero(), normal = Vector3::Zero();
+              for (unsigned int k = 0; k < 4; ++k)
+                {
+                  point += weights[k] * tooth.positions[facet[k]];
+                  normal += weights[k] * tooth.normals[facet[k]];
+                }
+              const bool corner = (xi == 0. || xi == 1.) && (eta == 0. || eta == 1.);
+              tooth.offsets.push_back(
+                corner ? 0. : distance_to_flank(member, side, point, normal.normalized()));
+            }
+    }
+  } // namespace
+
+  FacetSurface make_flank_surface(const GearMember  &member,
+                                  const FlankGrid   &grid,
+                                  const unsigned int nodes_per_sector)
+  {
+    FacetSurface tooth = make_first_tooth(member, grid);
+    add_offsets(member, grid.side, tooth);
+    find_neighbours(tooth);
+    const auto edges = find_edges(grid, tooth);
+
+    FacetSurface surface;
+    surface.name = grid.side == FlankSide::concave ? surface_name::concave : surface_name::convex;
+    surface.n_groups      = member.blank().teeth;
+    surface.offset_points = tooth.offset_points;
+    surface.offsets       = tooth.offsets;
+
+    const unsigned int per_tooth = tooth.nodes.size();
+    for (unsigned int k = 0; k < surface.n_groups; ++k)
+      {
+        const Matrix3 rotation = rotation_about(Vector3::UnitZ(), 2. * pi * k / surface.n_groups);
+        for (unsigned int i = 0; i < per_tooth; ++i)
+          {
+            surface.nodes.push_back(tooth.nodes[i] + k * nodes_per_sector);
+            surface.positions.push_back(rotation * tooth.positions[i]);
+            surface.normals.push_back(rotation * tooth.normals[i]);
+          }
+        for (unsigned int f = 0; f < tooth.facets.size(); ++f)
+          {
+            auto facet = tooth.facets[f];
+            for (unsigned int &corner : facet)
+              corner += k * per_tooth;
+            surface.facets.push_back(facet);
+            surface.group.push_back(k);
+            surface.offset_row.push_back(f);
+            surface.edges.push_back(edges[f]);
+          }
+      }
+    find_neighbours(surface);
+    return surface;
+  }
+} // namespace vfife

@@ -1,0 +1,69 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/mesh/gear/flank_surface.h>
+#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_manifolds.h>
+#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/node_set_names.h>
+
+namespace vfife
+{
+  namespace
+  {
+    std::map<unsigned int, std::string> gear_region_names()
+    {
+      return {{static_cast<unsigned int>(GearRegion::tooth), "teeth"},
+              {static_cast<unsigned int>(GearRegion::rim), "rim"},
+              {static_cast<unsigned int>(GearRegion::web), "web"},
+              {static_cast<unsigned int>(GearRegion::hub), "hub"}};
+    }
+  } // namespace
+
+  std::unique_ptr<BodyMesh> make_gear_body(const GearMember &member, const GearBodyOptions &asked)
+  {
+    asked.check(member.name(), member.blank());
+    const GearBodyOptions options   = asked.with_counts_of_size(member);
+    const GearSector      sector    = make_gear_sector(member, options);
+    const unsigned int    n_sectors = member.blank().teeth, n_nodes = sector.nodes.size();
+
+    auto mesh       = std::make_unique<BodyMesh>();
+    mesh->name      = member.name();
+    mesh->n_sectors = n_sectors;
+
+    std::vector<Vector3>   nodes;
+    std::vector<CellNodes> hexahedra;
+    nodes.reserve(std::size_t(n_sectors) * n_nodes);
+    hexahedra.reserve(n_sectors * sector.hexahedra.size());
+    for (unsigned int k = 0; k < n_sectors; ++k)
+      {
+        const Matrix3 rotation = rotation_about(Vector3::UnitZ(), 2. * pi * k / n_sectors);
+        for (const Vector3 &node : sector.nodes)
+          nodes.push_back(rotation * node);
+        for (CellNodes hexahedron : sector.hexahedra)
+          {
+            for (unsigned int &node : hexahedron)
+              node = GearSector::index_of(node) +
+                     (GearSector::is_next(node) ? (k + 1) % n_sectors : k) * n_nodes;
+            hexahedra.push_back(hexahedron);
+          }
+        mesh->sector.insert(mesh->sector.end(), sector.hexahedra.size(), k);
+      }
+    std::vector<unsigned int> regions;
+    for (unsigned int k = 0; k < n_sectors; ++k)
+      regions.insert(regions.end(), sector.regions.begin(), sector.regions.end());
+    create_triangulation(*mesh, nodes, hexahedra, regions);
+    mesh->regions = gear_region_names();
+
+    for (const auto &set : sector.node_sets)
+      for (unsigned int k = 0; k < n_sectors; ++k)
+        for (const unsigned int node : set.second)
+          mesh->node_sets[set.first].push_back(node + k * n_nodes);
+    for (const FlankGrid &grid : sector.flanks)
+      {
+        FacetSurface surface         = make_flank_surface(member, grid, n_nodes);
+        mesh->surfaces[surface.name] = std::move(surface);
+      }
+    name_boundaries(*mesh, gear_boundaries());
+    attach_gear_manifolds(*mesh, member);
+    return mesh;
+  }
+} // namespace vfife

@@ -1,0 +1,200 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_meridian.h>
+#include <vfife/mesh/gear/gear_section.h>
+
+#include <array>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Sections along the face width (even, for Simpson's rule) and points along profiles: together
+     * they leave errors of some 1e-6 of the volume (tested), far below those of any mesh. */
+    constexpr unsigned int n_sections = 20, n_fillet = 40, n_flank = 80;
+    /** Chords of a fillet of the web. */
+    constexpr unsigned int n_arc = 32;
+
+    std::vector<GearSection> compute_sections(const GearMember &member)
+    {
+      const Blank             &blank = member.blank();
+      std::vector<GearSection> sections;
+      for (unsigned int i = 0; i <= n_sections; ++i)
+        sections.push_back(compute_gear_section(
+          member, blank.inner_cone_distance() + blank.face_width * i / n_sections, 1));
+      return sections;
+    }
+
+    /** (r, z) of the rim's lower border under section @p i. */
+    Vector2 rim_bottom(const Blank                    &blank,
+                       const GearBodyOptions          &options,
+                       const ConicalWeb               &web,
+                       const std::vector<GearSection> &sections,
+                       const unsigned int              i)
+    {
+      const double L = sections[i].cone_distance, h = sections[i].root_height;
+      if (options.web == WebKind::solid)
+        {
+          // straight down the back cone to the bore
+          const Vector2 root  = blank.meridian_point({L, h});
+          const double  depth = (root[0] - options.bore_radius) / std::cos(blank.pitch_angle);
+          return blank.meridian_point({L, h - depth});
+        }
+      const double to_toe = 1. - double(i) / n_sections;
+      if (options.web == WebKind::none)
+        return blank.meridian_point({L, h - options.rim_thickness});
+      if (options.web_attachment == WebAttachment::toe)
+        return blank.meridian_point(
+          {L + to_toe * web.mitre_slope() * options.rim_thickness, h - options.rim_thickness});
+      return web.wall_point(L);
+    }
+
+    std::vector<Vector2> web_outline(const ConicalWeb &web)
+    {
+      std::vector<double> along;
+      const double        start = web.straight_start(), stop = web.straight_end();
+      for (unsigned int i = 0; i <= n_arc; ++i)
+        along.push_back(start * i / n_arc);
+      for (unsigned int i = 0; i <= n_arc; ++i)
+        along.push_back(stop + (1. - stop) * i / n_arc);
+      std::vector<Vector2> outline;
+      for (const double u : along)
+        outline.push_back(web.point(u, 0.));
+      for (auto u = along.rbegin(); u != along.rend(); ++u)
+        outline.push_back(web.point(*u, 1.));
+      return outline;
+    }
+
+    std::vector<MeridianPart> compute_parts(const Blank                    &blank,
+                                            const GearBodyOptions          &options,
+                                            const std::vector<GearSection> &sections)
+    {
+      const ConicalWeb          web(blank,
+                           options,
+                           sections.front().root_height,
+                           sections.back().root_height);
+      std::vector<MeridianPart> parts = {{"teeth", {}}, {"rim", {}}};
+      for (unsigned int i = 0; i <= n_sections; ++i)
+        {
+          const Vector2 root =
+            blank.meridian_point({sections[i].cone_distance, sections[i].root_height});
+          parts[0].corners.push_back(root);
+          parts[1].corners.push_back(root);
+        }
+      for (const double L : {sections.back().cone_distance, sections.front().cone_distance})
+        parts[0].corners.push_back(blank.meridian_point({L, blank.addendum(L)}));
+      for (unsigned int i = n_sections + 1; i > 0; --i)
+        parts[1].corners.push_back(rim_bottom(blank, options, web, sections, i - 1));
+      if (options.web != WebKind::conical)
+        return parts;
+
+      parts.push_back({"web", web_outline(web)});
+      const double middle = web.point(1., .5)[1], half = .5 * options.hub_length;
+      parts.push_back({"hub",
+                       {{options.hub_radius, middle - half},
+                        {options.hub_radius, middle + half},
+                        {options.bore_radius, middle + half},
+                        {options.bore_radius, middle - half}}});
+      return parts;
+    }
+
+    /** Of one tooth over a unit of L: what stands over the root at height @p h, per unit of angle.
+     */
+    using Four = Eigen::Vector4d;
+    Four integrate_height(const Blank &blank, const double L, const double root, const double h)
+    {
+      const double c = std::cos(blank.pitch_angle), s = std::sin(blank.pitch_angle);
+      Four         sum = Four::Zero();
+      for (const double side : {-1., 1.}) // two Gauss points: exact for the third degree
+        {
+          const double at = .5 * (root + h) + side * .5 / std::sqrt(3.) * (h - root);
+          const double r = L * s + at * c, z = L * c - at * s;
+          sum += .5 * (h - root) * r * Four(1., r * r, z, z * z);
+        }
+      return sum;
+    }
+
+    /** Points (h, angle) of a flank of tooth 0 from the fillet's bottom to the tip, angles near
+     * @p angle. */
+    std::vector<Vector2> compute_profile(const GearMember &member,
+                                         const FlankSide   side,
+                                         const double      L,
+                                         const double      angle)
+    {
+      const Blank         &blank = member.blank();
+      std::vector<Vector2> profile;
+      const auto           add = [&](const Vector3 &x) {
+        const double own = std::atan2(x[1], x[0]);
+        profile.emplace_back(blank.cone_coordinates({std::hypot(x[0], x[1]), x[2]})[1],
+                             angle + std::remainder(own - angle, 2. * pi));
+      };
+      for (unsigned int i = 0; i <= n_fillet; ++i)
+        add(member.fillet_point(side, L, member.fillet_end(side) * i / n_fillet).position);
+      const double start = profile.back()[0], tip = blank.addendum(L);
+      for (unsigned int i = 1; i <= n_flank; ++i)
+        add(member.flank_point(side, L, start + (tip - start) * i / n_flank).position);
+      return profile;
+    }
+
+    /** Over a section of tooth 0 above the root, per unit of L. */
+    Four integrate_section(const GearMember &member, const GearSection &section)
+    {
+      const double L       = section.cone_distance;
+      auto         outline = compute_profile(member, member.lower_side(), L, section.lower[0][1]);
+      const auto   upper   = compute_profile(member, member.upper_side(), L, section.upper[0][1]);
+      outline.insert(outline.end(), upper.rbegin(), upper.rend());
+      outline.insert(outline.begin(), Vector2(section.root_height, section.left_angle));
+      outline.emplace_back(section.root_height, section.left_angle + section.pitch);
+      Four sum = Four::Zero(), last = Four::Zero();
+      for (std::size_t i = 1; i < outline.size(); ++i)
+        {
+          const Four next = integrate_height(member.blank(), L, section.root_height, outline[i][0]);
+          sum += .5 * (last + next) * (outline[i][1] - outline[i - 1][1]);
+          last = next;
+        }
+      return sum;
+    }
+  } // namespace
+
+  std::vector<MeridianPart> compute_meridian(const GearMember      &member,
+                                             const GearBodyOptions &options)
+  {
+    return compute_parts(member.blank(), options, compute_sections(member));
+  }
+
+  Table make_meridian_table()
+  {
+    Table table;
+    table.add_text_column("body");
+    table.add_text_column("part");
+    table.add_column("r", "mm");
+    table.add_column("z", "mm");
+    return table;
+  }
+
+  void add_meridian_rows(const GearMember &member, const GearBodyOptions &options, Table &table)
+  {
+    for (const MeridianPart &part : compute_meridian(member, options))
+      for (const Vector2 &corner : part.corners)
+        table.add_row({member.name(), part.name, corner[0], corner[1]});
+  }
+
+  SolidIntegrals compute_true_integrals(const GearMember &member, const GearBodyOptions &options)
+  {
+    const std::vector<GearSection> sections = compute_sections(member);
+    Four                           teeth    = Four::Zero();
+    for (unsigned int i = 0; i <= n_sections; ++i)
+      {
+        const double simpson = i == 0 || i == n_sections ? 1. : (i % 2 == 1 ? 4. : 2.);
+        teeth += simpson / 3. * integrate_section(member, sections[i]);
+      }
+    teeth *= member.blank().face_width / n_sections * member.blank().teeth;
+
+    SolidIntegrals sum{teeth[0], teeth[1], teeth[2], teeth[3]};
+    for (const MeridianPart &part : compute_parts(member.blank(), options, sections))
+      if (part.name != "teeth")
+        sum += compute_solid_integrals(part.corners);
+    return sum;
+  }
+} // namespace vfife

@@ -1,0 +1,163 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/mesh/primitives/primitive_options.h>
+#include <vfife/mesh/primitives/primitives.h>
+
+namespace vfife
+{
+  namespace
+  {
+    using Sizes  = std::array<double, 3>;
+    using Counts = std::array<unsigned int, 3>;
+
+    struct SizeEntry
+    {
+      const char *name, *meaning;
+      double      value;
+    };
+
+    struct CountEntry
+    {
+      const char  *name, *meaning;
+      unsigned int value, least;
+      bool         even;
+    };
+
+    constexpr char across_core[] = "Cells across the core, an even number";
+    constexpr char around_core[] = "Rows of cells between core and outer surface";
+  } // namespace
+
+  struct PrimitiveShape
+  {
+    const char             *name;
+    std::vector<SizeEntry>  sizes;
+    std::vector<CountEntry> counts;
+    bool                    rising; ///< the second size must be larger than the first
+    std::unique_ptr<BodyMesh> (*make)(const Sizes &, const Counts &);
+  };
+
+  namespace
+  {
+    const std::vector<PrimitiveShape> &shape_table()
+    {
+      static const std::vector<PrimitiveShape> table = {
+        {"block",
+         {{"size x", "From x = 0", 10.},
+          {"size y", "From y = 0", 10.},
+          {"size z", "From z = 0", 10.}},
+         {{"cells x", "Cells along x", 4, 1, false},
+          {"cells y", "Cells along y", 4, 1, false},
+          {"cells z", "Cells along z", 4, 1, false}},
+         false,
+         [](const Sizes &s, const Counts &n) {
+           return make_block({s[0], s[1], s[2]}, n);
+         }},
+        {"beam",
+         {{"length", "Along x, from x = 0", 100.},
+          {"width", "Along y, centred on the x axis", 10.},
+          {"height", "Along z, centred on the x axis", 10.}},
+         {{"cells along length", "Cells along x", 20, 1, false},
+          {"cells across width", "Cells along y", 2, 1, false},
+          {"cells over height", "Cells along z", 2, 1, false}},
+         false,
+         [](const Sizes &s, const Counts &n) {
+           return make_beam({s[0], s[1], s[2]}, n);
+         }},
+        {"ring",
+         {{"inner radius", "About the z axis", 20.},
+          {"outer radius", "About the z axis", 30.},
+          {"height", "Along z, from z = 0", 10.}},
+         {{"radial cells", "Cells from inner to outer radius", 4, 1, false},
+          {"cells around", "Cells around the axis", 36, 3, false},
+          {"axial cells", "Cells along z", 4, 1, false}},
+         true,
+         [](const Sizes &s, const Counts &n) { return make_ring(s[0], s[1], s[2], n); }},
+        {"cylinder",
+         {{"radius", "About the z axis", 10.}, {"height", "Along z, from z = 0", 20.}},
+         {{"core cells", across_core, 4, 2, true},
+          {"radial cells", around_core, 3, 1, false},
+          {"axial cells", "Cells along z", 8, 1, false}},
+         false,
+         [](const Sizes &s, const Counts &n) { return make_cylinder(s[0], s[1], n); }},
+        {"disc",
+         {{"radius", "About the z axis", 50.}, {"thickness", "Along z, centred on z = 0", 5.}},
+         {{"core cells", across_core, 8, 2, true},
+          {"radial cells", around_core, 8, 1, false},
+          {"axial cells", "Cells through the thickness", 2, 1, false}},
+         false,
+         [](const Sizes &s, const Counts &n) { return make_disc(s[0], s[1], n); }},
+        {"sphere",
+         {{"radius", "About the origin", 10.}},
+         {{"core cells", across_core, 4, 2, true}, {"radial cells", around_core, 4, 1, false}},
+         false,
+         [](const Sizes &s, const Counts &n) {
+           return make_sphere(s[0], {{n[0], n[1]}});
+         }}};
+      return table;
+    }
+
+    const PrimitiveShape &find_shape(const std::string &name)
+    {
+      for (const PrimitiveShape &shape : shape_table())
+        if (shape.name == name)
+          return shape;
+      const auto names = PrimitiveOptions::shapes();
+      throw InputError("there is no shape \"" + name + "\"; allowed: " + list_of(names) +
+                       did_you_mean(name, names));
+    }
+  } // namespace
+
+  PrimitiveOptions::PrimitiveOptions(const std::string &shape)
+    : sizes{}
+    , counts{}
+    , shape_(&find_shape(shape))
+  {
+    for (unsigned int i = 0; i < shape_->sizes.size(); ++i)
+      sizes[i] = shape_->sizes[i].value;
+    for (unsigned int i = 0; i < shape_->counts.size(); ++i)
+      counts[i] = shape_->counts[i].value;
+  }
+
+  std::vector<std::string> PrimitiveOptions::shapes()
+  {
+    std::vector<std::string> names;
+    for (const PrimitiveShape &shape : shape_table())
+      names.push_back(shape.name);
+    return names;
+  }
+
+  const char *PrimitiveOptions::shape() const
+  {
+    return shape_->name;
+  }
+
+  void PrimitiveOptions::declare(dealii::ParameterHandler &prm)
+  {
+    for (unsigned int i = 0; i < shape_->sizes.size(); ++i)
+      declare_quantity(
+        prm, shape_->sizes[i].name, sizes[i], "mm", shape_->sizes[i].meaning, Range::positive());
+    for (unsigned int i = 0; i < shape_->counts.size(); ++i)
+      declare_integer(
+        prm, shape_->counts[i].name, counts[i], shape_->counts[i].meaning, shape_->counts[i].least);
+  }
+
+  void PrimitiveOptions::check(const std::string &section) const
+  {
+    for (unsigned int i = 0; i < shape_->counts.size(); ++i)
+      if (shape_->counts[i].even && counts[i] % 2 != 0)
+        throw InputError(section + "/" + shape_->counts[i].name,
+                         section + "/" + shape_->counts[i].name + ": " + std::to_string(counts[i]) +
+                           " is odd, an even number is needed");
+    if (shape_->rising && !(sizes[0] < sizes[1]))
+      throw InputError(section + "/" + shape_->sizes[0].name,
+                       section + "/" + shape_->sizes[0].name + ": must be smaller than the " +
+                         shape_->sizes[1].name);
+  }
+
+  std::unique_ptr<BodyMesh> make_primitive(const PrimitiveOptions &options)
+  {
+    return options.shape_->make(options.sizes, options.counts);
+  }
+} // namespace vfife

@@ -1,0 +1,163 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/expression.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/mesh/files/mesh_import.h>
+#include <vfife/model/options/body_options.h>
+
+#include <filesystem>
+
+namespace vfife
+{
+  namespace
+  {
+    /** The mesh that is no shape. */
+    const std::string from_file = "file";
+  } // namespace
+
+  void BodyOptions::declare_kind(dealii::ParameterHandler &prm)
+  {
+    auto shapes = PrimitiveOptions::shapes();
+    shapes.push_back(from_file);
+    declare_choice(
+      prm,
+      "mesh",
+      shapes,
+      mesh,
+      [this, shapes](const unsigned i) { mesh = shapes[i]; },
+      "Shape, or a file of hexahedra");
+    declare_text(prm, "material", material, "Name of a section \"Material NAME\"");
+  }
+
+  void BodyOptions::declare(dealii::ParameterHandler &prm, const std::string &section)
+  {
+    declare_kind(prm);
+    if (mesh == from_file)
+      declare_text(prm,
+                   "file",
+                   file,
+                   "Mesh file of 8-node hexahedra, lengths in mm: .msh (Gmsh), .inp (Abaqus, "
+                   "CalculiX), .vtk, .ucd; its named groups are node sets and surfaces; a relative "
+                   "name starts at the folder of the parameter file");
+    else
+      declare_shape(prm, section);
+    declare_vector(prm, "position", position, "mm", "Place of the body frame's origin");
+    declare_vector(
+      prm, "rotation axis", rotation_axis, "-", "Axis about which the body frame is turned");
+    declare_quantity(prm, "rotation angle", rotation_angle, "deg", "Angle of that turn");
+    declare_switch(prm,
+                   "bearing",
+                   bearing,
+                   "Whether the body turns on its axis; else its rigid motion is free");
+    declare_vector(prm, "axis point", axis_point, "mm", "Point of the axis of a bearing");
+    declare_vector(prm, "axis direction", axis_direction, "-", "Direction of the axis");
+    declare_quantity(prm, "speed", speed, "rad/s", "Angular velocity about the axis of a bearing");
+    declare_vector(
+      prm, "velocity", velocity, "mm/s", "Velocity at time zero of a body without a bearing");
+    declare_vector(prm,
+                   "angular velocity",
+                   angular_velocity,
+                   "rad/s",
+                   "Angular velocity at time zero about the centre of mass, without a bearing");
+    const char *names = "xyz";
+    for (unsigned int c = 0; c < 3; ++c)
+      declare_text(prm,
+                   std::string("initial velocity ") + names[c],
+                   initial_velocity[c],
+                   "Formula of x, y, z [mm] in the undeformed body frame for what is added to that "
+                   "velocity along " +
+                     std::string(1, names[c]) + " of the fixed frame [mm/s]");
+  }
+
+  void BodyOptions::declare_shape(dealii::ParameterHandler &prm, const std::string &section)
+  {
+    try
+      {
+        primitive = std::make_unique<PrimitiveOptions>(mesh);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/mesh", error.what());
+      }
+    primitive->declare(prm);
+  }
+
+  void BodyOptions::check(const std::string &section) const
+  {
+    if (primitive)
+      primitive->check(section);
+    else if (file.empty())
+      throw InputError(section + "/file", "the name of the mesh file is missing");
+    if (rotation_axis.norm() == 0)
+      throw InputError(section + "/rotation axis", "a direction of length zero");
+    if (axis_direction.norm() == 0)
+      throw InputError(section + "/axis direction", "a direction of length zero");
+    if (bearing && (!velocity.isZero(0.) || !angular_velocity.isZero(0.)))
+      throw InputError(section + "/" + (velocity.isZero(0.) ? "angular velocity" : "velocity"),
+                       "a body with a bearing moves by its speed about the axis only");
+    if (!bearing && speed != 0)
+      throw InputError(section + "/speed",
+                       "a body without a bearing has an angular velocity instead (or set bearing = "
+                       "yes)");
+  }
+
+  std::unique_ptr<BodyMesh> BodyOptions::make_mesh(const std::string &section) const
+  {
+    if (primitive)
+      return make_primitive(*primitive);
+    try
+      {
+        return read_body((std::filesystem::path(folder) / file).string());
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/file", error.what());
+      }
+  }
+
+  Body BodyOptions::make(const std::string &name,
+                         const Material    &of_material,
+                         const std::string &section) const
+  {
+    Body body(name, make_mesh(section), of_material);
+    body.placement.rotation    = rotation_about(rotation_axis.normalized(), rotation_angle);
+    body.placement.translation = position;
+    if (bearing)
+      {
+        body.axis          = {axis_point, axis_direction.normalized()};
+        body.turns_on_axis = true;
+        body.rate          = speed;
+      }
+    else
+      {
+        Vector3 centre = Vector3::Zero();
+        for (unsigned int i = 0; i < body.n_nodes(); ++i)
+          centre += body.node_masses()[i] / body.mass() * body.placement(body.node_positions()[i]);
+        body.rate     = angular_velocity.norm();
+        body.axis     = {centre,
+                     body.rate > 0 ? Vector3(angular_velocity / body.rate)
+                                       : axis_direction.normalized()};
+        body.velocity = velocity;
+      }
+
+    std::vector<Expression> formulas;
+    bool                    moves = false;
+    for (unsigned int c = 0; c < 3; ++c)
+      try
+        {
+          formulas.emplace_back(initial_velocity[c]);
+          moves = moves || initial_velocity[c] != "0";
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(section + "/initial velocity " + "xyz"[c], error.what());
+        }
+    if (moves)
+      for (const Vector3 &X : body.node_positions())
+        body.initial_velocity.emplace_back(formulas[0](X, 0.),
+                                           formulas[1](X, 0.),
+                                           formulas[2](X, 0.));
+    return body;
+  }
+} // namespace vfife

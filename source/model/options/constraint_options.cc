@@ -1,0 +1,137 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/model/options/constraint_options.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<SupportKind> support_kinds = {{"fixed", SupportKind::fixed},
+                                                {"displacement", SupportKind::displacement},
+                                                {"turning", SupportKind::turning},
+                                                {"angle", SupportKind::angle},
+                                                {"free rotation", SupportKind::free_rotation},
+                                                {"rigid hub", SupportKind::rigid_hub},
+                                                {"spring", SupportKind::spring}};
+
+    const std::vector<std::string> fixed_directions       = {"x", "y", "z"};
+    const std::vector<std::string> cylindrical_directions = {"r", "theta", "z"};
+
+    bool are_all_in(const std::vector<std::string> &words, const std::vector<std::string> &allowed)
+    {
+      return std::all_of(words.begin(), words.end(), [&](const std::string &word) {
+        return std::find(allowed.begin(), allowed.end(), word) != allowed.end();
+      });
+    }
+
+    ConstraintKind constraint_kind(const SupportKind kind)
+    {
+      switch (kind)
+        {
+        case SupportKind::turning:
+        case SupportKind::angle:
+          return ConstraintKind::prescribed_rotation;
+        case SupportKind::free_rotation:
+          return ConstraintKind::free_rotation;
+        case SupportKind::rigid_hub:
+          return ConstraintKind::rigid_hub;
+        case SupportKind::displacement:
+          return ConstraintKind::directions;
+        default:
+          return ConstraintKind::held;
+        }
+    }
+  } // namespace
+
+  void ConstraintOptions::declare_kind(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm, "kind", kind, support_kinds, "What the nodes do");
+  }
+
+  void ConstraintOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_kind(prm);
+    selection.declare(prm);
+    if (kind == SupportKind::displacement)
+      {
+        declare_names(prm,
+                      "directions",
+                      directions,
+                      "Directions that are prescribed: of x, y, z (fixed frame), or of r, theta, z "
+                      "(about the body's axis)");
+        declare_vector(prm,
+                       "displacement",
+                       displacement,
+                       "mm",
+                       "Displacement along x, y, z or r, -, z, times the history");
+      }
+    if (kind == SupportKind::displacement || kind == SupportKind::angle)
+      {
+        declare_quantity(
+          prm, "angle", angle, "deg", "Turn about the body's axis (theta), times the history");
+        history.declare(prm);
+      }
+    if (kind == SupportKind::spring)
+      declare_vector(
+        prm, "stiffness", stiffness, "N/mm", "Stiffness of all nodes together along x, y, z");
+  }
+
+  void ConstraintOptions::check(const std::string &section) const
+  {
+    if (kind == SupportKind::spring && !(stiffness.minCoeff() >= 0))
+      throw InputError(section + "/stiffness", "must not be negative");
+    if (kind != SupportKind::displacement)
+      return;
+    if (directions.empty())
+      throw InputError(section + "/directions", "at least one of x, y, z or of r, theta, z");
+    const bool fixed = are_all_in(directions, fixed_directions);
+    if (!fixed && !are_all_in(directions, cylindrical_directions))
+      throw InputError(section + "/directions",
+                       "must be of x, y, z, or of r, theta, z, not \"" + list_of(directions) +
+                         "\"");
+  }
+
+  void
+  ConstraintOptions::add_to(Model &model, const std::string &name, const std::string &section) const
+  {
+    const unsigned int body  = selection.find_body(model.bodies, section);
+    const auto         nodes = selection.find_nodes(model.bodies[body], section);
+    if (kind == SupportKind::spring)
+      {
+        Load load;
+        load.name   = name;
+        load.kind   = LoadKind::spring;
+        load.body   = body;
+        load.nodes  = nodes;
+        load.vector = stiffness;
+        model.loads.push_back(load);
+        return;
+      }
+
+    Constraint constraint;
+    constraint.name  = name;
+    constraint.kind  = constraint_kind(kind);
+    constraint.body  = body;
+    constraint.nodes = nodes;
+    if (kind == SupportKind::angle)
+      constraint.angle = angle;
+    if (kind == SupportKind::displacement)
+      {
+        constraint.cylindrical = !are_all_in(directions, fixed_directions);
+        const auto &words      = constraint.cylindrical ? cylindrical_directions : fixed_directions;
+        for (unsigned int c = 0; c < 3; ++c)
+          constraint.prescribed[c] =
+            std::find(directions.begin(), directions.end(), words[c]) != directions.end();
+        constraint.displacement = displacement;
+        if (constraint.cylindrical)
+          constraint.displacement[1] = angle;
+      }
+    constraint.history = history;
+    constraint.history.check(section);
+    model.constraints.push_back(constraint);
+  }
+} // namespace vfife

@@ -1,0 +1,92 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/model/options/contact_pair_options.h>
+
+namespace vfife
+{
+  namespace
+  {
+    using Kind = ContactPairOptions::Kind;
+
+    const Choices<Kind> contact_kinds = {{"bodies", Kind::bodies}, {"wall", Kind::wall}};
+  } // namespace
+
+  ContactPairOptions::ContactPairOptions()
+  {
+    // Primitives have no other surface than their facets.
+    contact.surface = ContactSurfaceKind::flat_facets;
+  }
+
+  void ContactPairOptions::declare_kind(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm, "kind", kind, contact_kinds, "Two bodies, or a body and a rigid wall");
+  }
+
+  void ContactPairOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_kind(prm);
+    if (kind == Kind::bodies)
+      {
+        declare_text(prm, "slave body", slave_body, "Name of a body");
+        declare_text(prm, "slave surface", slave_surface, "Surface of the slave body");
+        declare_text(prm, "master body", master_body, "Name of a body");
+        declare_text(prm, "master surface", master_surface, "Surface of the master body");
+        contact.declare(prm);
+        return;
+      }
+    selection.declare(prm);
+    declare_vector(prm, "wall point", wall.point, "mm", "Point of the wall");
+    declare_vector(prm, "wall normal", wall.normal, "-", "Direction out of the wall");
+    declare_switch(prm,
+                   "penalty from step",
+                   wall.penalty_from_step,
+                   "Whether the penalty follows from the time step");
+    declare_number(prm,
+                   "penalty fraction",
+                   wall.penalty_fraction,
+                   "Penalty over least nodal mass per area and square of the step",
+                   Range::between(1e-6, 2.));
+    declare_quantity(prm,
+                     "penalty",
+                     wall.penalty,
+                     "N/mm^3",
+                     "Pressure per depth where it does not follow from the step",
+                     Range::positive());
+  }
+
+  void ContactPairOptions::check(const std::string &section) const
+  {
+    if (kind == Kind::bodies)
+      contact.check(section);
+    else if (wall.normal.norm() == 0)
+      throw InputError(section + "/wall normal", "a direction of length zero");
+  }
+
+  void ContactPairOptions::add_to(Model             &model,
+                                  const std::string &name,
+                                  const std::string &section) const
+  {
+    if (kind == Kind::wall)
+      {
+        RigidWall added = wall;
+        added.name      = name;
+        added.normal.normalize();
+        added.body  = selection.find_body(model.bodies, section);
+        added.nodes = selection.find_nodes(model.bodies[added.body], section);
+        model.walls.push_back(added);
+        return;
+      }
+    NodeSelection slave, master;
+    slave.body  = slave_body;
+    master.body = master_body;
+    ContactPair pair;
+    pair.side           = name;
+    pair.slave_body     = slave.find_body(model.bodies, section);
+    pair.slave_surface  = slave_surface;
+    pair.master_body    = master.find_body(model.bodies, section);
+    pair.master_surface = master_surface;
+    pair.options        = contact;
+    model.contacts.push_back(pair);
+  }
+} // namespace vfife

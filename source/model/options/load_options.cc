@@ -1,0 +1,59 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/model/options/load_options.h>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<LoadKind> load_kinds = {{"force", LoadKind::force},
+                                          {"moment", LoadKind::moment},
+                                          {"pressure", LoadKind::pressure},
+                                          {"acceleration", LoadKind::acceleration}};
+  }
+
+  void LoadOptions::declare_kind(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm, "kind", kind, load_kinds, "What acts on the nodes");
+  }
+
+  void LoadOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_kind(prm);
+    selection.declare(prm);
+    history.declare(prm);
+    if (kind == LoadKind::force)
+      declare_vector(prm, "force", vector, "N", "Sum of the forces, fixed in space");
+    if (kind == LoadKind::moment)
+      declare_vector(
+        prm,
+        "moment",
+        vector,
+        "N mm",
+        "Sum of the moments about the nodes' centre, fixed in space; the forces sum to "
+        "zero");
+    if (kind == LoadKind::pressure)
+      declare_quantity(prm,
+                       "pressure",
+                       pressure,
+                       "MPa",
+                       "Pressure on the present faces, + into the body; follows them");
+    if (kind == LoadKind::acceleration)
+      declare_vector(
+        prm, "acceleration", vector, "mm/s^2", "Body force over mass, such as gravity");
+  }
+
+  void LoadOptions::add_to(Model &model, const std::string &name, const std::string &section) const
+  {
+    Load load;
+    load.name     = name;
+    load.kind     = kind;
+    load.body     = selection.find_body(model.bodies, section);
+    load.nodes    = selection.find_nodes(model.bodies[load.body], section);
+    load.vector   = vector;
+    load.pressure = pressure;
+    load.history  = history;
+    load.history.check(section);
+    model.loads.push_back(load);
+  }
+} // namespace vfife

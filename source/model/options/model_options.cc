@@ -1,0 +1,195 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/model/options/model_options.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+namespace vfife
+{
+  namespace
+  {
+    std::string section_of(const std::string &part, const std::string &name)
+    {
+      return "Model/" + part + " " + name;
+    }
+
+    template <typename Options>
+    void make_named(const std::vector<std::string>               &names,
+                    std::vector<std::pair<std::string, Options>> &options)
+    {
+      options.clear();
+      options.reserve(names.size());
+      for (const std::string &name : names)
+        options.emplace_back(name, Options());
+    }
+
+    /** Calls a function with the options of each name inside their subsection. */
+    template <typename Options, typename Function>
+    void inside_each(dealii::ParameterHandler                     &prm,
+                     const std::string                            &part,
+                     std::vector<std::pair<std::string, Options>> &options,
+                     const Function                               &function)
+    {
+      for (auto &named : options)
+        {
+          Subsection section(prm, part + " " + named.first);
+          function(named.second, section_of(part, named.first));
+        }
+    }
+  } // namespace
+
+  void ProbeOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_text(prm, "body", selection.body, "Name of a body");
+    declare_vector(prm,
+                   "point",
+                   point,
+                   "mm",
+                   "Place in the undeformed body frame: the nearest node is recorded");
+    const Choices<bool> axes = {{"x, y, z", true}, {"r, theta, z", false}};
+    declare_choice(prm,
+                   "axes",
+                   fixed_axes,
+                   axes,
+                   "Displacement along x, y, z of the fixed frame (stresses: of the body), or what "
+                   "is left in the turning body along r, theta, z of its axis");
+  }
+
+  void ProbeOptions::add_to(Model &model, const std::string &name, const std::string &section) const
+  {
+    Probe probe;
+    probe.name         = name;
+    probe.body         = selection.find_body(model.bodies, section);
+    probe.fixed_axes   = fixed_axes;
+    double      least  = std::numeric_limits<double>::infinity();
+    const auto &places = model.bodies[probe.body].node_positions();
+    for (unsigned int i = 0; i < places.size(); ++i)
+      if ((places[i] - point).norm() < least)
+        {
+          least      = (places[i] - point).norm();
+          probe.node = i;
+        }
+    model.probes.push_back(probe);
+  }
+
+  void ModelOptions::declare_names_of_parts(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Model");
+    declare_names(prm, "bodies", body_names_, "A subsection \"Body NAME\" for each");
+    declare_names(prm,
+                  "constraints",
+                  constraint_names_,
+                  "A subsection \"Constraint NAME\" for each");
+    declare_names(prm, "loads", load_names_, "A subsection \"Load NAME\" for each");
+    declare_names(prm, "contacts", contact_names_, "A subsection \"Contact NAME\" for each");
+    declare_names(prm, "probes", probe_names_, "A subsection \"Probe NAME\" for each");
+  }
+
+  void ModelOptions::declare_kinds(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Model");
+    const auto declare_kind = [&prm](auto &options, const std::string &) {
+      options.declare_kind(prm);
+    };
+    inside_each(prm, "Body", bodies_, declare_kind);
+    inside_each(prm, "Constraint", constraints_, declare_kind);
+    inside_each(prm, "Load", loads_, declare_kind);
+    inside_each(prm, "Contact", contacts_, declare_kind);
+  }
+
+  void ModelOptions::declare_materials(dealii::ParameterHandler &prm)
+  {
+    materials_.clear();
+    materials_.reserve(bodies_.size()); // entries are bound by address
+    for (const auto &body : bodies_)
+      if (std::none_of(materials_.begin(), materials_.end(), [&](const Material &m) {
+            return m.name == body.second.material;
+          }))
+        {
+          materials_.emplace_back();
+          materials_.back().name = body.second.material;
+          Subsection section(prm, "Material " + body.second.material);
+          materials_.back().declare(prm);
+        }
+  }
+
+  void ModelOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    {
+      dealii::ParameterHandler first;
+      declare_names_of_parts(first);
+      file.read_known(first);
+    }
+    make_named(body_names_, bodies_);
+    make_named(constraint_names_, constraints_);
+    make_named(load_names_, loads_);
+    make_named(contact_names_, contacts_);
+    make_named(probe_names_, probes_);
+    {
+      dealii::ParameterHandler second;
+      declare_kinds(second);
+      file.read_known(second);
+    }
+
+    declare_names_of_parts(prm);
+    {
+      Subsection        section(prm, "Model");
+      const std::string folder = std::filesystem::path(file.path()).parent_path().string();
+      inside_each(prm, "Body", bodies_, [&](BodyOptions &body, const std::string &path) {
+        body.folder = folder;
+        body.declare(prm, path);
+      });
+      const auto declare_all = [&prm](auto &options, const std::string &) { options.declare(prm); };
+      inside_each(prm, "Constraint", constraints_, declare_all);
+      inside_each(prm, "Load", loads_, declare_all);
+      inside_each(prm, "Contact", contacts_, declare_all);
+      inside_each(prm, "Probe", probes_, declare_all);
+    }
+    declare_materials(prm);
+  }
+
+  void ModelOptions::check() const
+  {
+    if (bodies_.empty())
+      throw InputError("Model/bodies", "a model needs at least one body");
+    for (const auto &body : bodies_)
+      body.second.check(section_of("Body", body.first));
+    for (const auto &constraint : constraints_)
+      constraint.second.check(section_of("Constraint", constraint.first));
+    for (const auto &contact : contacts_)
+      contact.second.check(section_of("Contact", contact.first));
+    for (const Material &m : materials_)
+      m.check("Material " + m.name);
+  }
+
+  const Material &ModelOptions::material(const std::string &name) const
+  {
+    return *std::find_if(materials_.begin(), materials_.end(), [&](const Material &m) {
+      return m.name == name;
+    });
+  }
+
+  Model ModelOptions::make_model() const
+  {
+    Model model;
+    for (const auto &body : bodies_)
+      model.add_body(body.second.make(body.first,
+                                      material(body.second.material),
+                                      section_of("Body", body.first)));
+    for (const auto &constraint : constraints_)
+      constraint.second.add_to(model, constraint.first, section_of("Constraint", constraint.first));
+    for (const auto &load : loads_)
+      load.second.add_to(model, load.first, section_of("Load", load.first));
+    for (const auto &contact : contacts_)
+      contact.second.add_to(model, contact.first, section_of("Contact", contact.first));
+    for (const auto &probe : probes_)
+      probe.second.add_to(model, probe.first, section_of("Probe", probe.first));
+    return model;
+  }
+} // namespace vfife

@@ -1,0 +1,198 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/revision.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/model/model.h>
+#include <vfife/output/files/checkpoint.h>
+#include <vfife/output/files/output_folder.h>
+
+#include <boost/crc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const char last_name[] = "checkpoint.bin", previous_name[] = "checkpoint.previous.bin";
+
+    /** What a file begins with. */
+    struct Header
+    {
+      std::array<char, 16> mark           = {{"vfife-run-state"}};
+      std::uint64_t        format_version = 2;
+      std::uint64_t        size           = 0; ///< of what follows [bytes]
+      std::uint64_t        checksum       = 0; ///< of what follows: CRC-32
+    };
+
+    std::uint64_t compute_checksum(const std::string &bytes)
+    {
+      boost::crc_32_type crc;
+      crc.process_bytes(bytes.data(), bytes.size());
+      return crc.checksum();
+    }
+
+    void exchange(ByteStream &stream, Checkpoint &checkpoint)
+    {
+      stream.pass(checkpoint.version, checkpoint.parameters, checkpoint.log_size);
+      stream.pass(checkpoint.common, checkpoint.own);
+    }
+
+    /** What is wrong with a file, or nothing and the bytes behind its header. */
+    std::string load(const std::string &path, std::string &bytes)
+    {
+      std::ifstream file(path, std::ios::binary);
+      if (!file)
+        return "there is no \"" + path + "\"";
+      std::ostringstream content;
+      content << file.rdbuf();
+      bytes = content.str();
+      Header       header;
+      const Header known;
+      if (bytes.size() < sizeof(header))
+        return "\"" + path + "\" is damaged: it has " + std::to_string(bytes.size()) + " bytes";
+      std::memcpy(&header, bytes.data(), sizeof(header));
+      bytes.erase(0, sizeof(header));
+      if (header.mark != known.mark)
+        return "\"" + path + "\" is no checkpoint of vfife, or is damaged";
+      if (header.format_version != known.format_version)
+        return "\"" + path + "\" is a checkpoint of another version of vfife";
+      if (header.size != bytes.size())
+        return "\"" + path + "\" is damaged: it has " + std::to_string(bytes.size()) + " of " +
+               std::to_string(header.size) + " bytes";
+      if (header.checksum != compute_checksum(bytes))
+        return "\"" + path + "\" is damaged: its checksum is wrong";
+      return "";
+    }
+
+    /** What tells one body from another: counts, and sums that any change of the mesh moves. */
+    struct BodyMark
+    {
+      std::string  name;
+      unsigned int n_nodes = 0, n_elements = 0;
+      double       mass = 0, coordinate_sum = 0;
+
+      explicit BodyMark(const Body &body)
+        : name(body.name())
+        , n_nodes(body.n_nodes())
+        , n_elements(body.n_elements())
+        , mass(body.mass())
+      {
+        // Weights by node so that another numbering of the same nodes is another model.
+        for (unsigned int i = 0; i < body.n_nodes(); ++i)
+          coordinate_sum += (1. + i % 7) * body.node_positions()[i].cwiseAbs().sum();
+      }
+
+      bool is_same(const BodyMark &other) const
+      {
+        // The same computation on another machine or instruction set may round otherwise.
+        const auto close = [](const double a, const double b) {
+          return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+        };
+        return name == other.name && n_nodes == other.n_nodes && n_elements == other.n_elements &&
+               close(mass, other.mass) && close(coordinate_sum, other.coordinate_sum);
+      }
+
+      void exchange(ByteStream &stream)
+      {
+        stream.pass(name, n_nodes, n_elements, mass, coordinate_sum);
+      }
+    };
+  } // namespace
+
+  void write_checkpoint(const OutputFolder &folder,
+                        const std::string  &common,
+                        const std::string  &own,
+                        const bool          keeps_previous)
+  {
+    Checkpoint checkpoint;
+    checkpoint.own = folder.communicator().all_gather(own);
+    if (!folder.is_writer())
+      return;
+    checkpoint.version    = std::string(program_version()) + " (" + program_revision() + ")";
+    checkpoint.parameters = folder.parameters();
+    checkpoint.log_size   = folder.log_size();
+    checkpoint.common     = common;
+    ByteStream stream;
+    exchange(stream, checkpoint);
+    Header header;
+    header.size     = stream.bytes().size();
+    header.checksum = compute_checksum(stream.bytes());
+
+    // The new file is complete before the old ones are touched.
+    const std::string fresh = "checkpoint.new.bin";
+    folder.write_file(fresh, [&](std::ostream &out) {
+      out.write(reinterpret_cast<const char *>(&header), sizeof(header));
+      out.write(stream.bytes().data(), stream.bytes().size());
+    });
+    std::error_code error;
+    if (keeps_previous)
+      fs::rename(folder.file(last_name), folder.file(previous_name), error);
+    else
+      fs::remove(folder.file(previous_name), error);
+    fs::rename(folder.file(fresh), folder.file(last_name), error);
+    if (error)
+      throw std::runtime_error("cannot write \"" + folder.file(last_name) +
+                               "\": " + error.message());
+  }
+
+  Checkpoint read_checkpoint(const std::string &folder, const Communicator &communicator, Log &log)
+  {
+    std::string file, bytes, complaint;
+    if (communicator.is_root())
+      {
+        file      = folder + "/" + last_name;
+        complaint = load(file, bytes);
+        if (!complaint.empty())
+          {
+            const std::string last = complaint;
+            file                   = folder + "/" + previous_name;
+            complaint              = load(file, bytes);
+            if (complaint.empty())
+              log.line(last, "; the checkpoint before is taken");
+            else
+              complaint = "no checkpoint to go on from: " + last + "; " + complaint;
+          }
+      }
+    complaint = communicator.broadcast(complaint);
+    if (!complaint.empty())
+      throw InputError(complaint);
+    Checkpoint checkpoint;
+    ByteStream stream(communicator.broadcast(bytes));
+    exchange(stream, checkpoint);
+    checkpoint.file = communicator.broadcast(file);
+    return checkpoint;
+  }
+
+  void exchange_model(ByteStream &stream, Model &model)
+  {
+    std::size_t n    = model.bodies.size();
+    bool        same = true;
+    stream.pass(n);
+    same = n == model.bodies.size();
+    for (std::size_t b = 0; same && b < n; ++b)
+      {
+        const BodyMark now(model.bodies[b]);
+        BodyMark       mark = now;
+        mark.exchange(stream);
+        same = mark.is_same(now);
+      }
+    if (!same)
+      throw InputError(
+        "the checkpoint is of another model: bodies, mesh and material must be those "
+        "of the run that wrote it");
+    for (Probe &probe : model.probes)
+      stream.pass(probe.node);
+  }
+} // namespace vfife

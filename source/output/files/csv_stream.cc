@@ -1,0 +1,44 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/table.h>
+#include <vfife/output/files/csv_stream.h>
+#include <vfife/output/files/output_folder.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace vfife
+{
+  CsvStream::CsvStream(const OutputFolder &folder, const std::string &name, const Table &table)
+    : path_(folder.file(name))
+    , flushed_(std::chrono::steady_clock::now())
+  {
+    if (!folder.is_writer())
+      return;
+    file_.open(path_);
+    if (!file_)
+      throw std::runtime_error("cannot write \"" + path_ + "\": " + std::strerror(errno));
+    file_ << table.csv_header() << '\n';
+    flush();
+  }
+
+  void CsvStream::append_new_rows(const Table &table)
+  {
+    if (!file_.is_open())
+      return;
+    for (; n_written_ < table.n_rows(); ++n_written_)
+      file_ << table.csv_row(n_written_) << '\n';
+    if (std::chrono::steady_clock::now() - flushed_ >= std::chrono::seconds(1))
+      flush();
+  }
+
+  void CsvStream::flush()
+  {
+    if (!file_.is_open())
+      return;
+    file_.flush();
+    if (!file_)
+      throw std::runtime_error("cannot write \"" + path_ + "\": " + std::strerror(errno));
+    flushed_ = std::chrono::steady_clock::now();
+  }
+} // namespace vfife

@@ -1,0 +1,173 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/output/files/output_folder.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+namespace vfife
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Why the path is none for a folder, or nothing. */
+    std::string judge(const std::string &path)
+    {
+      if (path.empty())
+        return "the output folder has no name";
+      std::error_code error;
+      if (fs::exists(path, error) && !fs::is_directory(path, error))
+        return "the output folder \"" + path +
+               "\" is a file; give another folder or remove the file";
+      return "";
+    }
+
+    /** Why the folder cannot be used, or nothing. */
+    std::string create(const std::string &path)
+    {
+      std::error_code error;
+      fs::create_directories(path, error);
+      if (error)
+        return "the output folder \"" + path + "\" cannot be created: " + error.message();
+
+      // Permissions say less than trying: read-only file systems, full disks.
+      const std::string probe = path + "/.vfife_is_writable";
+      {
+        std::ofstream file(probe);
+        file << "x" << std::flush;
+        if (!file)
+          return "the output folder \"" + path + "\" cannot be written to: " + std::strerror(errno);
+      }
+      fs::remove(probe, error);
+      return "";
+    }
+
+    [[noreturn]] void refuse(const std::string &path)
+    {
+      throw std::runtime_error("cannot write \"" + path + "\": " + std::strerror(errno));
+    }
+
+    void create_on_root(const std::string &path, const Communicator &communicator)
+    {
+      std::string reason = communicator.broadcast(communicator.is_root() ? judge(path) : "");
+      if (!reason.empty())
+        throw InputError("Study/output folder", reason);
+      reason = communicator.broadcast(communicator.is_root() ? create(path) : "");
+      if (!reason.empty())
+        throw std::runtime_error(reason);
+    }
+  } // namespace
+
+  OutputFolder::OutputFolder(std::string path, const Communicator &communicator)
+    : path_(std::move(path))
+    , communicator_(communicator)
+  {
+    create_on_root(path_, communicator_);
+  }
+
+  OutputFolder::~OutputFolder()
+  {
+    if (log_ != nullptr)
+      log_->stop_file();
+  }
+
+  const std::string &OutputFolder::path() const
+  {
+    return path_;
+  }
+
+  const Communicator &OutputFolder::communicator() const
+  {
+    return communicator_;
+  }
+
+  std::string OutputFolder::file(const std::string &name) const
+  {
+    return path_ + "/" + name;
+  }
+
+  bool OutputFolder::is_writer() const
+  {
+    return communicator_.is_root();
+  }
+
+  void OutputFolder::make_subfolder(const std::string &name) const
+  {
+    create_on_root(file(name), communicator_);
+  }
+
+  void OutputFolder::write_file(const std::string                         &name,
+                                const std::function<void(std::ostream &)> &write) const
+  {
+    const std::string path      = file(name);
+    const std::string temporary = path + ".part";
+    {
+      std::ofstream out(temporary, std::ios::binary);
+      if (out)
+        write(out);
+      out.close();
+      if (!out)
+        refuse(path);
+    }
+    std::error_code error;
+    fs::rename(temporary, path, error);
+    if (error)
+      throw std::runtime_error("cannot write \"" + path + "\": " + error.message());
+  }
+
+  void OutputFolder::copy_file(const std::string &from, const std::string &name) const
+  {
+    const std::string temporary = file(name) + ".part";
+    std::error_code   error;
+    fs::copy_file(from, temporary, fs::copy_options::overwrite_existing, error);
+    if (!error)
+      fs::rename(temporary, file(name), error);
+    if (error)
+      throw std::runtime_error("cannot copy \"" + from + "\" to \"" + file(name) +
+                               "\": " + error.message());
+  }
+
+  void OutputFolder::remove_file(const std::string &name) const
+  {
+    std::error_code error;
+    if (is_writer())
+      fs::remove(file(name), error);
+  }
+
+  void OutputFolder::write_parameters(dealii::ParameterHandler &prm)
+  {
+    parameters_ = find_declared(prm).list_values();
+    if (is_writer())
+      write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });
+  }
+
+  void OutputFolder::attach_log(Log &log, const std::optional<std::size_t> kept)
+  {
+    log_ = &log;
+    if (!is_writer())
+      return;
+    const std::string path = file("run.log");
+    std::error_code   error;
+    const auto        size = fs::file_size(path, error);
+    // What the run said after the checkpoint it goes on from, it will say again.
+    if (kept && !error && size > *kept)
+      fs::resize_file(path, *kept, error);
+    log_file_ = std::make_unique<std::ofstream>(path, kept ? std::ios::app : std::ios::trunc);
+    if (!*log_file_)
+      refuse(path);
+    log_file_->seekp(0, std::ios::end);
+    log.write_to(*log_file_);
+  }
+
+  std::size_t OutputFolder::log_size() const
+  {
+    return log_file_ ? static_cast<std::size_t>(log_file_->tellp()) : 0;
+  }
+} // namespace vfife

@@ -1,0 +1,42 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/csv_text.h>
+#include <vfife/output/files/table_reader.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+namespace vfife
+{
+  namespace
+  {
+    Table::Cell make_cell(const std::string &text, const bool is_text)
+    {
+      if (is_text)
+        return text;
+      char        *end   = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      return end == text.c_str() ? std::numeric_limits<double>::quiet_NaN() : value;
+    }
+  } // namespace
+
+  Table read_result_table(const std::string &path)
+  {
+    std::ifstream file(path);
+    const CsvText text = read_csv(file, "the results \"" + path + "\"");
+    Table         table;
+    for (const CsvText::Heading &heading : text.headings)
+      if (heading.unit)
+        table.add_column(heading.name, *heading.unit);
+      else
+        table.add_text_column(heading.name);
+    for (const CsvText::Row &row : text.rows)
+      {
+        std::vector<Table::Cell> cells;
+        for (std::size_t i = 0; i < row.cells.size(); ++i)
+          cells.push_back(make_cell(row.cells[i], !text.headings[i].unit));
+        table.add_row(cells);
+      }
+    return table;
+  }
+} // namespace vfife

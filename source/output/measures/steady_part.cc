@@ -1,0 +1,242 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/table.h>
+#include <vfife/output/measures/steady_part.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Integral over the row index of the samples joined by straight lines. */
+    class SampleIntegral
+    {
+    public:
+      explicit SampleIntegral(std::vector<double> samples)
+        : samples_(std::move(samples))
+        , sums_(samples_.size(), 0.)
+      {
+        for (std::size_t i = 1; i < samples_.size(); ++i)
+          sums_[i] = sums_[i - 1] + 0.5 * (samples_[i - 1] + samples_[i]);
+      }
+
+      /** Mean between two row indices, which need not be whole. */
+      double mean(const double begin, const double end) const
+      {
+        return (integral(end) - integral(begin)) / (end - begin);
+      }
+
+    private:
+      double integral(const double row) const
+      {
+        const std::size_t i = std::min(static_cast<std::size_t>(row), samples_.size() - 2);
+        const double      s = row - static_cast<double>(i);
+        return sums_[i] + s * (samples_[i] + 0.5 * s * (samples_[i + 1] - samples_[i]));
+      }
+
+      std::vector<double> samples_, sums_;
+    };
+
+    /** Rows [begin, end] by fractional index, of which means are taken. */
+    struct Window
+    {
+      double begin, end;
+    };
+
+    bool has_numbers(const Table &table, const std::string &name)
+    {
+      return std::any_of(table.columns().begin(),
+                         table.columns().end(),
+                         [&name](const Table::Column &c) { return c.name == name && !c.is_text; });
+    }
+
+    ColumnStatistics compute_statistics(const Table::Column &column, const Window &window)
+    {
+      const std::vector<double> &values = column.numbers;
+      ColumnStatistics           statistics;
+      statistics.name = column.name;
+      statistics.unit = column.unit;
+      statistics.mean = SampleIntegral(values).mean(window.begin, window.end);
+      // Squares of the differences from the mean, so that a small ripple on a large mean keeps its
+      // digits.
+      std::vector<double> squares;
+      for (const double value : values)
+        squares.push_back((value - statistics.mean) * (value - statistics.mean));
+      statistics.standard_deviation =
+        std::sqrt(SampleIntegral(std::move(squares)).mean(window.begin, window.end));
+
+      const auto first =
+        values.begin() + static_cast<std::ptrdiff_t>(std::ceil(window.begin - 1e-6));
+      const auto last =
+        values.begin() + static_cast<std::ptrdiff_t>(std::floor(window.end + 1e-6)) + 1;
+      const auto range        = std::minmax_element(first, last);
+      statistics.peak_to_peak = *range.second - *range.first;
+      return statistics;
+    }
+
+    /** Largest relative difference of the means over [k, k+period) and [k+period, k+2 period) mesh
+     * cycles. */
+    double compute_change(const std::vector<SampleIntegral> &judged,
+                          const unsigned int                 k,
+                          const unsigned int                 period,
+                          const double                       samples_per_mesh)
+    {
+      double largest = 0;
+      for (const SampleIntegral &column : judged)
+        {
+          const double before = column.mean(k * samples_per_mesh, (k + period) * samples_per_mesh);
+          const double after =
+            column.mean((k + period) * samples_per_mesh, (k + 2 * period) * samples_per_mesh);
+          const double change = std::abs(after - before) / std::abs(after);
+          // A quotient that is no number (lost contact: 0/0, or a run that blew up) is no steady
+          // state.
+          if (!std::isfinite(change))
+            return std::numeric_limits<double>::infinity();
+          largest = std::max(largest, change);
+        }
+      return largest;
+    }
+    /** Largest relative spread of the means of the single mesh cycles [k, end). */
+    double compute_spread(const std::vector<SampleIntegral> &judged,
+                          const unsigned int                 k,
+                          const unsigned int                 end,
+                          const double                       samples_per_mesh)
+    {
+      double largest = 0;
+      for (const SampleIntegral &column : judged)
+        {
+          double least = std::numeric_limits<double>::infinity(), most = -least;
+          for (unsigned int i = k; i < end; ++i)
+            {
+              const double mean = column.mean(i * samples_per_mesh, (i + 1) * samples_per_mesh);
+              least             = std::min(least, mean);
+              most              = std::max(most, mean);
+            }
+          const double spread =
+            (most - least) / std::abs(column.mean(k * samples_per_mesh, end * samples_per_mesh));
+          if (!std::isfinite(spread))
+            return std::numeric_limits<double>::infinity();
+          largest = std::max(largest, spread);
+        }
+      return largest;
+    }
+  } // namespace
+
+  SteadyPart find_steady_part(const Table                    &history,
+                              const double                    samples_per_mesh,
+                              const double                    swing_period_meshes,
+                              const double                    ramp_end,
+                              const std::vector<std::string> &judged_names,
+                              const double                    tolerance)
+  {
+    if (history.n_rows() < 2)
+      throw InputError("a history of fewer than two rows has no steady part");
+    if (!(samples_per_mesh > 1) || !std::isfinite(swing_period_meshes))
+      throw InputError(
+        "the steady part needs more than one sample per tooth mesh and a finite swing period");
+
+    const std::vector<double> &time     = history.numbers("time");
+    const double               interval = (time.back() - time.front()) / (time.size() - 1);
+    const double               last_row = time.size() - 1;
+    // Round-off of the samples per mesh must not cost a whole cycle.
+    const unsigned int n_cycles    = std::floor(last_row / samples_per_mesh + 1e-6);
+    const unsigned int first_cycle = std::min<double>(
+      n_cycles,
+      std::ceil(std::max(0., ramp_end - time.front()) / (interval * samples_per_mesh) - 1e-6));
+
+    SteadyPart part;
+    // A period longer than the run is never compared, however long.
+    part.period =
+      static_cast<unsigned int>(std::clamp(std::ceil(swing_period_meshes - 1e-6), 1., 1e6));
+    std::vector<SampleIntegral> judged;
+    for (const std::string &name : judged_names)
+      if (has_numbers(history, name))
+        judged.emplace_back(history.numbers(name));
+    if (judged.empty())
+      throw InputError("the history has none of the columns by which a steady part is judged");
+
+    part.judged_cycles = n_cycles - first_cycle;
+    part.by_cycles     = part.judged_cycles >= part.period && part.judged_cycles < 2 * part.period;
+    const int span     = (part.by_cycles ? 1 : 2) * static_cast<int>(part.period);
+    // Backwards from the end as long as all agree: the first disagreement ends the steady part.
+    unsigned int start = n_cycles;
+    for (int k = static_cast<int>(n_cycles) - span; k >= static_cast<int>(first_cycle); --k)
+      {
+        const double change = part.by_cycles
+                                ? compute_spread(judged, k, n_cycles, samples_per_mesh)
+                                : compute_change(judged, k, part.period, samples_per_mesh);
+        if (!(change < tolerance))
+          {
+            if (!part.found)
+              part.largest_change = change;
+            break;
+          }
+        part.found          = true;
+        part.largest_change = std::max(part.largest_change, change);
+        start               = k;
+      }
+    if (!part.found && n_cycles > 0)
+      start = n_cycles - std::max(1U, n_cycles / 3);
+
+    Window window{2. / 3. * last_row, last_row};
+    if (n_cycles > 0)
+      {
+        part.cycles = n_cycles - start;
+        window      = {start * samples_per_mesh, std::min(last_row, n_cycles * samples_per_mesh)};
+      }
+    part.first_row  = std::ceil(window.begin - 1e-6);
+    part.end_row    = static_cast<std::size_t>(std::floor(window.end + 1e-6)) + 1;
+    part.start_time = time.front() + interval * window.begin;
+    part.end_time   = time.front() + interval * window.end;
+    for (const Table::Column &column : history.columns())
+      if (!column.is_text && column.name != "time")
+        part.columns.push_back(compute_statistics(column, window));
+    return part;
+  }
+
+  bool SteadyPart::has_column(const std::string &name) const
+  {
+    return std::any_of(columns.begin(), columns.end(), [&name](const ColumnStatistics &c) {
+      return c.name == name;
+    });
+  }
+
+  const ColumnStatistics &SteadyPart::column(const std::string &name) const
+  {
+    for (const ColumnStatistics &c : columns)
+      if (c.name == name)
+        return c;
+    throw InputError("the steady part has no column \"" + name + "\"");
+  }
+
+  std::string SteadyPart::explain() const
+  {
+    std::ostringstream text;
+    text.precision(4);
+    const auto   milliseconds = [](const double t) { return 1e3 * t; };
+    const double percent      = 100 * largest_change;
+    if (found)
+      text << "steady from " << milliseconds(start_time) << " ms to " << milliseconds(end_time)
+           << " ms (" << cycles << " mesh cycles): ";
+    else
+      text << "no steady part: ";
+    if (by_cycles)
+      text << judged_cycles << " mesh cycles after the ramp are fewer than two swing periods of "
+           << period << "; means over single mesh cycles differ by " << (found ? "at most " : "")
+           << percent << " %";
+    else if (judged_cycles < period)
+      text << judged_cycles << " mesh cycles after the ramp are fewer than one swing period of "
+           << period;
+    else
+      text << "means over " << (found ? "" : "the last two times ") << period
+           << " mesh cycles differ by " << (found ? "at most " : "") << percent << " %";
+    if (!found)
+      text << "; figures are of the last third, " << milliseconds(start_time) << " ms to "
+           << milliseconds(end_time) << " ms";
+    return text.str();
+  }
+} // namespace vfife

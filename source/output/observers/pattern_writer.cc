@@ -1,0 +1,124 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/base/text/table.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+#include <vfife/output/files/csv_stream.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/observers/pattern_writer.h>
+
+#include <algorithm>
+#include <map>
+
+namespace vfife
+{
+  PatternWriter::PatternWriter(const OutputFolder &folder,
+                               const Model        &model,
+                               const double        start,
+                               const std::uint64_t steps_between)
+    : folder_(folder)
+    , start_(start)
+    , steps_between_(steps_between)
+  {
+    for (const ContactPair &pair : model.contacts)
+      {
+        flanks_.push_back(make_flank(model, pair.slave_body, pair.slave_surface, pair.side));
+        flanks_.push_back(make_flank(model, pair.master_body, pair.master_surface, pair.side));
+      }
+  }
+
+  PatternWriter::Flank PatternWriter::make_flank(const Model       &model,
+                                                 const unsigned int b,
+                                                 const std::string &surface,
+                                                 const std::string &side)
+  {
+    const Body &body = model.bodies[b];
+    Flank       flank;
+    flank.body  = b;
+    flank.side  = side;
+    flank.nodes = body.mesh().surfaces.at(surface).nodes;
+    flank.areas = compute_nodal_areas(body, flank.nodes);
+
+    // Node i of the first sector is node i + k n of sector k.
+    const unsigned int                   n = body.n_nodes() / body.mesh().n_sectors;
+    std::map<unsigned int, unsigned int> place_of;
+    for (const unsigned int node : flank.nodes)
+      {
+        const auto [place, is_new] =
+          place_of.emplace(node % n, static_cast<unsigned int>(flank.r_z.size()));
+        flank.places.push_back(place->second);
+        if (is_new)
+          {
+            const Vector3 &x = body.node_positions()[node];
+            flank.r_z.emplace_back(x.head<2>().norm(), x[2]);
+          }
+      }
+    flank.largest_pressure.assign(flank.r_z.size(), 0.);
+    return flank;
+  }
+
+  bool PatternWriter::due(const State &state) const
+  {
+    // Half a step of tolerance for the round-off of the time.
+    return state.time > start_ - 0.5 * state.dt && state.step % steps_between_ == 0;
+  }
+
+  void PatternWriter::observe(const Model &model, const State &state)
+  {
+    if (!due(state) || state.contact_force.empty())
+      return;
+    for (Flank &flank : flanks_)
+      for (std::size_t i = 0; i < flank.nodes.size(); ++i)
+        {
+          const std::uint32_t local =
+            state.partition.local_node[model.bodies[flank.body].first_node + flank.nodes[i]];
+          if (local == Partition::absent || !(flank.areas[i] > 0))
+            continue;
+          const Vector3 force =
+            Eigen::Map<const Vector3>(&state.contact_force[4 * static_cast<std::size_t>(local)]);
+          double &largest = flank.largest_pressure[flank.places[i]];
+          largest         = std::max(largest, force.norm() / flank.areas[i]);
+        }
+  }
+
+  void PatternWriter::exchange(ByteStream &stream)
+  {
+    double start = start_;
+    stream.pass(start);
+    for (Flank &flank : flanks_)
+      {
+        std::vector<double> largest = flank.largest_pressure;
+        if (!stream.reads())
+          folder_.communicator().max(largest);
+        stream.pass(largest);
+        // A run that is made longer has another last tooth mesh.
+        if (stream.reads() && start == start_)
+          flank.largest_pressure = largest;
+      }
+  }
+
+  void PatternWriter::finish(const Model &model, const State &)
+  {
+    Table table;
+    table.add_text_column("body");
+    table.add_text_column("side");
+    table.add_column("r", "mm");
+    table.add_column("z", "mm");
+    table.add_column("largest pressure", "MPa");
+    for (Flank &flank : flanks_)
+      {
+        folder_.communicator().max(flank.largest_pressure);
+        for (std::size_t i = 0; i < flank.r_z.size(); ++i)
+          table.add_row({model.bodies[flank.body].name(),
+                         flank.side,
+                         flank.r_z[i][0],
+                         flank.r_z[i][1],
+                         flank.largest_pressure[i]});
+      }
+    CsvStream file(folder_, "pattern.csv", table);
+    file.append_new_rows(table);
+    file.flush();
+  }
+} // namespace vfife

@@ -1,0 +1,178 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/primitives/primitives.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/study/benchmark/benchmark_study.h>
+#include <vfife/study/benchmark/operator_benchmark.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** A block of @p cells^3 elements of which no two are equal: every node is moved by up to a
+     * tenth of a side, by numbers that never repeat. */
+    std::unique_ptr<BodyMesh> make_general_mesh(const unsigned int cells)
+    {
+      const auto block = make_block(Vector3(cells, cells, cells), {{cells, cells, cells}});
+      std::vector<Vector3>   nodes;
+      std::vector<CellNodes> hexahedra;
+      for (const auto &v : block->triangulation.get_vertices())
+        {
+          const double  n = nodes.size() + 1.;
+          const Vector3 shift(std::sin(1.7 * n), std::sin(2.3 * n + 1.), std::sin(3.1 * n + 2.));
+          nodes.push_back(Vector3(v[0], v[1], v[2]) + 0.1 * shift);
+        }
+      for (const auto &cell : block->triangulation.active_cell_iterators())
+        {
+          CellNodes corners;
+          for (unsigned int i = 0; i < 8; ++i)
+            corners[i] = cell->vertex_index(i);
+          hexahedra.push_back(corners);
+        }
+      auto mesh  = std::make_unique<BodyMesh>();
+      mesh->name = "general mesh";
+      create_triangulation(*mesh, nodes, hexahedra);
+      mesh->sector.assign(hexahedra.size(), 0);
+      return mesh;
+    }
+
+    Model make_general_model(const unsigned int cells)
+    {
+      Model model;
+      model.add_body(Body("general mesh", make_general_mesh(cells), Material()));
+      model.bodies.front().turns_on_axis = true;
+      model.bodies.front().rate          = 100.;
+      return model;
+    }
+
+    void log_table(const Table &table, Log &log)
+    {
+      log.line(table.csv_header());
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        {
+          std::ostringstream line;
+          line << std::fixed << std::setprecision(1);
+          for (const Table::Column &column : table.columns())
+            if (column.is_text)
+              line << std::left
+                   << std::setw(column.name == "stiffness" ? 19
+                                : column.name == "part"    ? 30
+                                                           : 13)
+                   << column.texts[row];
+            else
+              line << std::right << std::setw(8) << column.numbers[row];
+          log.line(line.str());
+        }
+    }
+  } // namespace
+
+  void BenchmarkOptions::declare(dealii::ParameterHandler &prm)
+  {
+    const Subsection section(prm, "Benchmark");
+    declare_integer(
+      prm, "repeats", repeats, "Measurements of each variant, of which medians are reported", 1);
+    declare_integer(prm, "steps", steps, "Time steps of one measurement", 1);
+    declare_integer(prm, "cells", cells, "Elements of the general mesh along each side", 2);
+    declare_integer(prm,
+                    "plain elements",
+                    plain_elements,
+                    "Elements on which the plain implementation is measured (5 kB each)",
+                    1);
+  }
+
+  void ContactBenchmarkOptions::declare(dealii::ParameterHandler &prm)
+  {
+    const Subsection section(prm, "Benchmark");
+    declare_quantity(prm,
+                     "closing",
+                     closing,
+                     "mm",
+                     "How far the flanks of the pair go into each other where its contact is "
+                     "measured",
+                     Range::positive());
+    declare_integer(
+      prm, "contact steps", steps, "Time steps of one measurement of the pair's contact", 1);
+  }
+
+  void BenchmarkStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    gear_case_.declare(prm, file);
+    benchmark_.declare(prm);
+    contact_.declare(prm);
+  }
+
+  void BenchmarkStudy::check() const
+  {
+    gear_case_.check_bodies();
+  }
+
+  void BenchmarkStudy::inspect(Communicator &, Log &log)
+  {
+    gear_case_.make_model(false, log);
+  }
+
+  void BenchmarkStudy::run(OutputFolder &folder, Log &log)
+  {
+    // Each rank measures alone; what the ranks share is the memory.
+    const Communicator  alone(MPI_COMM_SELF);
+    const Model         pair    = gear_case_.make_model(false, log);
+    const Model         general = make_general_model(benchmark_.cells);
+    const unsigned int  n       = benchmark_.plain_elements;
+    const StiffnessKind modes = StiffnessKind::incompatible_modes, full = StiffnessKind::full,
+                        one_point = StiffnessKind::one_point;
+    const PlainElements plain_modes(pair.bodies.back(), modes, n),
+      plain_full(pair.bodies.back(), full, n), plain_one(pair.bodies.back(), one_point, n),
+      plain_general(general.bodies.back(), modes, n);
+
+    OperatorLayout shared, own, single;
+    own.share_constants     = false;
+    single                  = own;
+    single.single_hourglass = true;
+
+    std::vector<std::unique_ptr<BenchmarkCase>> cases;
+    const auto                                  add = [&](const std::string    &mesh,
+                         const Model          &model,
+                         const StiffnessKind   stiffness,
+                         const OperatorLayout &layout,
+                         const PlainElements  &plain) {
+      cases.push_back(
+        std::make_unique<BenchmarkCase>(mesh, model, stiffness, layout, plain, alone));
+      log.line(mesh, ", constants ", cases.back()->layout, ", ready");
+    };
+    add("gear pair", pair, modes, shared, plain_modes);
+    add("gear pair", pair, full, shared, plain_full);
+    add("gear pair", pair, one_point, shared, plain_one);
+    add("gear pair", pair, modes, own, plain_modes);
+    add("gear pair", pair, modes, single, plain_modes);
+    add("general mesh", general, modes, own, plain_general);
+
+    log.line("gear pair: ",
+             pair.n_elements(),
+             " elements, ",
+             pair.n_nodes(),
+             " nodes; general mesh: ",
+             general.n_elements(),
+             ", ",
+             general.n_nodes());
+    const Table table = compare_operators(cases, benchmark_.repeats, benchmark_.steps);
+    log_table(table, log);
+    cases.clear();
+    const Table cost = measure_contact_cost(pair, contact_, benchmark_.repeats, alone, log);
+    log_table(cost, log);
+    if (!folder.is_writer())
+      return;
+    folder.write_file("benchmark.csv", [&](std::ostream &out) { table.write_csv(out); });
+    folder.write_file("benchmark.json", [&](std::ostream &out) { table.write_json(out); });
+    folder.write_file("contact_cost.csv", [&](std::ostream &out) { cost.write_csv(out); });
+    folder.write_file("contact_cost.json", [&](std::ostream &out) { cost.write_json(out); });
+  }
+} // namespace vfife

@@ -1,0 +1,354 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/log.h>
+#include <vfife/gear/tooth_contact.h>
+#include <vfife/mesh/gear/gear_meridian.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/study/cases/body_figures.h>
+#include <vfife/study/cases/gear_case.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<HubKind> hub_kinds = {{"free rotation", HubKind::free_rotation},
+                                        {"rigid hub", HubKind::rigid_hub}};
+
+    const char *surface_of(const FlankSide side)
+    {
+      return side == FlankSide::concave ? surface_name::concave : surface_name::convex;
+    }
+
+    /** Body frame placed in the fixed frame with its axis of rotation. */
+    void place(Body &body, const RigidMotion &placement, const double rate)
+    {
+      body.placement      = placement;
+      body.axis.point     = placement.translation;
+      body.axis.direction = placement.rotation.col(2);
+      body.turns_on_axis  = true;
+      body.rate           = rate;
+    }
+  } // namespace
+
+  void OperationOptions::declare(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Operation");
+    declare_quantity(prm, "speed", speed, "rpm", "Speed of the pinion", Range::not_negative());
+    declare_quantity(prm,
+                     "torque",
+                     torque,
+                     "N m",
+                     "Torque on the driven member (the gear, if nothing else is said), against its "
+                     "rotation",
+                     Range::not_negative());
+    declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1);
+    declare_number(prm,
+                   "ramp",
+                   ramp,
+                   "Tooth meshes over which the torque grows linearly, with Dynamics/start = ramp "
+                   "(whole swing periods)",
+                   Range::not_negative());
+    declare_driving(prm, driving, direction);
+    declare_choice(
+      prm,
+      "hub",
+      hub,
+      hub_kinds,
+      "Bore of the driven member: each node free to turn about the axis under the constant "
+      "traction of the torque, or all nodes "
+      "turning as one; radial and axial displacement held");
+  }
+
+  void OperationOptions::check(const std::string &section) const
+  {
+    if (!(speed > 0))
+      throw InputError(section + "/speed",
+                       "the speed of the pinion is missing or zero; a dynamic run needs one");
+    if (!(torque > 0))
+      throw InputError(section + "/torque",
+                       "the torque on the driven member is missing or zero; flanks without load do "
+                       "not stay in contact");
+  }
+
+  void OperationOptions::require_driving_pinion(const std::string &section,
+                                                const std::string &study) const
+  {
+    if (driving != DrivingMember::pinion)
+      throw InputError(section + "/driving member",
+                       "the " + study +
+                         " has the pinion driving; the flanks that a driving gear uses carry with "
+                         "direction of rotation = reverse");
+  }
+
+  GearCase::GearCase()
+    : pinion_body_(pinion_body_defaults())
+  {
+  }
+
+  void GearCase::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    const auto declare_pair = [](dealii::ParameterHandler &handler, GearCase &gear_case) {
+      Subsection section(handler, "Gear pair");
+      gear_case.pair_.declare(handler);
+      {
+        Subsection member(handler, "Pinion");
+        declare_text(handler,
+                     "material",
+                     gear_case.pinion_material_,
+                     "Name of a section \"Material NAME\"");
+        gear_case.pinion_body_.declare(handler);
+      }
+      {
+        Subsection member(handler, "Gear");
+        declare_text(handler,
+                     "material",
+                     gear_case.gear_material_,
+                     "Name of a section \"Material NAME\"");
+        gear_case.gear_body_.declare(handler);
+      }
+    };
+
+    // First pass: the names of the materials.
+    GearCase                 names;
+    dealii::ParameterHandler first;
+    declare_pair(first, names);
+    file.read_known(first);
+
+    declare_pair(prm, *this);
+    materials_.clear();
+    materials_.reserve(2); // entries are bound by address
+    for (const std::string &name : {names.pinion_material_, names.gear_material_})
+      if (materials_.empty() || materials_.front().name != name)
+        {
+          materials_.emplace_back();
+          materials_.back().name = name;
+          Subsection section(prm, "Material " + name);
+          materials_.back().declare(prm);
+        }
+    operation_.declare(prm);
+    Subsection section(prm, "Contact");
+    contact_.declare(prm);
+  }
+
+  void GearCase::check() const
+  {
+    check_bodies();
+    operation_.check("Operation");
+    contact_.check("Contact");
+  }
+
+  GearPair GearCase::make_pair() const
+  {
+    return GearPair(pair_);
+  }
+
+  void GearCase::check_bodies() const
+  {
+    pair_.check("Gear pair");
+    const GearPairOptions completed = pair_.completed();
+    pinion_body_.check("Gear pair/Pinion", completed.pinion.blank);
+    gear_body_.check("Gear pair/Gear", completed.gear.blank);
+    for (const Material &m : materials_)
+      m.check("Material " + m.name);
+  }
+
+  const Material &GearCase::material(const std::string &name) const
+  {
+    return materials_.front().name == name ? materials_.front() : materials_.back();
+  }
+
+  const OperationOptions &GearCase::operation() const
+  {
+    return operation_;
+  }
+
+  double GearCase::mesh_frequency() const
+  {
+    return operation_.mesh_frequency(pair_.completed().pinion.blank.teeth);
+  }
+
+  double GearCase::choose_step(const double stable_step, const unsigned int samples) const
+  {
+    const double steps_per_sample = std::ceil(1. / (mesh_frequency() * stable_step * samples));
+    return 1. / (mesh_frequency() * samples * steps_per_sample);
+  }
+
+  bool GearCase::has_web() const
+  {
+    return gear_body_.web == WebKind::conical;
+  }
+
+  HertzContact GearCase::hertz_contact() const
+  {
+    const UnloadedContact contact(GearPair(pair_), working_side());
+    // Curvatures do not depend on the separation of the ellipse that is asked for.
+    const Vector2 curvatures =
+      contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
+    const Material &pinion = material(pinion_material_), &gear = material(gear_material_);
+    return HertzContact(curvatures,
+                        contact_modulus(pinion.youngs_modulus,
+                                        pinion.poissons_ratio,
+                                        gear.youngs_modulus,
+                                        gear.poissons_ratio));
+  }
+
+  unsigned int GearCase::gear_tooth_in_mesh(const unsigned int meshes) const
+  {
+    // Forward the gear turns about -: the next tooth in the + sense comes. The coast side's mean
+    // contact is that of tooth 1.
+    const unsigned int teeth = pair_.completed().gear.blank.teeth, passed = meshes % teeth;
+    const unsigned int first   = working_side() == MeshSide::drive ? 0 : 1;
+    const bool         forward = operation_.direction == TurningDirection::forward;
+    return (first + (forward ? passed : teeth - passed)) % teeth;
+  }
+
+  MeshSide GearCase::working_side() const
+  {
+    return vfife::working_side(operation_.driving, operation_.direction);
+  }
+
+  Transmission GearCase::make_transmission(const GearPair &pair) const
+  {
+    const MeanContact &mean          = pair.mean_contact(working_side());
+    const bool         pinion_drives = operation_.driving == DrivingMember::pinion;
+    const double       sense         = operation_.direction == TurningDirection::forward ? 1. : -1.;
+    const unsigned int teeth[]       = {pair.pinion().blank().teeth, pair.gear().blank().teeth};
+    Transmission       t;
+    t.driver                 = pinion_drives ? 0 : 1;
+    t.driven                 = 1 - t.driver;
+    t.driver_teeth           = teeth[t.driver];
+    t.driven_teeth           = teeth[t.driven];
+    t.driver_sense           = pinion_drives ? sense : -sense;
+    t.driven_sense           = -t.driver_sense;
+    t.driver_rate            = operation_.speed * (pinion_drives ? 1. : pair.speed_ratio());
+    t.contact_point          = mean.position;
+    t.contact_normal         = pinion_drives ? mean.normal : Vector3(-mean.normal);
+    const RigidMotion pinion = pair.pinion_placement(0.);
+    t.arm =
+      pinion_drives
+        ? mean.arm
+        : std::abs(
+            (mean.position - pinion.translation).cross(mean.normal).dot(pinion.rotation.col(2)));
+    return t;
+  }
+
+  Model GearCase::make_model(const bool torque_is_ramped, Log &log) const
+  {
+    for (const std::string &message : pair_.examine().warnings())
+      log.warning(message);
+    const GearPair pair(pair_);
+    Model          model;
+
+    Body pinion("pinion", make_gear_body(pair.pinion(), pinion_body_), material(pinion_material_));
+    // Where the generated flanks of the working side touch, the pinion's turned onto its tooth 0.
+    const MeshSide     side  = working_side();
+    const MeanContact &mean  = pair.mean_contact(side);
+    const double       sense = operation_.direction == TurningDirection::forward ? 1. : -1.;
+    place(pinion,
+          pair.pinion_placement(mean.rot1 - pair.pinion().turn(pair.pinion_side(side))),
+          sense * operation_.speed);
+    Body gear("gear", make_gear_body(pair.gear(), gear_body_), material(gear_material_));
+    place(gear, pair.gear_placement(mean.rot2), -sense * operation_.speed * pair.speed_ratio());
+
+    model.add_body(std::move(pinion));
+    model.add_body(std::move(gear));
+    Transmission t      = make_transmission(pair);
+    const Body  &driver = model.bodies[t.driver];
+    t.driven_rim        = model.bodies[t.driven].node_set(node_set::rim);
+    model.transmission  = t;
+
+    model.constraints.push_back({driver.name() + " bore",
+                                 ConstraintKind::prescribed_rotation,
+                                 t.driver,
+                                 driver.node_set(held_set(t.driver))});
+    add_hub(model, torque_is_ramped);
+    add_contacts(pair, model);
+    add_probes(model);
+    for (const BodyFigures &figures : measure_bodies(model))
+      figures.write_to(log);
+    return model;
+  }
+
+  const char *GearCase::held_set(const unsigned int body) const
+  {
+    const GearBodyOptions &options = body == 0 ? pinion_body_ : gear_body_;
+    return options.web == WebKind::none ? node_set::rim_underside : node_set::bore;
+  }
+
+  void GearCase::add_hub(Model &model, const bool torque_is_ramped) const
+  {
+    Transmission &t      = *model.transmission;
+    const Body   &driven = model.bodies[t.driven];
+    t.driven_bore        = driven.node_set(held_set(t.driven));
+
+    Constraint hub;
+    hub.name  = driven.name() + " hub";
+    hub.kind  = operation_.hub == HubKind::rigid_hub ? ConstraintKind::rigid_hub
+                                                     : ConstraintKind::free_rotation;
+    hub.body  = t.driven;
+    hub.nodes = t.driven_bore;
+    model.constraints.push_back(hub);
+
+    Torque load;
+    load.name      = "load torque";
+    load.body      = t.driven;
+    load.nodes     = t.driven_bore;
+    load.areas     = compute_nodal_areas(driven, t.driven_bore);
+    load.value     = -t.driven_sense * operation_.torque;
+    load.ramp_time = torque_is_ramped ? operation_.ramp / mesh_frequency() : 0.;
+    model.torques.push_back(load);
+  }
+
+  void GearCase::add_contacts(const GearPair &pair, Model &model) const
+  {
+    const Transmission &t             = *model.transmission;
+    const bool          pinion_drives = operation_.driving == DrivingMember::pinion;
+    const MeshSide      working       = working_side();
+    // the side that carries comes first, the driver is the slave
+    for (const MeshSide side :
+         {working, working == MeshSide::drive ? MeshSide::coast : MeshSide::drive})
+      {
+        ContactPair contact;
+        const char *surfaces[] = {surface_of(pair.pinion_side(side)),
+                                  surface_of(pair.gear_side(side))};
+        contact.side           = side_name(side);
+        contact.slave_body     = t.driver;
+        contact.slave_surface  = surfaces[pinion_drives ? 0 : 1];
+        contact.master_body    = t.driven;
+        contact.master_surface = surfaces[pinion_drives ? 1 : 0];
+        contact.options        = contact_;
+        model.contacts.push_back(contact);
+      }
+  }
+
+  void GearCase::add_probes(Model &model) const
+  {
+    const Body        &gear  = model.bodies[1];
+    const unsigned int tooth = gear_tooth_in_mesh(std::lround(0.75 * operation_.meshes));
+    for (const char *set : {node_set::node_A_front, node_set::node_A_back})
+      if (gear.has_node_set(set) && tooth < gear.node_set(set).size())
+        model.probes.push_back({set, 1, gear.node_set(set)[tooth]});
+  }
+
+  std::vector<BodyFigures> GearCase::measure_bodies(const Model &model) const
+  {
+    const GearPair pair(pair_);
+    return {BodyFigures(model.bodies[0], pair.pinion(), pinion_body_),
+            BodyFigures(model.bodies[1], pair.gear(), gear_body_)};
+  }
+
+  Table GearCase::meridian_table() const
+  {
+    const GearPair pair(pair_);
+    Table          table = make_meridian_table();
+    add_meridian_rows(pair.pinion(), pinion_body_, table);
+    add_meridian_rows(pair.gear(), gear_body_, table);
+    return table;
+  }
+} // namespace vfife

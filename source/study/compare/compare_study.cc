@@ -1,0 +1,231 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/command_line.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/output/files/figures.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/pictures.h>
+#include <vfife/study/compare/compare_study.h>
+#include <vfife/study/compare/model_comparison.h>
+#include <vfife/study/compare/pair_comparison.h>
+#include <vfife/study/inner_case.h>
+#include <vfife/study/study.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+namespace vfife
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Only --check looks at the cases before there are folders. */
+    constexpr const char *no_folder = "";
+
+    ComparisonRows compare(const ComparedCases &cases, const ComparisonTolerances &tolerances)
+    {
+      ComparisonRows rows = compare_pair(cases, tolerances);
+      for (const ComparisonRow &row : compare_models(cases, tolerances))
+        rows.push_back(row);
+      return rows;
+    }
+  } // namespace
+
+  void CompareStudy::declare_own(dealii::ParameterHandler &prm)
+  {
+    declare_text(prm, "title", title_, "What is compared with what, in a sentence");
+    declare_names(prm, "cases", names_, "What is run or read: a section Case NAME each");
+    declare_text(prm,
+                 "entries",
+                 entries_,
+                 "What all cases have otherwise than their files: \"Section/name = value\", "
+                 "separated by semicolons");
+    declare_switch(prm, "pictures", pictures_, "Whether the report is written at the end");
+    tolerances_.declare(prm);
+  }
+
+  void CompareStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    folder_of_file_ = fs::path(file.path()).parent_path().string();
+    {
+      dealii::ParameterHandler first;
+      {
+        Subsection section(first, "Compare");
+        declare_own(first);
+      }
+      file.read_known(first);
+    }
+    cases_.resize(names_.size());
+    Subsection section(prm, "Compare");
+    declare_own(prm);
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      {
+        Case &one = cases_[i];
+        one.name  = names_[i];
+        Subsection part(prm, "Case " + names_[i]);
+        declare_text(prm, "base", one.base, "Parameter file of the case, relative to this file");
+        declare_text(prm,
+                     "entries",
+                     one.entries,
+                     "What this case has otherwise than its file, as Compare/entries; {NAME} is "
+                     "the folder of the results of case NAME");
+        declare_text(prm,
+                     "results",
+                     one.results,
+                     "Folder of results that are read instead of doing the case");
+      }
+  }
+
+  std::string CompareStudy::folder_of(const Case &one, const std::string &folder) const
+  {
+    return one.results.empty() ? (fs::path(folder) / one.name).string() : one.results;
+  }
+
+  std::vector<std::string> CompareStudy::list_entries(const std::string &text,
+                                                      const std::string &folder) const
+  {
+    std::vector<std::string> list = split_entries(text, "Compare/entries");
+    for (std::string &entry : list)
+      for (const Case &other : cases_)
+        for (std::size_t at; (at = entry.find("{" + other.name + "}")) != std::string::npos;)
+          entry.replace(at, other.name.size() + 2, folder_of(other, folder));
+    return list;
+  }
+
+  CommandLine CompareStudy::command_line(const Case &one, const std::string &folder) const
+  {
+    CommandLine line;
+    line.parameter_file = (fs::path(folder_of_file_) / one.base).string();
+    line.output_folder  = folder_of(one, folder);
+    for (const std::string &text : {entries_, one.entries})
+      for (const std::string &entry : list_entries(text, folder))
+        line.overrides.push_back(entry);
+    return line;
+  }
+
+  void CompareStudy::check_case(const Case &one) const
+  {
+    const std::string section = "Compare/Case " + one.name;
+    if (!one.results.empty())
+      {
+        if (!fs::exists(fs::path(one.results) / "parameters.prm"))
+          throw InputError(section + "/results",
+                           "the folder \"" + one.results + "\" has no results of a case");
+        return;
+      }
+    if (one.base.empty())
+      throw InputError(section + "/base", "the parameter file of the case is missing");
+    try
+      {
+        read_case(command_line(one, no_folder));
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("case " + one.name + ": " + error.what());
+      }
+  }
+
+  void CompareStudy::check() const
+  {
+    if (cases_.size() < 2)
+      throw InputError("Compare/cases", "there is nothing to compare: name two cases or more");
+    for (const Case &one : cases_)
+      check_case(one);
+  }
+
+  void CompareStudy::inspect(Communicator &, Log &log)
+  {
+    for (const Case &one : cases_)
+      log.line(one.name, ": ", one.results.empty() ? one.base : "results of " + one.results);
+  }
+
+  std::size_t
+  CompareStudy::go_on(const std::string &, const EntryValues &, const Communicator &, Log &)
+  {
+    return std::numeric_limits<std::size_t>::max(); // each case is looked at by itself, always
+  }
+
+  ComparedCase CompareStudy::do_one(const Case &one, OutputFolder &folder, Log &log) const
+  {
+    // A rank of its own communicator: cases are done one after the other by all ranks.
+    Communicator ranks(folder.communicator().mpi());
+    ComparedCase compared;
+    CommandLine  results;
+    compared.name   = one.name;
+    compared.folder = folder_of(one, folder.path());
+    if (one.results.empty())
+      {
+        log.line(one.name, " begins: ", one.base);
+        const CaseReport report = do_case(command_line(one, folder.path()), true, ranks);
+        log.line(one.name, " ", report.describe());
+        if (report.outcome == Outcome::interrupted)
+          throw Interrupted("the comparison is stopped; to go on: the same command");
+        if (report.outcome == Outcome::failed)
+          throw NumericalError("case " + one.name + " has failed: " + report.message);
+      }
+    results.parameter_file = compared.folder + "/parameters.prm";
+    for (const auto &value : read_case(results))
+      {
+        if (value.first == "Study/kind")
+          compared.kind = value.second;
+        compared.is_pair = compared.is_pair || value.first.rfind("Gear pair/", 0) == 0;
+      }
+    return compared;
+  }
+
+  void CompareStudy::run(OutputFolder &folder, Log &log)
+  {
+    ComparedCases cases;
+    for (const Case &one : cases_)
+      cases.push_back(do_one(one, folder, log));
+
+    // One rank reads: files may appear on the others later.
+    ComparisonRows             rows;
+    std::optional<std::string> failure;
+    if (folder.communicator().is_root())
+      try
+        {
+          rows = compare(cases, tolerances_);
+          if (rows.empty())
+            failure = "the cases have no results in common that are known to be compared";
+        }
+      catch (const InputError &error)
+        {
+          failure = error.what();
+        }
+    const std::string message = folder.communicator().broadcast(failure.value_or(""));
+    if (!message.empty())
+      throw InputError("Compare/cases", message);
+
+    for (const ComparisonRow &row : rows)
+      log.line(row.quantity,
+               ": ",
+               row.value,
+               " against ",
+               row.reference,
+               " ",
+               row.unit,
+               " (",
+               row.reference_kind,
+               "): ",
+               row.verdict());
+    if (folder.is_writer())
+      {
+        const Table table = comparison_table(rows);
+        folder.write_file("comparison.csv", [&](std::ostream &out) { table.write_csv(out); });
+      }
+    write_json(folder, "comparison.json", comparison_json(title_, rows));
+    if (pictures_)
+      draw_pictures(folder, log);
+  }
+} // namespace vfife

@@ -1,0 +1,94 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/study/compare/comparison.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Numbers that are not finite are written as null. */
+    Json number(const double value)
+    {
+      return std::isfinite(value) ? Json(value) : Json();
+    }
+  } // namespace
+
+  double ComparisonRow::difference() const
+  {
+    return value - reference;
+  }
+
+  std::string ComparisonRow::verdict() const
+  {
+    if (!tolerance || !std::isfinite(difference()))
+      return "not judged";
+    return std::abs(difference()) <= *tolerance ? "agrees" : "differs";
+  }
+
+  Json comparison_json(const std::string &title, const ComparisonRows &rows)
+  {
+    Json list = Json::array();
+    for (const ComparisonRow &row : rows)
+      list.push_back({{"quantity", row.quantity},
+                      {"unit", row.unit},
+                      {"value", number(row.value)},
+                      {"reference", number(row.reference)},
+                      {"reference kind", row.reference_kind},
+                      {"difference", number(row.difference())},
+                      {"tolerance", row.tolerance ? number(*row.tolerance) : Json()},
+                      {"verdict", row.verdict()},
+                      {"reason", row.reason}});
+    return {{"title", title}, {"rows", list}};
+  }
+
+  Table comparison_table(const ComparisonRows &rows)
+  {
+    Table table;
+    table.add_text_column("quantity");
+    table.add_text_column("unit");
+    table.add_column("value", "unit");
+    table.add_column("reference", "unit");
+    table.add_text_column("reference kind");
+    table.add_column("difference", "unit");
+    table.add_column("tolerance", "unit");
+    table.add_text_column("verdict");
+    table.add_text_column("reason");
+    for (const ComparisonRow &row : rows)
+      table.add_row({row.quantity,
+                     row.unit,
+                     row.value,
+                     row.reference,
+                     row.reference_kind,
+                     row.difference(),
+                     row.tolerance.value_or(std::numeric_limits<double>::quiet_NaN()),
+                     row.verdict(),
+                     row.reason});
+    return table;
+  }
+
+  void ComparisonTolerances::declare(dealii::ParameterHandler &prm)
+  {
+    const auto fraction = [&prm](const char *name, double &value, const char *meaning) {
+      declare_number(prm, name, value, meaning, Range::not_negative());
+    };
+    fraction("frequency tolerance", frequency, "Of frequencies, part of the reference");
+    fraction("transmission error tolerance",
+             error,
+             "Of transmission errors of a slow pair, part of the static mean");
+    fraction("force tolerance", force, "Of contact forces and torques, part of the reference");
+    fraction("displacement tolerance",
+             displacement,
+             "Of displacements of probes at rest, part of the reference");
+    fraction("stress tolerance", stress, "Of stresses of probes at rest, part of the reference");
+    declare_quantity(prm,
+                     "slow",
+                     slow,
+                     "rpm",
+                     "Pinion speed up to which a run is judged by the static pair",
+                     Range::not_negative());
+  }
+} // namespace vfife

@@ -1,0 +1,364 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/study/compare/nearest_mode.h>
+#include <vfife/study/compare/pair_comparison.h>
+#include <vfife/study/compare/probe_passages.h>
+#include <vfife/study/compare/quasi_static.h>
+#include <vfife/study/compare/spectrum_lines.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    double mean(const std::vector<double> &values)
+    {
+      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
+    }
+
+    double peak_to_peak(const std::vector<double> &values)
+    {
+      const auto ends = std::minmax_element(values.begin(), values.end());
+      return *ends.second - *ends.first;
+    }
+
+    std::string number_text(const double value)
+    {
+      std::ostringstream text;
+      text << value;
+      return text.str();
+    }
+
+    /** A run and what its rows need. */
+    class PairRun
+    {
+    public:
+      PairRun(const ComparedCase &run, const ComparisonTolerances &tolerances)
+        : tolerances(tolerances)
+        , history(run.table("history.csv"))
+        , run_(run)
+        , rate_(summary("/figures/pinion speed/value"))
+        , mesh_frequency(summary("/figures/mesh frequency/value"))
+        , start(summary("/steady part/start/value"))
+        , is_steady_(summary("/steady part/found") == 1)
+      {
+      }
+
+      double summary(const std::string &pointer) const
+      {
+        return run_.number("summary.json", pointer);
+      }
+
+      /** Mean of a column of the history over the steady part. */
+      double steady_mean(const std::string &column) const
+      {
+        return summary("/steady part/columns/" + column + "/mean");
+      }
+
+      bool has(const std::string &file) const
+      {
+        return run_.has(file);
+      }
+
+      Table table(const std::string &file) const
+      {
+        return run_.table(file);
+      }
+
+      /** The times and values of a column in the steady part. */
+      void
+      cut(const std::string &column, std::vector<double> &time, std::vector<double> &values) const
+      {
+        for (std::size_t i = 0; i < history.n_rows(); ++i)
+          if (history.numbers("time")[i] >= start)
+            {
+              time.push_back(history.numbers("time")[i]);
+              values.push_back(history.numbers(column)[i]);
+            }
+      }
+
+      /** Means of a column where the mesh is at @p positions [tooth meshes], over the steady part;
+       * linear between samples. */
+      std::vector<double> at_positions(const std::string         &column,
+                                       const std::vector<double> &positions) const
+      {
+        std::vector<double> time, values, means;
+        cut(column, time, values);
+        for (const double position : positions)
+          {
+            double       sum = 0;
+            unsigned int n   = 0;
+            for (std::size_t i = 0; i + 1 < time.size(); ++i)
+              {
+                const double here = time[i] * mesh_frequency - position;
+                const double next = time[i + 1] * mesh_frequency - position;
+                // Samples lie on positions up to round-off: the next sample is the first beyond.
+                const double whole = std::ceil(here - 1e-6);
+                if (whole >= next - 1e-6)
+                  continue;
+                sum += values[i] + (values[i + 1] - values[i]) * (whole - here) / (next - here);
+                ++n;
+              }
+            means.push_back(n > 0 ? sum / n : std::numeric_limits<double>::quiet_NaN());
+          }
+        return means;
+      }
+
+      /** The tolerance of what holds for slow runs only, and why. @p swing: what the modes may add,
+       * in the unit of the row. */
+      void judge_slow(const double tolerance, ComparisonRow &row, const double swing = 0.) const
+      {
+        const double limit = tolerances.slow * 30 / pi;
+        if (rate_ > limit * (1 + 1e-9))
+          row.reason += "; at " + number_text(rate_) +
+                        " rpm the static pair is no reference, which "
+                        "it is up to " +
+                        number_text(limit) + " rpm: the difference is stated";
+        else if (!is_steady_)
+          row.reason += "; the run has no steady part";
+        else if (swing > tolerance)
+          row.reason += "; harmonics of the mesh near the coupled modes may add " +
+                        number_text(swing) + " " + row.unit + " without damping";
+        else
+          row.tolerance = tolerance;
+      }
+
+      /** The tolerance of what holds on average at any speed. */
+      void judge_steady(const double tolerance, ComparisonRow &row) const
+      {
+        if (is_steady_)
+          row.tolerance = tolerance;
+        else
+          row.reason += "; the run has no steady part, so means are those of its last third";
+      }
+
+      const ComparisonTolerances &tolerances;
+      const Table                 history;
+
+    private:
+      const ComparedCase &run_;
+      double              rate_; ///< of the pinion [rpm]
+
+    public:
+      const double mesh_frequency; ///< [Hz]
+      const double start;          ///< of the steady part [s]
+
+    private:
+      bool is_steady_;
+    };
+
+    void add_static_pair(const PairRun      &run,
+                         const ComparedCase &loaded,
+                         const ComparedCase *coupled,
+                         ComparisonRows     &rows)
+    {
+      const Table                table     = loaded.table("loaded_contact.csv");
+      const std::vector<double> &positions = table.numbers("position");
+      const std::vector<double> &curve     = table.numbers("transmission error");
+
+      ComparisonRow row{"mean dte", "arcsec", run.steady_mean("dte"), mean(curve), "FEM", {}, ""};
+      row.reason = "loaded contact analysis of the same mesh and penalty, mean over " +
+                   std::to_string(positions.size()) + " positions";
+      run.judge_slow(run.tolerances.error * std::abs(row.reference), row);
+      rows.push_back(row);
+
+      if (positions.size() > 1)
+        {
+          const std::vector<double> cycle = run.at_positions("dte", positions);
+          const double              swing =
+            coupled == nullptr
+                           ? 0.
+                           : estimate_swing(positions,
+                               curve,
+                               run.mesh_frequency,
+                               TurningModes(coupled->table("coupled_modes.csv"), 0.));
+          row = {"dte over the tooth mesh, peak to peak",
+                 "arcsec",
+                 peak_to_peak(cycle),
+                 peak_to_peak(curve),
+                 "FEM",
+                 {},
+                 ""};
+          row.reason =
+            "mean tooth mesh of the run at the positions of the static curve; tolerance of "
+            "the mean on both ends";
+          run.judge_slow(2 * run.tolerances.error * std::abs(mean(curve)), row, 2 * swing);
+          rows.push_back(row);
+
+          double largest = 0;
+          for (std::size_t i = 0; i < curve.size(); ++i)
+            largest = std::max(largest, std::abs(cycle[i] - curve[i]));
+          row = {"dte over the tooth mesh, largest distance from the static curve",
+                 "arcsec",
+                 largest,
+                 0.,
+                 "FEM",
+                 {},
+                 ""};
+          row.reason =
+            "mean tooth mesh of the run at the positions of the static curve; tolerance of "
+            "the mean";
+          run.judge_slow(run.tolerances.error * std::abs(mean(curve)), row, swing);
+          rows.push_back(row);
+        }
+
+      row = {"mean contact force",
+             "N",
+             run.steady_mean("contact force total"),
+             mean(table.numbers("contact force total")),
+             "FEM",
+             {},
+             ""};
+      row.reason =
+        "sum of the forces of tooth pairs; their mean follows from the torque at any speed";
+      run.judge_steady(run.tolerances.force * row.reference, row);
+      rows.push_back(row);
+    }
+
+    void add_probes(const PairRun &run, const ComparedCase &loaded, ComparisonRows &rows)
+    {
+      const auto passages = compare_passages(run.table("probes.csv"),
+                                             loaded.table("loaded_probes.csv"),
+                                             run.mesh_frequency,
+                                             run.start);
+      for (const ProbePassage &passage : passages)
+        {
+          const double  tolerance = run.tolerances.stress * passage.reference_peak;
+          ComparisonRow row{passage.probe + " von mises, largest",
+                            "MPa",
+                            passage.peak,
+                            passage.reference_peak,
+                            "FEM",
+                            {},
+                            ""};
+          row.reason = "loaded contact analysis at " + std::to_string(passage.instants) +
+                       " instants of the steady part";
+          run.judge_slow(tolerance, row);
+          rows.push_back(row);
+
+          row        = {passage.probe + " von mises, largest distance from the static curve",
+                        "MPa",
+                        passage.distance,
+                        0.,
+                        "FEM",
+                        {},
+                        ""};
+          row.reason = "at the same instants; tolerance of the largest stress";
+          run.judge_slow(tolerance, row);
+          rows.push_back(row);
+        }
+    }
+
+    void add_balance(const PairRun &run, ComparisonRows &rows)
+    {
+      ComparisonRow row{"mean contact force",
+                        "N",
+                        run.steady_mean("contact force total"),
+                        run.summary("/figures/torque over effective arm/value"),
+                        "balance",
+                        {},
+                        ""};
+      row.reason = "torque over the arm of the unloaded mean contact";
+      run.judge_steady(run.tolerances.force * row.reference, row);
+      rows.push_back(row);
+
+      row        = {"mean contact torque on the gear",
+                    "N m",
+                    run.steady_mean("contact torque on the gear"),
+                    run.summary("/figures/gear torque/value"),
+                    "balance",
+                    {},
+                    ""};
+      row.reason = "in the steady state the contact carries the load torque";
+      run.judge_steady(run.tolerances.force * std::abs(row.reference), row);
+      rows.push_back(row);
+    }
+
+    void add_lines(const PairRun &run, const ComparedCase &coupled, ComparisonRows &rows)
+    {
+      const std::vector<double> modes =
+        TurningModes(coupled.table("coupled_modes.csv"), .02).frequencies;
+      std::vector<double> time, dte;
+      run.cut("dte", time, dte);
+      if (modes.empty() || time.size() < 8)
+        return;
+      const double length  = time.back() - time.front();
+      const double highest = 1.2 * *std::max_element(modes.begin(), modes.end());
+      unsigned int n       = 0;
+      for (const SpectrumLine &line : find_spectrum_lines(time, dte, highest, .1))
+        {
+          const double order = line.frequency / run.mesh_frequency;
+          const bool   is_harmonic =
+            std::abs(order - std::round(order)) * run.mesh_frequency * length < 1.5 && order > .5;
+          if (is_harmonic || n++ == 3)
+            continue;
+          ComparisonRow row = compare_with_modes("line " + std::to_string(n) + " of the dte, " +
+                                                   number_text(line.amplitude) + " arcsec",
+                                                 line.frequency,
+                                                 length,
+                                                 modes,
+                                                 run.tolerances.frequency);
+          row.reason        = "nearest coupled mode that turns the hub; " + row.reason;
+          rows.push_back(row);
+        }
+    }
+
+    void add_lumped(const PairRun &run, const ComparedCase &lumped, ComparisonRows &rows)
+    {
+      const auto figure = [&](const std::string &name) {
+        return lumped.number("lumped.json", "/response/" + name + "/value");
+      };
+      const std::string why =
+        "one inertia on one spring knows no tilt of rim and web: a second opinion";
+      rows.push_back({"swing frequency",
+                      "Hz",
+                      run.summary("/figures/swing frequency, estimated/value"),
+                      lumped.number("lumped.json", "/modes/0/frequency [Hz]"),
+                      "lumped",
+                      {},
+                      why});
+      rows.push_back(
+        {"mean dte", "arcsec", run.steady_mean("dte"), figure("mean dte"), "lumped", {}, why});
+      rows.push_back({"dte, peak to peak",
+                      "arcsec",
+                      run.summary("/steady part/columns/dte/peak to peak"),
+                      figure("peak to peak dte"),
+                      "lumped",
+                      {},
+                      why});
+      rows.push_back({"contact force, peak to peak",
+                      "N",
+                      run.summary("/steady part/columns/contact force total/peak to peak"),
+                      figure("peak to peak force"),
+                      "lumped",
+                      {},
+                      why});
+    }
+  } // namespace
+
+  ComparisonRows compare_pair(const ComparedCases &cases, const ComparisonTolerances &tolerances)
+  {
+    ComparisonRows      rows;
+    const ComparedCase *run = find_case(cases, "run", "summary.json");
+    if (run == nullptr || !run->is_pair)
+      return rows;
+    const PairRun             pair(*run, tolerances);
+    const std::string         analysis = "loaded tooth contact analysis";
+    const ComparedCase *const loaded   = find_case(cases, analysis, "loaded_contact.csv");
+    const ComparedCase *const coupled  = find_case(cases, analysis, "coupled_modes.csv");
+    const ComparedCase *const lumped   = find_case(cases, "lumped", "lumped.json");
+    if (loaded != nullptr)
+      add_static_pair(pair, *loaded, coupled, rows);
+    if (loaded != nullptr && loaded->has("loaded_probes.csv") && pair.has("probes.csv"))
+      add_probes(pair, *loaded, rows);
+    add_balance(pair, rows);
+    if (coupled != nullptr)
+      add_lines(pair, *coupled, rows);
+    if (lumped != nullptr)
+      add_lumped(pair, *lumped, rows);
+    return rows;
+  }
+} // namespace vfife

@@ -1,0 +1,73 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/study/compare/probe_passages.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Times and von Mises stresses of one probe, ascending in time. */
+    using Curve = std::vector<std::pair<double, double>>;
+
+    Curve curve_of(const Table &table, const std::string &probe)
+    {
+      Curve                           curve;
+      const std::vector<std::string> &names = table.column("probe").texts;
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == probe)
+          curve.emplace_back(table.numbers("time")[i], table.numbers("von mises")[i]);
+      std::sort(curve.begin(), curve.end());
+      return curve;
+    }
+
+    /** The curve's value at @p time, which lies within it. */
+    double value_at(const Curve &curve, const double time)
+    {
+      const auto next = std::lower_bound(curve.begin(), curve.end(), std::make_pair(time, -1e300));
+      if (next == curve.begin())
+        return next->second;
+      if (next == curve.end())
+        return curve.back().second;
+      const auto   before = next - 1;
+      const double part   = (time - before->first) / (next->first - before->first);
+      return before->second + part * (next->second - before->second);
+    }
+  } // namespace
+
+  std::vector<ProbePassage> compare_passages(const Table &probes,
+                                             const Table &loaded,
+                                             const double mesh_frequency,
+                                             const double start)
+  {
+    std::vector<std::string> names = loaded.column("probe").texts;
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::vector<ProbePassage> passages;
+    for (const std::string &name : names)
+      {
+        const Curve run = curve_of(probes, name);
+        if (run.empty())
+          continue;
+        ProbePassage passage{name};
+        // Samples lie on the positions up to round-off.
+        const double slack = 1e-6 / mesh_frequency;
+        for (const auto &[meshes, stress] : curve_of(loaded, name))
+          {
+            const double time = meshes / mesh_frequency;
+            if (time < std::max(start, run.front().first) - slack ||
+                time > run.back().first + slack)
+              continue;
+            const double value = value_at(run, time);
+            ++passage.instants;
+            passage.peak           = std::max(passage.peak, value);
+            passage.reference_peak = std::max(passage.reference_peak, stress);
+            passage.distance       = std::max(passage.distance, std::abs(value - stress));
+          }
+        if (passage.instants > 0)
+          passages.push_back(passage);
+      }
+    return passages;
+  }
+} // namespace vfife

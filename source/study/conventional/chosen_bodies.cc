@@ -1,0 +1,29 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/fem/fem_options.h>
+#include <vfife/model/model.h>
+#include <vfife/study/conventional/chosen_bodies.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  std::vector<unsigned int> find_chosen_bodies(const FemOptions &options, const Model &model)
+  {
+    std::vector<std::string>  names;
+    std::vector<unsigned int> bodies;
+    for (const Body &body : model.bodies)
+      names.push_back(body.name());
+    for (const std::string &wanted : options.bodies.empty() ? names : options.bodies)
+      {
+        const auto found = std::find(names.begin(), names.end(), wanted);
+        if (found == names.end())
+          throw InputError("Fem/bodies",
+                           "there is no body \"" + wanted + "\"; did you mean \"" +
+                             nearest_name(wanted, names) + "\"?");
+        bodies.push_back(found - names.begin());
+      }
+    return bodies;
+  }
+} // namespace vfife

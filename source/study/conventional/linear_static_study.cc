@@ -1,0 +1,305 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/fem/statics/probe_values.h>
+#include <vfife/fem/system/held_directions.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
+#include <vfife/output/files/mode_writer.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/observers/history_writer.h>
+#include <vfife/output/observers/probe_writer.h>
+#include <vfife/study/conventional/chosen_bodies.h>
+#include <vfife/study/conventional/linear_static_study.h>
+#include <vfife/study/start_summary.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<bool> load_choices = {{"full", false}, {"at time", true}};
+
+    std::vector<double>
+    displacements_of(const Discretization::Part &part, const Body &body, const StaticResult &result)
+    {
+      const auto first = result.displacements.begin() + 3 * std::size_t(part.first_point);
+      return {first, first + 3 * std::size_t(body.n_nodes())};
+    }
+
+    /** One file a body: displacements, stresses in its cylindrical axes, von Mises. */
+    void write_fields(const OutputFolder        &folder,
+                      const Discretization      &discretization,
+                      const StaticResult        &result,
+                      const std::vector<Stress> &stresses)
+    {
+      folder.make_subfolder("fields");
+      for (const Discretization::Part &part : discretization.parts())
+        {
+          const Body               &body    = discretization.model().bodies[part.body];
+          std::vector<NamedScalars> scalars = {{"stress r", {}},
+                                               {"stress theta", {}},
+                                               {"stress z", {}},
+                                               {"stress r theta", {}},
+                                               {"stress theta z", {}},
+                                               {"stress z r", {}},
+                                               {"von mises", {}}};
+          for (unsigned int i = 0; i < body.n_nodes(); ++i)
+            {
+              const Stress &stress = stresses[body.first_node + i];
+              const Stress  turned =
+                turn_stress(stress,
+                            body.placement.rotation *
+                              compute_cylindrical_axes(body, body.node_positions()[i]));
+              for (unsigned int c = 0; c < 6; ++c)
+                scalars[c].values.push_back(turned[c]);
+              scalars[6].values.push_back(von_mises(stress));
+            }
+          write_shapes(folder,
+                       "fields/" + body.name() + ".vtu",
+                       body,
+                       {{"displacement", displacements_of(part, body, result)}},
+                       scalars);
+        }
+    }
+
+    /** A row a constraint: what it exerts on its nodes in the directions that it holds, with all
+     * others that hold the same. */
+    Table make_reaction_table(const Discretization &discretization, const StaticResult &result)
+    {
+      Table table;
+      table.add_text_column("constraint");
+      table.add_text_column("body");
+      for (const char *component : {"force x", "force y", "force z"})
+        table.add_column(component, "N");
+      table.add_column("torque about the axis", "N m");
+      const Model &model = discretization.model();
+      for (const Constraint &constraint : model.constraints)
+        if (const Discretization::Part *part = discretization.find_part(constraint.body))
+          {
+            const Body &body   = model.bodies[constraint.body];
+            Vector3     force  = Vector3::Zero();
+            double      torque = 0;
+            for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
+              {
+                const Vector3 place = discretization.points()[p];
+                const Vector3 here =
+                  held_directions(constraint, body.axis, place) *
+                  Eigen::Map<const Vector3>(result.reactions.data() + 3 * std::size_t(p));
+                force += here;
+                torque += body.axis.direction.dot((place - body.axis.point).cross(here));
+              }
+            table.add_row(
+              {constraint.name, body.name(), force[0], force[1], force[2], 1e-3 * torque});
+          }
+      return table;
+    }
+  } // namespace
+
+  void LinearStaticOptions::declare(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Linear static");
+    declare_choice(prm,
+                   "loads",
+                   at_time,
+                   load_choices,
+                   "Loads and prescribed displacements in full, or as their histories say");
+    declare_quantity(prm, "time", time, "s", "At which histories are read, with loads = at time");
+    declare_switch(prm, "centrifugal", centrifugal, "Centrifugal force on bodies that turn");
+    declare_switch(prm,
+                   "spin softening",
+                   spin_softening,
+                   "Whether the centrifugal force acts on the displaced mass");
+    declare_switch(prm,
+                   "stress stiffness",
+                   stress_stiffness,
+                   "Whether stresses of the centrifugal force stiffen the bodies");
+  }
+
+  void LinearStaticOptions::check() const
+  {
+    if (!at_time && time != 0)
+      throw InputError("Linear static/time", "histories are read with loads = at time only");
+  }
+
+  StaticLoads LinearStaticOptions::loads() const
+  {
+    StaticLoads loads;
+    if (at_time)
+      loads.time = time;
+    loads.centrifugal      = centrifugal;
+    loads.spin_softening   = spin_softening;
+    loads.stress_stiffness = stress_stiffness;
+    return loads;
+  }
+
+  LinearStaticStudy::LinearStaticStudy()
+  {
+    fem_.mass            = MassKind::lumped; // as the mass points of a run
+    fem_.linear_solver   = LinearSolverKind::direct;
+    output_.fields_every = 1;
+  }
+
+  void LinearStaticStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    is_general_ = file.contains("Model") && !file.contains("Gear pair");
+    if (is_general_)
+      model_.declare(prm, file);
+    else
+      gear_case_.declare(prm, file);
+    dynamics_.declare(prm);
+    output_.declare(prm);
+    options_.declare(prm);
+    if (is_general_)
+      {
+        Subsection section(prm, "Dynamics");
+        declare_quantity(
+          prm, "end time", end_time_, "s", "Time at which the run ends", Range::not_negative());
+      }
+    Subsection section(prm, "Fem");
+    fem_.declare(prm);
+  }
+
+  void LinearStaticStudy::check() const
+  {
+    if (is_general_)
+      model_.check();
+    else
+      gear_case_.check();
+    dynamics_.check("Dynamics");
+    output_.check("Output");
+    options_.check();
+    fem_.check("Fem");
+    if (fem_.cyclic_symmetry)
+      throw InputError("Fem/cyclic symmetry", "loads need the whole body: leave it at no");
+    if (fem_.speeds != FemOptions().speeds)
+      throw InputError("Fem/speeds", "the speeds are those of the bodies: leave it at 0");
+  }
+
+  void LinearStaticStudy::refuse_what_is_not_linear(const Model &model) const
+  {
+    if (!is_general_)
+      return;
+    for (const ContactPair &pair : model.contacts)
+      throw InputError("Model/contacts",
+                       "contact \"" + pair.side +
+                         "\" is not linear: leave it out, or use kind = static");
+    for (const RigidWall &wall : model.walls)
+      throw InputError("Model/contacts",
+                       "the rigid wall \"" + wall.name +
+                         "\" is not linear: leave it out, or use kind = static");
+    for (const Load &load : model.loads)
+      if (load.kind == LoadKind::spring && model.bodies[load.body].rate != 0)
+        throw InputError("Model/constraints",
+                         "the spring \"" + load.name + "\" stands still and its body \"" +
+                           model.bodies[load.body].name() +
+                           "\" turns: that is no state of rest in turning axes");
+  }
+
+  Model LinearStaticStudy::make_model(Log &log) const
+  {
+    Model model = is_general_ ? model_.make_model() : gear_case_.make_model(false, log);
+    refuse_what_is_not_linear(model);
+    return model;
+  }
+
+  void LinearStaticStudy::inspect(Communicator &, Log &log)
+  {
+    const Model model = make_model(log);
+    for (const unsigned int b : find_chosen_bodies(fem_, model))
+      log.line(model.bodies[b].name(),
+               ": ",
+               model.bodies[b].n_elements(),
+               " elements, ",
+               model.bodies[b].rate * 30 / pi,
+               " rpm");
+  }
+
+  void LinearStaticStudy::write_probes(const OutputFolder        &folder,
+                                       const Model               &model,
+                                       const Discretization      &discretization,
+                                       const StaticResult        &result,
+                                       const std::vector<Stress> &stresses) const
+  {
+    State state;
+    state.time = options_.at_time ? options_.time : 1.; // as in `static`, the part of the loads
+    state.measured.energy.strain = result.strain_energy;
+    for (const Probe &probe : model.probes)
+      state.measured.probes.push_back(
+        compute_probe_value(probe, discretization, result.displacements, stresses));
+    Observers observers;
+    if (is_general_)
+      observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
+    else
+      observers.push_back(std::make_unique<ProbeWriter>(folder, 1));
+    for (const auto &observer : observers)
+      {
+        observer->observe(model, state);
+        observer->finish(model, state);
+      }
+  }
+
+  void LinearStaticStudy::run(OutputFolder &folder, Log &log)
+  {
+    log.set_verbosity(output_.verbosity);
+    const Model model   = make_model(log);
+    RunSummary  summary = start_summary("linear static", model, folder.communicator());
+    const auto  start   = WallClock::now();
+
+    StaticLoads loads    = options_.loads();
+    HubRotation rotation = fem_.hold_hubs ? HubRotation::held : HubRotation::free;
+    if (!is_general_)
+      {
+        log.line("the members of the pair turn, each by itself: no contact, no torque");
+        loads.part_of_torques = 0;
+        if (!fem_.hold_hubs)
+          rotation = HubRotation::pinned; // spin has no moment about the axis
+      }
+    const StaticSolver solver(
+      model, find_chosen_bodies(fem_, model), fem_, folder.communicator(), rotation);
+    const StaticResult        result   = solver.solve(loads);
+    const std::vector<Stress> stresses = solver.compute_node_stresses(result);
+    summary.run_time                   = seconds_since(start);
+
+    double largest = 0, stress = 0;
+    for (std::size_t i = 0; i < result.displacements.size(); i += 3)
+      largest =
+        std::max(largest, Eigen::Map<const Vector3>(result.displacements.data() + i).norm());
+    for (const Stress &here : stresses)
+      stress = std::max(stress, von_mises(here));
+    summary.figures = {{"strain energy", {result.strain_energy, "mJ"}},
+                       {"largest displacement", {1e3 * largest, "um"}},
+                       {"largest von mises", {stress, "MPa"}}};
+    log.line("largest displacement ",
+             1e3 * largest,
+             " um, largest von Mises stress ",
+             stress,
+             " MPa, strain energy ",
+             result.strain_energy,
+             " mJ; ",
+             3 * solver.discretization().n_points(),
+             " displacements, ",
+             result.n_iterations,
+             " iterations, ",
+             summary.run_time,
+             " s");
+
+    write_probes(folder, model, solver.discretization(), result, stresses);
+    if (output_.fields_every > 0)
+      write_fields(folder, solver.discretization(), result, stresses);
+    if (folder.is_writer())
+      {
+        const Table reactions = make_reaction_table(solver.discretization(), result);
+        folder.write_file("reactions.csv", [&](std::ostream &out) { reactions.write_csv(out); });
+      }
+    for (const Log::Warning &warning : log.warnings())
+      summary.warnings.push_back(warning.text);
+    write_summary(folder, summary);
+  }
+} // namespace vfife

@@ -1,0 +1,298 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/timers.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/fem/statics/static_solver.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/output/files/mode_writer.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/study/conventional/loaded_contact_study.h>
+#include <vfife/study/conventional/loaded_probes.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Largest von Mises stress of some named sets of a body [MPa], 0 where it has none. */
+    double largest_stress(const Body                      &body,
+                          const std::vector<Stress>       &stresses,
+                          const std::vector<const char *> &sets)
+    {
+      double largest = 0;
+      for (const char *set : sets)
+        if (body.has_node_set(set))
+          for (const unsigned int node : body.node_set(set))
+            largest = std::max(largest, von_mises(stresses[body.first_node + node]));
+      return largest;
+    }
+  } // namespace
+
+  void LoadedContactOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_integer(prm,
+                    "positions",
+                    positions,
+                    "Positions over one tooth mesh; 1: the reference position alone",
+                    1,
+                    1000);
+    declare_switch(prm, "centrifugal", centrifugal, "Whether both bodies spin at their speeds");
+    declare_integer(
+      prm,
+      "coupled modes",
+      coupled_modes,
+      "Lowest natural vibrations of the pair in contact at the reference position; 0: "
+      "none",
+      0,
+      1000);
+  }
+
+  LoadedContactStudy::LoadedContactStudy()
+  {
+    fem_.mass = MassKind::lumped; // as the mass points of a run
+    positions_.add_column("position", "tooth meshes");
+    positions_.add_column("pinion angle", "deg");
+    positions_.add_column("unloaded transmission error", "arcsec");
+    positions_.add_column("transmission error", "arcsec");
+    positions_.add_column("contact torque on the gear", "N m");
+    positions_.add_column("contact force total", "N");
+    positions_.add_column("teeth in contact", "-");
+    positions_.add_column("largest pressure", "MPa");
+    positions_.add_column("secant stiffness", "N m/rad");
+    positions_.add_column("tangent stiffness", "N m/rad");
+    positions_.add_column("pinion fillet von mises", "MPa");
+    positions_.add_column("gear fillet von mises", "MPa");
+    positions_.add_column("web von mises", "MPa");
+    positions_.add_column("iterations", "-");
+    positions_.add_column("residual", "-");
+    teeth_.add_column("position", "tooth meshes");
+    teeth_.add_text_column("side");
+    teeth_.add_column("pinion tooth", "-");
+    teeth_.add_column("gear tooth", "-");
+    teeth_.add_column("force", "N");
+    teeth_.add_column("torque", "N m");
+    teeth_.add_column("share of torque", "-");
+    teeth_.add_column("largest pressure", "MPa");
+    teeth_.add_column("area", "mm^2");
+  }
+
+  void LoadedContactStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    gear_case_.declare(prm, file);
+    dynamics_.declare(prm);
+    output_.declare(prm);
+    {
+      Subsection section(prm, "Fem");
+      fem_.declare(prm);
+    }
+    Subsection section(prm, "Loaded contact");
+    options_.declare(prm);
+  }
+
+  void LoadedContactStudy::check() const
+  {
+    gear_case_.check();
+    gear_case_.operation().require_driving_pinion("Operation", "loaded tooth contact analysis");
+    dynamics_.check("Dynamics");
+    fem_.check("Fem");
+  }
+
+  std::vector<double> LoadedContactStudy::find_penalties(const Model        &model,
+                                                         const Communicator &communicator,
+                                                         Log                &log) const
+  {
+    Timers         timers;
+    ExplicitSolver solver(model, dynamics_, communicator, log, timers);
+    solver.set_step(gear_case_.choose_step(solver.stable_step(), output_.history_every));
+    return solver.contact().penalties();
+  }
+
+  void LoadedContactStudy::inspect(Communicator &communicator, Log &log)
+  {
+    const Model model = gear_case_.make_model(false, log);
+    log.line("penalty of a run of this file ",
+             find_penalties(model, communicator, log).front(),
+             " N/mm^3; ",
+             options_.positions,
+             " positions");
+  }
+
+  void LoadedContactStudy::run(OutputFolder &folder, Log &log)
+  {
+    const Model               model     = gear_case_.make_model(false, log);
+    const std::vector<double> penalties = find_penalties(model, folder.communicator(), log);
+    auto                      start     = WallClock::now();
+    Compliance                compliance(model, fem_, options_.centrifugal, folder.communicator());
+    log.line("penalty ",
+             penalties.front(),
+             " N/mm^3; ",
+             compliance.n_unknowns(),
+             " unknowns, factors of ",
+             compliance.memory(),
+             " MB in ",
+             seconds_since(start),
+             " s");
+
+    const double        pitch = 2 * pi / model.transmission->driver_teeth;
+    std::vector<double> turns;
+    for (unsigned int i = 0; i < options_.positions; ++i)
+      turns.push_back(i * pitch / options_.positions);
+    PairEquilibrium equilibrium(model, compliance, penalties, turns);
+    LoadedProbes    probes(model, gear_case_.operation().meshes);
+    for (const double turn : turns)
+      {
+        start                              = WallClock::now();
+        const unsigned int          before = compliance.n_prepared();
+        const PairEquilibriumResult result = equilibrium.solve(turn, 1.);
+        const std::vector<Stress>   stresses =
+          compute_node_stresses(compliance.discretization(), result.displacements);
+        add_position(model, compliance, turn / pitch, result, stresses, log);
+        probes.add_position(turn / pitch, stresses);
+        log.line("  ",
+                 result.iterations,
+                 " iterations, residual ",
+                 result.residual,
+                 ", ",
+                 compliance.n_prepared() - before,
+                 " unit forces, ",
+                 seconds_since(start),
+                 " s");
+        if (turn == turns.front() && options_.coupled_modes > 0)
+          find_modes(model, compliance, result, folder, log);
+      }
+    if (!folder.is_writer())
+      return;
+    folder.write_file("loaded_probes.csv",
+                      [&](std::ostream &out) { probes.table().write_csv(out); });
+    folder.write_file("loaded_contact.csv", [&](std::ostream &out) { positions_.write_csv(out); });
+    folder.write_file("loaded_contact.json",
+                      [&](std::ostream &out) { positions_.write_json(out); });
+    folder.write_file("loaded_teeth.csv", [&](std::ostream &out) { teeth_.write_csv(out); });
+  }
+
+  void LoadedContactStudy::find_modes(const Model                 &model,
+                                      const Compliance            &compliance,
+                                      const PairEquilibriumResult &result,
+                                      const OutputFolder          &folder,
+                                      Log                         &log) const
+  {
+    const CoupledModes modes = find_coupled_modes(compliance,
+                                                  fem_,
+                                                  options_.centrifugal,
+                                                  result.ties,
+                                                  options_.coupled_modes,
+                                                  folder.communicator());
+    log.line("coupled modes: ",
+             modes.n_unknowns,
+             " unknowns, ",
+             modes.counted ? "counted" : "not counted",
+             ", stiffness ",
+             1e-3 * modes.stiffness,
+             " N m/rad");
+    for (const auto *list : {&modes.turning, &modes.standing})
+      for (const CoupledMode &mode : *list)
+        if (mode.share_of_turn > .02)
+          log.line(list == &modes.turning ? "  in turning axes " : "  standing in space ",
+                   mode.frequency,
+                   " Hz: ",
+                   100 * mode.share_of_turn,
+                   " % of the static turn");
+    if (folder.is_writer())
+      {
+        Table table = make_coupled_mode_table();
+        add_coupled_modes(modes, table);
+        folder.write_file("coupled_modes.csv", [&](std::ostream &out) { table.write_csv(out); });
+        folder.write_file("coupled_modes.json", [&](std::ostream &out) { table.write_json(out); });
+      }
+    folder.make_subfolder("modes");
+    const auto           &list = modes.standing.empty() ? modes.turning : modes.standing;
+    const Discretization &d    = compliance.discretization();
+    for (const Discretization::Part &part : d.parts())
+      {
+        const Body             &body = model.bodies[part.body];
+        std::vector<NamedShape> shapes;
+        for (std::size_t k = 0; k < list.size(); ++k)
+          {
+            const auto first = list[k].shape.begin() + 3 * std::size_t(part.first_point);
+            shapes.push_back(
+              {"mode " + std::to_string(k + 1), {first, first + 3 * std::size_t(body.n_nodes())}});
+          }
+        write_shapes(folder, "modes/coupled_" + body.name() + ".vtu", body, shapes);
+      }
+  }
+
+  void LoadedContactStudy::add_position(const Model                 &model,
+                                        const Compliance            &compliance,
+                                        const double                 position,
+                                        const PairEquilibriumResult &result,
+                                        const std::vector<Stress>   &stresses,
+                                        Log                         &log)
+  {
+    const Transmission &t    = *model.transmission;
+    const auto          lead = [&](const double turn, const std::vector<double> &u) {
+      return t.driven_sense *
+             (turn + mean_rotation(compliance.discretization(), t.driven, t.driven_bore, u));
+    };
+    const double offset   = t.driven_start - t.ratio() * t.driver_start;
+    const double unloaded = offset + lead(result.touch_turn, compliance.spun());
+    const double loaded   = offset + lead(result.turn, result.displacements);
+    const double torque   = gear_case_.operation().torque;
+    const double secant   = torque / std::abs(loaded - unloaded);
+    const double tangent  = torque / std::abs(lead(result.turn_slope, result.displacement_slope));
+
+    double force = 0, pressure = 0;
+    for (const ToothContact &tooth : result.teeth)
+      {
+        force += tooth.force.norm();
+        pressure = std::max(pressure, tooth.largest_pressure);
+        teeth_.add_row({position,
+                        tooth.side,
+                        tooth.slave_group,
+                        tooth.master_group,
+                        tooth.force.norm(),
+                        1e-3 * tooth.torque,
+                        tooth.torque / result.contact_torque,
+                        tooth.largest_pressure,
+                        tooth.area});
+      }
+    const std::vector<const char *> fillets = {node_set::concave_fillet, node_set::convex_fillet};
+    const Body &driver = model.bodies[t.driver], &driven = model.bodies[t.driven];
+    positions_.add_row({position,
+                        (t.driver_start + result.driver_turn) * 180. / pi,
+                        unloaded / arcsecond,
+                        loaded / arcsecond,
+                        1e-3 * result.contact_torque,
+                        force,
+                        result.teeth.size(),
+                        pressure,
+                        1e-3 * secant,
+                        1e-3 * tangent,
+                        largest_stress(driver, stresses, fillets),
+                        largest_stress(driven, stresses, fillets),
+                        largest_stress(driven, stresses, {node_set::web_front, node_set::web_back}),
+                        result.iterations,
+                        result.residual});
+    log.line("position ",
+             position,
+             ": transmission error ",
+             loaded / arcsecond,
+             " arcsec (unloaded ",
+             unloaded / arcsecond,
+             "), ",
+             result.teeth.size(),
+             " teeth, contact torque ",
+             1e-3 * result.contact_torque,
+             " N m, force ",
+             force,
+             " N, stiffness ",
+             1e-3 * secant,
+             " (tangent ",
+             1e-3 * tangent,
+             ") N m/rad");
+  }
+} // namespace vfife

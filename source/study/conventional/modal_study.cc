@@ -1,0 +1,132 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/output/files/mode_writer.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/study/conventional/chosen_bodies.h>
+#include <vfife/study/conventional/modal_study.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    void write_tables(const OutputFolder &folder, const std::string &name, const Table &table)
+    {
+      if (!folder.is_writer())
+        return;
+      folder.write_file(name + ".csv", [&](std::ostream &out) { table.write_csv(out); });
+      folder.write_file(name + ".json", [&](std::ostream &out) { table.write_json(out); });
+    }
+  } // namespace
+
+  void ModalStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    is_general_ = file.contains("Model") && !file.contains("Gear pair");
+    if (is_general_)
+      model_.declare(prm, file);
+    else
+      gear_case_.declare(prm, file);
+    Subsection section(prm, "Fem");
+    fem_.declare(prm);
+  }
+
+  void ModalStudy::check() const
+  {
+    if (is_general_)
+      model_.check();
+    else
+      gear_case_.check();
+    fem_.check("Fem");
+  }
+
+  Model ModalStudy::make_model(Log &log) const
+  {
+    return is_general_ ? model_.make_model() : gear_case_.make_model(false, log);
+  }
+
+  void ModalStudy::inspect(Communicator &, Log &log)
+  {
+    const Model model = make_model(log);
+    for (const unsigned int b : find_chosen_bodies(fem_, model))
+      log.line("modes of the ",
+               model.bodies[b].name(),
+               ": ",
+               fem_.n_modes,
+               " at ",
+               fem_.rates().size(),
+               " speeds");
+  }
+
+  void ModalStudy::run(OutputFolder &folder, Log &log)
+  {
+    const Model model = make_model(log);
+    folder.make_subfolder("modes");
+    for (const unsigned int b : find_chosen_bodies(fem_, model))
+      solve_body(model, b, folder, log);
+    write_tables(folder, "modes", modes_);
+    if (fem_.rates().size() > 1)
+      {
+        write_tables(folder, "campbell", campbell_);
+        write_tables(folder, "resonances", resonances_);
+      }
+  }
+
+  void ModalStudy::solve_body(const Model        &model,
+                              const unsigned int  b,
+                              const OutputFolder &folder,
+                              Log                &log)
+  {
+    const Body               &body = model.bodies[b];
+    const RotatingBody        rotating(model, b, fem_, folder.communicator());
+    std::vector<ModesAtSpeed> speeds;
+    for (const double rate : fem_.rates())
+      {
+        const auto   start   = WallClock::now();
+        ModesAtSpeed found   = rotating.find_modes(rate);
+        const double seconds = seconds_since(start);
+        log.line(body.name(),
+                 " at ",
+                 rate * 30. / pi,
+                 " rpm: ",
+                 found.modes.size(),
+                 " modes, the lowest at ",
+                 found.modes.front().frequency,
+                 " Hz and the highest at ",
+                 found.modes.back().frequency,
+                 " Hz, ",
+                 found.n_rigid,
+                 " of them rigid; ",
+                 found.counted ? "counted by factorization" : "not counted",
+                 "; ",
+                 found.n_unknowns,
+                 " unknowns, factors of ",
+                 found.memory,
+                 " MB, ",
+                 seconds,
+                 " s");
+        if (rate != 0)
+          log.line("largest displacement under spin ", 1e3 * found.growth, " um");
+        add_modes(body.name(), found, modes_);
+
+        std::vector<NamedShape> shapes;
+        for (std::size_t k = 0; k < found.modes.size(); ++k)
+          shapes.push_back({"mode " + std::to_string(k + 1), std::move(found.modes[k].shape)});
+        std::ostringstream name;
+        name << "modes/" << body.name() << "_" << std::lround(rate * 30. / pi) << "_rpm.vtu";
+        write_shapes(folder, name.str(), body, shapes);
+        speeds.push_back(std::move(found));
+      }
+    const std::vector<CampbellBranch> branches = make_branches(speeds);
+    add_branches(body.name(), branches, campbell_);
+    add_resonances(body.name(), branches, body.mesh().n_sectors, fem_.mesh_orders, resonances_);
+  }
+} // namespace vfife

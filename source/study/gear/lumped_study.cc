@@ -1,0 +1,224 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/log.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/pictures.h>
+#include <vfife/study/gear/lumped_study.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Multiples of the mesh frequency whose critical speeds are written. */
+    constexpr unsigned int n_orders = 3;
+
+    Json modes_json(const LumpedModel &model)
+    {
+      Json modes = Json::array();
+      for (const LumpedMode &mode : model.find_modes())
+        {
+          Json critical = Json::array();
+          for (unsigned int order = 1; order <= n_orders; ++order)
+            critical.push_back(60 * mode.frequency / (order * model.pair().driver_teeth));
+          modes.push_back({{"frequency [Hz]", mode.frequency},
+                           {"damping ratio [-]", mode.damping_ratio},
+                           {"critical pinion speeds of mesh orders 1, 2, 3 [rpm]", critical}});
+        }
+      return modes;
+    }
+
+    NamedFigures model_figures(const LumpedModel &model)
+    {
+      const LumpedPair &pair = model.pair();
+      return {{"torque on the gear", {1e-3 * pair.torque, "N m"}},
+              {"gear inertia", {1e3 * pair.driven_inertia, "kg mm^2"}},
+              {"pinion inertia", {1e3 * pair.driver_inertia, "kg mm^2"}},
+              {"inertia of the swing, at the gear", {1e3 * model.swing_inertia(), "kg mm^2"}},
+              {"mesh stiffness, mean at the torque", {1e-3 * model.mesh_stiffness(), "N m/rad"}},
+              {"arm", {pair.arm, "mm"}},
+              {"backlash, turn of the gear", {pair.law.backlash / arcsecond, "arcsec"}}};
+    }
+
+    NamedFigures response_figures(const LumpedResponse &response, const double speed)
+    {
+      return {{"speed", {speed * 30 / pi, "rpm"}},
+              {"mean dte", {response.mean_error / arcsecond, "arcsec"}},
+              {"rms dte", {response.rms_error / arcsecond, "arcsec"}},
+              {"peak to peak dte", {response.pp_error / arcsecond, "arcsec"}},
+              {"mean force", {response.mean_force, "N"}},
+              {"rms force", {response.rms_force, "N"}},
+              {"peak to peak force", {response.pp_force, "N"}},
+              {"losses of contact", {static_cast<double>(response.losses), "-"}},
+              {"time apart", {response.time_apart, "-"}},
+              {"time on coast flanks", {response.time_coast, "-"}},
+              {"energy error", {response.energy_error, "-"}}};
+    }
+
+    /** Largest peak-to-peak DTE of a sweep, where contact was lost, and how far both directions
+     * differ at one speed. */
+    Json sweep_json(const Table &table)
+    {
+      const std::vector<double> &speed        = table.numbers("speed"),
+                                &swing        = table.numbers("peak to peak dte"),
+                                &apart        = table.numbers("time apart");
+      const std::vector<std::string> &pass    = table.column("direction").texts;
+      const std::size_t               n       = std::count(pass.begin(), pass.end(), "up");
+      std::size_t                     largest = 0;
+      Json                            lost    = Json::array();
+      double                          jump = 0, jump_speed = 0;
+      for (std::size_t i = 0; i < speed.size(); ++i)
+        {
+          if (swing[i] > swing[largest])
+            largest = i;
+          if (apart[i] > 0)
+            lost.push_back({{"direction", pass[i]}, {"speed [rpm]", speed[i]}});
+          if (i < n && speed.size() == 2 * n)
+            {
+              const double difference = std::abs(swing[i] - swing[2 * n - 1 - i]);
+              if (difference > jump)
+                {
+                  jump       = difference;
+                  jump_speed = speed[i];
+                }
+            }
+        }
+      return {{"largest peak to peak dte", figure_json(swing[largest], "arcsec")},
+              {"at the speed", figure_json(speed[largest], "rpm")},
+              {"largest difference of both directions", figure_json(jump, "arcsec")},
+              {"difference at the speed", figure_json(jump_speed, "rpm")},
+              {"contact lost at", lost}};
+    }
+
+    void log_model(const LumpedModel &model, Log &log)
+    {
+      log.line("mean mesh stiffness ",
+               1e-3 * model.mesh_stiffness(),
+               " N m/rad at ",
+               1e-3 * model.pair().torque,
+               " N m, inertia of the swing ",
+               1e3 * model.swing_inertia(),
+               " kg mm^2");
+      for (const LumpedMode &mode : model.find_modes())
+        if (mode.frequency > 0)
+          log.line("natural frequency ",
+                   mode.frequency,
+                   " Hz, damping ratio ",
+                   mode.damping_ratio,
+                   ", met by the tooth mesh at ",
+                   60 * mode.frequency / model.pair().driver_teeth,
+                   " rpm");
+    }
+  } // namespace
+
+  void LumpedStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    has_pair_ = file.contains("Gear pair");
+    if (has_pair_)
+      gear_case_.declare(prm, file);
+    else
+      operation_.declare(prm);
+    options_.declare(prm, file);
+    Subsection section(prm, "Lumped");
+    run_.declare(prm);
+    sweep_.declare(prm);
+    declare_switch(prm, "pictures", pictures_, "Whether the report is written at the end");
+  }
+
+  const OperationOptions &LumpedStudy::operation() const
+  {
+    return has_pair_ ? gear_case_.operation() : operation_;
+  }
+
+  void LumpedStudy::check() const
+  {
+    if (has_pair_)
+      gear_case_.check_bodies();
+    operation().check("Operation");
+    operation().require_driving_pinion("Operation", "lumped model");
+    options_.check();
+    sweep_.check("Lumped");
+  }
+
+  LumpedPair LumpedStudy::make_pair(Log &log) const
+  {
+    LumpedOptions filled = options_;
+    if (has_pair_)
+      {
+        const Model         model = gear_case_.make_model(false, log);
+        const Transmission &t     = *model.transmission;
+        const auto          fill  = [](auto &value, const auto known) {
+          if (!(value > 0))
+            value = known;
+        };
+        fill(filled.driver_teeth, t.driver_teeth);
+        fill(filled.driven_teeth, t.driven_teeth);
+        fill(filled.driver_inertia, model.bodies[t.driver].axial_inertia());
+        fill(filled.driven_inertia, model.bodies[t.driven].axial_inertia());
+        fill(filled.arm, t.arm);
+        if (filled.backlash < 0)
+          filled.backlash = gear_case_.make_pair().backlash_angle() * filled.arm;
+        if (filled.contact_normal.norm() == 0)
+          {
+            filled.contact_normal = t.contact_normal;
+            filled.contact_point  = t.contact_point;
+          }
+      }
+    return filled.make_pair(operation().torque);
+  }
+
+  void LumpedStudy::inspect(Communicator &, Log &log)
+  {
+    log_model(LumpedModel(make_pair(log)), log);
+  }
+
+  void LumpedStudy::run(OutputFolder &folder, Log &log)
+  {
+    const LumpedModel model(make_pair(log));
+    log_model(model, log);
+    const double   speed  = operation().speed;
+    Table          motion = make_motion_table(model);
+    LumpedResponse response;
+    {
+      LumpedSolver solver(model, run_);
+      response = solver.run(speed * model.pair().driver_teeth / (2 * pi),
+                            [&](const LumpedSolver::Sample &s) { add_motion(model, s, motion); });
+    }
+    log.line("at ",
+             speed * 30 / pi,
+             " rpm: dte ",
+             response.mean_error / arcsecond,
+             " arcsec, peak to peak ",
+             response.pp_error / arcsecond,
+             "; force ",
+             response.mean_force,
+             " N, peak to peak ",
+             response.pp_force,
+             "; ",
+             response.losses,
+             " losses of contact; energy error ",
+             response.energy_error);
+    Json json = {{"model", figures_json(model_figures(model))},
+                 {"modes", modes_json(model)},
+                 {"response", figures_json(response_figures(response, speed))}};
+    if (sweep_.kind != SweepKind::none)
+      {
+        Table resonance = make_resonance_response_table();
+        sweep_speeds(model, run_, sweep_, resonance);
+        json["sweep"] = sweep_json(resonance);
+        if (folder.is_writer())
+          folder.write_file("resonance.csv", [&](std::ostream &out) { resonance.write_csv(out); });
+      }
+    if (folder.is_writer())
+      folder.write_file("lumped.csv", [&](std::ostream &out) { motion.write_csv(out); });
+    write_json(folder, "lumped.json", json);
+    if (pictures_)
+      draw_pictures(folder, log);
+  }
+} // namespace vfife

@@ -1,0 +1,123 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/table.h>
+#include <vfife/gear/flank_points.h>
+#include <vfife/mesh/files/mesh_export.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/study/cases/body_figures.h>
+#include <vfife/study/gear/mesh_study.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    ExportedBody exported(const Body &body)
+    {
+      ExportedBody result;
+      result.name           = body.name();
+      result.mesh           = &body.mesh();
+      result.material       = body.material().name;
+      result.density        = body.material().density;
+      result.youngs_modulus = body.material().youngs_modulus;
+      result.poissons_ratio = body.material().poissons_ratio;
+      return result;
+    }
+  } // namespace
+
+  void ExportOptions::declare(dealii::ParameterHandler &prm)
+  {
+    const Subsection section(prm, "Export");
+    declare_names(prm,
+                  "formats",
+                  formats,
+                  "Formats of mesh files: " + list_of(export_formats()) + "; may be empty");
+    declare_switch(prm, "pair", pair, "Both bodies in one file, mounted in the fixed frame");
+    declare_switch(prm, "bodies", bodies, "Each body in a file of its own, in its body frame");
+    declare_integer(prm,
+                    "flank points lengthwise",
+                    lengthwise,
+                    "Points of the true flanks from toe to heel in flank_points_BODY.csv; 0: none");
+    declare_integer(prm,
+                    "flank points profile",
+                    profile,
+                    "Points from the start of the flank to the tip");
+  }
+
+  void ExportOptions::check(const std::string &section) const
+  {
+    const auto known = export_formats();
+    for (const std::string &format : formats)
+      if (std::find(known.begin(), known.end(), format) == known.end())
+        throw InputError(section + "/formats",
+                         section + "/formats: there is no format \"" + format +
+                           "\"; allowed: " + list_of(known) + did_you_mean(format, known));
+    if ((lengthwise != 0 || profile != 0) && (lengthwise < 2 || profile < 2))
+      throw InputError(section + "/flank points lengthwise",
+                       section +
+                         ": flank points need at least 2 lengthwise and 2 along the profile "
+                         "(or 0 and 0 for none)");
+  }
+
+  void MeshStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    gear_case_.declare(prm, file);
+    export_.declare(prm);
+  }
+
+  void MeshStudy::check() const
+  {
+    gear_case_.check_bodies();
+    export_.check("Export");
+  }
+
+  void MeshStudy::inspect(Communicator &, Log &log)
+  {
+    gear_case_.make_model(false, log);
+  }
+
+  void MeshStudy::run(OutputFolder &folder, Log &log)
+  {
+    const Model model = gear_case_.make_model(false, log);
+    if (!folder.is_writer())
+      return;
+    const Table figures = body_figures_table(gear_case_.measure_bodies(model));
+    folder.write_file("mesh.csv", [&](std::ostream &out) { figures.write_csv(out); });
+    folder.write_file("mesh.json", [&](std::ostream &out) { figures.write_json(out); });
+    const Table meridian = gear_case_.meridian_table();
+    folder.write_file("meridian.csv", [&](std::ostream &out) { meridian.write_csv(out); });
+
+    const auto write = [&](const std::string &name, const std::vector<ExportedBody> &bodies) {
+      for (const std::string &format : export_.formats)
+        {
+          folder.write_file(name + "." + format,
+                            [&](std::ostream &out) { write_meshes(out, format, bodies); });
+          log.line("wrote ", folder.file(name + "." + format));
+        }
+    };
+    std::vector<ExportedBody> pair;
+    for (const Body &body : model.bodies)
+      {
+        if (export_.bodies)
+          write(body.name(), {exported(body)});
+        pair.push_back(exported(body));
+        pair.back().placement = body.placement;
+      }
+    if (export_.pair)
+      write("pair", pair);
+
+    if (export_.lengthwise == 0)
+      return;
+    const GearPair gears = gear_case_.make_pair();
+    for (const GearMember *member : {&gears.pinion(), &gears.gear()})
+      {
+        const Table points = compute_flank_points(*member, export_.lengthwise, export_.profile);
+        folder.write_file("flank_points_" + member->name() + ".csv",
+                          [&](std::ostream &out) { points.write_csv(out); });
+      }
+  }
+} // namespace vfife

@@ -1,0 +1,319 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/log.h>
+#include <vfife/gear/tooth_form.h>
+#include <vfife/output/files/figures.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/study/gear/tooth_contact_study.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <ostream>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double degree = pi / 180.;
+
+    /** A number with a fixed number of decimals, for the log. */
+    std::string fixed(const double value, const int decimals)
+    {
+      char text[64];
+      std::snprintf(text, sizeof text, "%.*f", decimals, value);
+      return text;
+    }
+
+    Json point_json(const SurfacePoint &point, const Vector2 &L_h, const Vector2 &curvatures)
+    {
+      NamedFigures figures = {{"L", {L_h[0], "mm"}}, {"h", {L_h[1], "mm"}}};
+      const char  *names[] = {"x", "y", "z"};
+      for (unsigned int i = 0; i < 3; ++i)
+        figures.push_back({names[i], {point.position[i], "mm"}});
+      for (unsigned int i = 0; i < 3; ++i)
+        figures.push_back({std::string("normal ") + names[i], {point.normal[i], "-"}});
+      figures.push_back({"smaller principal curvature", {curvatures[0], "1/mm"}});
+      figures.push_back({"larger principal curvature", {curvatures[1], "1/mm"}});
+      return figures_json(figures);
+    }
+
+    /** Who drives, how the members turn about + their axes, and what that makes of the contact. */
+    Json working_json(const GearPair &pair, const ContactAnalysisOptions &options)
+    {
+      const bool   pinion_drives = options.driving == DrivingMember::pinion;
+      const double sense         = options.direction == TurningDirection::forward ? 1. : -1.;
+      const double ratio         = pinion_drives ? pair.speed_ratio() : 1. / pair.speed_ratio();
+      // the driver's torque acts with its rotation, the load against that of the driven member
+      const double on_pinion = pinion_drives ? sense : -sense, on_gear = on_pinion;
+      Json         json             = figures_json({{"pinion turns", {sense, "-"}},
+                                                    {"gear turns", {-sense, "-"}},
+                                                    {"torque on the pinion", {on_pinion, "-"}},
+                                                    {"torque on the gear", {on_gear, "-"}},
+                                                    {"driven speed over driver speed", {ratio, "-"}}});
+      json["driving member"]        = name_of(options.driving);
+      json["direction of rotation"] = name_of(options.direction);
+      json["side"]                  = side_name(options.working_side());
+      return json;
+    }
+
+    Json side_json(const ContactAnalysis &a, const double gear_pitch)
+    {
+      const ContactEllipse &ellipse = a.mean.ellipse;
+      Json                  json;
+      json["mean contact on the generated pinion flank"] =
+        point_json(a.mean.contact.pinion, a.mean.contact.pinion_L_h, a.pinion_curvatures);
+      json["mean contact on the generated gear flank"] =
+        point_json(a.mean.contact.gear, a.mean.contact.gear_L_h, a.gear_curvatures);
+      json["ellipse at the mean contact"] = figures_json(
+        {{"smaller relative curvature", {ellipse.relative_curvatures[0], "1/mm"}},
+         {"larger relative curvature", {ellipse.relative_curvatures[1], "1/mm"}},
+         {"semi-axis a", {ellipse.semi_axes[0], "mm"}},
+         {"semi-axis b", {ellipse.semi_axes[1], "mm"}},
+         {"major axis to the lengthwise direction", {a.mean.major_angle / degree, "deg"}}});
+      json["path"] =
+        figures_json({{"start", {a.ends[0].place, "pitches"}},
+                      {"end", {a.ends[1].place, "pitches"}},
+                      {"contact ratio", {a.contact_ratio, "-"}},
+                      {"gear L at the start", {a.path.front().contact.gear_L_h[0], "mm"}},
+                      {"gear L at the end", {a.path.back().contact.gear_L_h[0], "mm"}},
+                      {"angle to the lengthwise direction", {a.path_angle / degree, "deg"}}});
+      json["path"]["ended by"] = {a.ends[0].border, a.ends[1].border};
+      for (const unsigned int i : {0u, 1u})
+        {
+          const PathEnd &end  = a.ends[i];
+          Json          &part = json[i == 0 ? "beyond the start" : "beyond the end"];
+          part =
+            figures_json({{"edge takes over at", {end.place, "pitches"}},
+                          {"lag", {end.lag / arcsecond, "arcsec"}},
+                          {"edge stays in contact for", {end.reach, "pitches"}},
+                          {"approach before it carries", {end.approach / arcsecond, "arcsec"}}});
+          part["border"]  = end.border;
+          part["is edge"] = end.is_edge;
+        }
+
+      NamedFigures lag;
+      for (unsigned int i = 0; i < 2; ++i)
+        lag.push_back({"power " + std::to_string(i), {a.lag_offset[i] / arcsecond, "arcsec"}});
+      for (unsigned int i = 0; i < 3; ++i)
+        lag.push_back(
+          {"power " + std::to_string(i + 2), {a.lag_polynomial[i] / arcsecond, "arcsec"}});
+      lag.push_back({"largest deviation of the polynomial", {a.fit_error / arcsecond, "arcsec"}});
+      json["lag over pitches"]             = figures_json(lag);
+      json["hands over inside the flanks"] = a.hands_over && !a.over_an_edge;
+      json["hands over"]                   = a.hands_over;
+      if (a.hands_over)
+        json["hand-over"] =
+          figures_json({{"place", {a.hand_over, "pitches"}},
+                        {"lag", {a.hand_over_lag / arcsecond, "arcsec"}},
+                        {"peak to peak", {a.peak_to_peak / arcsecond, "arcsec"}},
+                        {"share of the gear's pitch", {a.peak_to_peak / gear_pitch, "-"}}});
+      return json;
+    }
+
+    void log_side(const ContactAnalysis &a, Log &log)
+    {
+      const UnloadedContactPoint &p = a.mean.contact;
+      log.line(side_name(a.side), " side");
+      log.line("  mean contact        pinion L ",
+               fixed(p.pinion_L_h[0], 3),
+               ", h ",
+               fixed(p.pinion_L_h[1], 3),
+               " mm; gear L ",
+               fixed(p.gear_L_h[0], 3),
+               ", h ",
+               fixed(p.gear_L_h[1], 3),
+               " mm");
+      log.line("  path                ",
+               fixed(a.ends[0].place, 3),
+               " (",
+               a.ends[0].border,
+               ") to ",
+               fixed(a.ends[1].place, 3),
+               " (",
+               a.ends[1].border,
+               ") pitches, contact ratio ",
+               fixed(a.contact_ratio, 2),
+               ", ",
+               fixed(a.path_angle / degree, 1),
+               " deg to the lengthwise direction");
+      log.line("  ellipse             ",
+               fixed(a.mean.ellipse.semi_axes[0], 3),
+               " x ",
+               fixed(a.mean.ellipse.semi_axes[1], 3),
+               " mm semi-axes, major axis at ",
+               fixed(a.mean.major_angle / degree, 1),
+               " deg");
+      std::string polynomial;
+      for (unsigned int i = 0; i < 2; ++i)
+        if (a.lag_offset[i] != 0.)
+          polynomial += fixed(a.lag_offset[i] / arcsecond, 3) + (i == 0 ? " " : " p ");
+      for (unsigned int i = 0; i < 3; ++i)
+        polynomial +=
+          fixed(a.lag_polynomial[i] / arcsecond, 3) + " p^" + std::to_string(i + 2) + " ";
+      log.line("  lag of the gear     ",
+               polynomial,
+               "arcsec (p pitches; within ",
+               fixed(a.fit_error / arcsecond, 4),
+               ")");
+      log.line("  edges               carry after ",
+               fixed(a.ends[0].approach / arcsecond, 1),
+               " and ",
+               fixed(a.ends[1].approach / arcsecond, 1),
+               " arcsec of approach at these ends");
+      if (a.hands_over)
+        log.line("  hand-over           at p = ",
+                 fixed(a.hand_over, 3),
+                 " with ",
+                 fixed(a.hand_over_lag / arcsecond, 3),
+                 " arcsec, ",
+                 fixed(a.peak_to_peak / arcsecond, 3),
+                 " arcsec peak to peak");
+      else
+        log.warning(side_name(a.side),
+                    " side: neither flanks nor edges carry until the next tooth pair takes over");
+      if (a.over_an_edge)
+        log.warning(
+          side_name(a.side),
+          " side: the path of contact ends before the next tooth pair takes over; an edge "
+          "carries there");
+    }
+
+    Json form_json(const ToothForms &forms)
+    {
+      Json json = figures_json({{"play of the gear", {forms.play / arcsecond, "arcsec"}},
+                                {"normal backlash", {forms.backlash, "mm"}}});
+      for (const auto *member : {&forms.pinion, &forms.gear})
+        for (const ToothSection &section : *member)
+          json[member == &forms.pinion ? "pinion" : "gear"][section.place] =
+            figures_json({{"cone distance", {section.cone_distance, "mm"}},
+                          {"transverse thickness", {section.thickness, "mm"}},
+                          {"tip land", {section.tip_land, "mm"}},
+                          {"root clearance", {section.root_clearance, "mm"}},
+                          {"mating tip over the fillet", {section.fillet_distance, "mm"}},
+                          {"regularity at the fillet", {section.regularity, "-"}}});
+      return json;
+    }
+
+    void log_forms(const ToothForms &forms, Log &log)
+    {
+      log.line(
+        "teeth (mm)            thickness  tip land  root clearance  tip over fillet  regularity");
+      for (const auto *member : {&forms.pinion, &forms.gear})
+        for (const ToothSection &section : *member)
+          {
+            char row[128];
+            std::snprintf(row,
+                          sizeof row,
+                          "  %-7s %-7s %14.3f %9.3f %15.3f %16.3f %11.2f",
+                          member == &forms.pinion ? "pinion" : "gear",
+                          section.place.c_str(),
+                          section.thickness,
+                          section.tip_land,
+                          section.root_clearance,
+                          section.fillet_distance,
+                          section.regularity);
+            log.line(row);
+          }
+      log.line("backlash              ",
+               fixed(forms.backlash, 4),
+               " mm normal at the mean point, ",
+               fixed(forms.play / arcsecond, 1),
+               " arcsec at the gear");
+      for (const std::string &message : forms.findings.warnings())
+        log.warning(message);
+    }
+
+    void warn(const GearPairOptions &options, Log &log)
+    {
+      for (const std::string &message : options.examine().warnings())
+        log.warning(message);
+    }
+
+    /** pair.prm: blanks and settings with everything derived or proposed, as a parameter file. */
+    void write_pair(const GearPair &pair, const OutputFolder &folder)
+    {
+      GearPairOptions options = pair.options();
+      options.proposal        = PairProposal();
+      dealii::ParameterHandler prm;
+      {
+        Subsection section(prm, "Gear pair");
+        options.declare(prm);
+      }
+      folder.write_file("pair.prm", [&](std::ostream &out) { print_parameters(out, prm); });
+    }
+
+    void log_derived(const GearPair &pair, Log &log)
+    {
+      const GearPairOptions &o = pair.options();
+      log.line("pair ",
+               o.pinion.blank.teeth,
+               "/",
+               o.gear.blank.teeth,
+               ": ratio of roll gear ",
+               o.gear.concave.ratio_of_roll,
+               " (concave), ",
+               o.gear.convex.ratio_of_roll,
+               " (convex), pinion ",
+               fixed(o.pinion.concave.ratio_of_roll, 9),
+               " (concave), ",
+               fixed(o.pinion.convex.ratio_of_roll, 9),
+               " (convex)");
+    }
+  } // namespace
+
+  void ToothContactStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &)
+  {
+    {
+      Subsection section(prm, "Gear pair");
+      pair_.declare(prm);
+    }
+    options_.declare(prm);
+  }
+
+  void ToothContactStudy::check() const
+  {
+    pair_.check("Gear pair");
+  }
+
+  void ToothContactStudy::inspect(Communicator &, Log &log)
+  {
+    warn(pair_, log);
+    log_derived(GearPair(pair_), log);
+  }
+
+  void ToothContactStudy::run(OutputFolder &folder, Log &log)
+  {
+    warn(pair_, log);
+    const GearPair pair(pair_);
+    log_derived(pair, log);
+    Json                         json;
+    std::vector<ContactAnalysis> sides;
+    json["working"]                    = working_json(pair, options_);
+    json["marking compound thickness"] = figure_json(1e3 * options_.marking_thickness, "um");
+    for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
+      {
+        sides.push_back(analyse_contact(pair, side, options_));
+        log_side(sides.back(), log);
+        json[side_name(side)] = side_json(sides.back(), pair.gear().pitch());
+      }
+    const ToothForms forms = measure_tooth_forms(pair);
+    log_forms(forms, log);
+    forms.findings.raise();
+    json["teeth"] = form_json(forms);
+    if (!folder.is_writer())
+      return;
+    write_pair(pair, folder);
+    const Table ease_off = ease_off_table(pair);
+    folder.write_file("ease_off.csv", [&](std::ostream &out) { ease_off.write_csv(out); });
+    const Table lag = lag_table(pair, sides, options_), path = path_table(pair, sides),
+                transmission = transmission_table(pair, options_);
+    folder.write_file("transmission.csv", [&](std::ostream &out) { transmission.write_csv(out); });
+    folder.write_file("tca.csv", [&](std::ostream &out) { lag.write_csv(out); });
+    folder.write_file("path.csv", [&](std::ostream &out) { path.write_csv(out); });
+    write_json(folder, "tca.json", json);
+  }
+} // namespace vfife

@@ -1,0 +1,148 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/watch/measurement.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/study/run/deflection_parts.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace vfife
+{
+  DeflectionProbe::DeflectionProbe(const Model &model, const Communicator &communicator)
+    : model_(model)
+    , communicator_(communicator)
+  {
+  }
+
+  Vector3 DeflectionProbe::flank_displacement(const State       &state,
+                                              const unsigned int b,
+                                              const std::string &surface) const
+  {
+    // Mean over the flank around the contact: a patch of some elements, wide against the local
+    // indentation.
+    constexpr double    width   = 3.; // [mm]
+    const Body         &body    = model_.bodies[b];
+    const Vector3      &contact = model_.transmission->contact_point;
+    std::vector<double> sums(4, 0.);
+    for (const unsigned int node : body.mesh().surfaces.at(surface).nodes)
+      {
+        const std::uint32_t local = state.partition.local_node[body.first_node + node];
+        if (local == Partition::absent || !state.partition.owned[local])
+          continue;
+        const Vector3 start  = body.placement(body.node_positions()[node]);
+        const double  weight = std::exp(-0.5 * (start - contact).squaredNorm() / (width * width));
+        const Vector3 u      = state.node_position(local) - start;
+        for (unsigned int c = 0; c < 3; ++c)
+          sums[c] += weight * u[c];
+        sums[3] += weight;
+      }
+    communicator_.sum(sums);
+    return Vector3(sums[0], sums[1], sums[2]) / sums[3];
+  }
+
+  void DeflectionProbe::fit_rim(const State &state, Shape &shape) const
+  {
+    const Transmission &t    = *model_.transmission;
+    const Body         &body = model_.bodies[t.driven];
+    // Least squares of u = shift + turn x r over the rim's masses: a symmetric 6 x 6 system.
+    Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> right  = Eigen::Matrix<double, 6, 1>::Zero();
+    for (const unsigned int node : t.driven_rim)
+      {
+        const std::uint32_t local = state.partition.local_node[body.first_node + node];
+        if (local == Partition::absent || !state.partition.owned[local])
+          continue;
+        const double                mass  = body.node_masses()[node];
+        const Vector3               start = body.placement(body.node_positions()[node]);
+        const Vector3               r     = start - body.axis.point;
+        Eigen::Matrix<double, 3, 6> motion;
+        motion.leftCols<3>() = Matrix3::Identity();
+        for (unsigned int c = 0; c < 3; ++c)
+          motion.col(3 + c) = Vector3::Unit(c).cross(r);
+        matrix += mass * motion.transpose() * motion;
+        right += mass * motion.transpose() * (state.node_position(local) - start);
+      }
+    std::vector<double> sums(matrix.data(), matrix.data() + 36);
+    sums.insert(sums.end(), right.data(), right.data() + 6);
+    communicator_.sum(sums);
+    const Eigen::Matrix<double, 6, 1> solution =
+      Eigen::Map<const Eigen::Matrix<double, 6, 6>>(sums.data())
+        .fullPivLu()
+        .solve(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(sums.data() + 36));
+    shape.rim_shift = solution.head<3>();
+    shape.rim_turn  = solution.tail<3>();
+  }
+
+  DeflectionProbe::Shape DeflectionProbe::measure(State &state) const
+  {
+    const Transmission &t = *model_.transmission;
+    measure_transmission(model_, state, communicator_);
+
+    Shape shape;
+    shape.hub_lead           = state.measured.transmission_error;
+    shape.rim_lead           = state.measured.rim_transmission_error;
+    const ContactPair &drive = model_.contacts.front();
+    shape.contact = t.contact_normal.dot(flank_displacement(state, t.driven, drive.master_surface) -
+                                         flank_displacement(state, t.driver, drive.slave_surface)) /
+                    t.arm;
+    fit_rim(state, shape);
+    return shape;
+  }
+
+  void DeflectionProbe::take_spun(State &state)
+  {
+    spun_ = measure(state);
+  }
+
+  void DeflectionProbe::take_partly_loaded(State &state, const double torque)
+  {
+    partial_torque_   = torque;
+    partial_lead_     = measure(state).hub_lead;
+    partial_position_ = state.position;
+  }
+
+  Swing DeflectionProbe::compute_swing(const State           &loaded,
+                                       const DeflectionParts &parts,
+                                       const double           torque) const
+  {
+    double sum = 0;
+    for (const Body &body : model_.bodies)
+      for (unsigned int node = 0; node < body.n_nodes(); ++node)
+        {
+          const std::uint32_t local = loaded.partition.local_node[body.first_node + node];
+          if (local == Partition::absent || !loaded.partition.owned[local])
+            continue;
+          const Vector3 before = Eigen::Map<const Vector3>(partial_position_.data() +
+                                                           4 * static_cast<std::size_t>(local));
+          sum += body.node_masses()[node] * (loaded.node_position(local) - before).squaredNorm();
+        }
+    const double psi = partial_lead_ - parts.total;
+    return {(torque - partial_torque_) / psi, communicator_.sum(sum) / (psi * psi)};
+  }
+
+  double Swing::frequency() const
+  {
+    return stiffness > 0 && inertia > 0 ? std::sqrt(stiffness / inertia) / (2 * pi) : 0.;
+  }
+
+  DeflectionParts DeflectionProbe::take_loaded(State &state) const
+  {
+    const Transmission &t      = *model_.transmission;
+    const Axis         &axis   = model_.bodies[t.driven].axis;
+    const Shape         loaded = measure(state);
+
+    DeflectionParts parts;
+    parts.total        = loaded.hub_lead;
+    parts.centrifugal  = spun_.contact;
+    parts.web_windup   = (loaded.hub_lead - loaded.rim_lead) - (spun_.hub_lead - spun_.rim_lead);
+    const Vector3 turn = loaded.rim_turn - spun_.rim_turn;
+    const Vector3 tilt = turn - axis.direction.dot(turn) * axis.direction;
+    const Vector3 shift =
+      loaded.rim_shift - spun_.rim_shift + tilt.cross(t.contact_point - axis.point);
+    parts.rim_tilt = t.contact_normal.dot(shift) / t.arm;
+    parts.teeth    = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt;
+    return parts;
+  }
+} // namespace vfife

@@ -1,0 +1,186 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/study/run/pair_start.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** A round leaves some thousandths of what the one before has left, as the moved bodies are
+     * not quite the ones that were factorized. */
+    constexpr unsigned int largest_rounds = 20;
+    /** Of two rounds: large rotations of slender parts leave membrane forces, which the next round
+     * takes away. */
+    constexpr double least_gain = 0.5;
+
+    FemOptions fem_options(const DynamicsOptions &options)
+    {
+      FemOptions fem;
+      fem.element = options.stiffness == StiffnessKind::full ? FemElement::full
+                                                             : FemElement::incompatible_modes;
+      fem.mass    = MassKind::lumped;
+      return fem;
+    }
+
+    bool any_turns(const Model &model)
+    {
+      for (const Body &body : model.bodies)
+        if (body.rate != 0)
+          return true;
+      return false;
+    }
+  } // namespace
+
+  PairStart::PairStart(const Model               &model,
+                       const DynamicsOptions     &options,
+                       Relaxation                &relaxation,
+                       const std::vector<double> &penalties,
+                       const Communicator        &communicator,
+                       Log                       &log)
+    : model_(model)
+    , relaxation_(relaxation)
+    , communicator_(communicator)
+  {
+    const auto start = WallClock::now();
+    compliance_ =
+      std::make_unique<Compliance>(model, fem_options(options), any_turns(model), communicator);
+    pair_ =
+      std::make_unique<PairEquilibrium>(model, *compliance_, penalties, std::vector<double>(1, 0.));
+    log.line("  stiffness of ",
+             compliance_->n_unknowns(),
+             " unknowns factorized in ",
+             seconds_since(start),
+             " s, factors of ",
+             compliance_->memory(),
+             " MB");
+  }
+
+  std::size_t PairStart::point_of(const State                &state,
+                                  const Discretization::Part &part,
+                                  const std::uint32_t         local) const
+  {
+    return part.first_point + state.partition.global_node[local] -
+           model_.bodies[part.body].first_node;
+  }
+
+  Matrix3 PairStart::rotation(const unsigned int body) const
+  {
+    return rotation_about(model_.bodies[body].axis.direction,
+                          body == model_.transmission->driven ? turn_ : 0.);
+  }
+
+  std::vector<double> PairStart::gather(const State &state, const NodeVector &vector) const
+  {
+    std::vector<double> all(3 * std::size_t(compliance_->discretization().n_points()), 0.);
+    for (const Discretization::Part &part : compliance_->discretization().parts())
+      for (std::uint32_t i = state.partition.first_local_node[part.body];
+           i < state.partition.first_local_node[part.body + 1];
+           ++i)
+        if (state.partition.owned[i])
+          Eigen::Map<Vector3>(all.data() + 3 * point_of(state, part, i)) = vector(part.body, i);
+    communicator_.sum(all);
+    return all;
+  }
+
+  std::vector<double> PairStart::displacements(const State &state) const
+  {
+    std::vector<double> u = gather(state, [&](const unsigned int body, const std::uint32_t i) {
+      const Vector3 &c = model_.bodies[body].axis.point;
+      return Vector3(c + rotation(body).transpose() * (state.node_position(i) - c));
+    });
+    const std::vector<Vector3> &points = compliance_->discretization().points();
+    for (std::size_t p = 0; p < points.size(); ++p)
+      Eigen::Map<Vector3>(u.data() + 3 * p) -= points[p];
+    return u;
+  }
+
+  std::vector<double> PairStart::turned_back(const State               &state,
+                                             const std::vector<double> &forces) const
+  {
+    return gather(state, [&](const unsigned int body, const std::uint32_t i) {
+      return Vector3(rotation(body).transpose() *
+                     Eigen::Map<const Vector3>(forces.data() + 4 * std::size_t(i)));
+    });
+  }
+
+  double PairStart::moment(const State &state, const std::vector<double> &forces) const
+  {
+    const unsigned int driven = model_.transmission->driven;
+    const Axis        &axis   = model_.bodies[driven].axis;
+    double             sum    = 0;
+    for (std::uint32_t i = state.partition.first_local_node[driven];
+         i < state.partition.first_local_node[driven + 1];
+         ++i)
+      if (state.partition.owned[i])
+        sum += axis.direction.dot(
+          (state.node_position(i) - axis.point)
+            .cross(Eigen::Map<const Vector3>(forces.data() + 4 * std::size_t(i))));
+    return communicator_.sum(sum);
+  }
+
+  void PairStart::place(const std::vector<double> &u, State &state) const
+  {
+    const std::vector<Vector3> &points = compliance_->discretization().points();
+    for (const Discretization::Part &part : compliance_->discretization().parts())
+      {
+        const Vector3 &c = model_.bodies[part.body].axis.point;
+        const Matrix3  R = rotation(part.body);
+        for (std::uint32_t i = state.partition.first_local_node[part.body];
+             i < state.partition.first_local_node[part.body + 1];
+             ++i)
+          {
+            const std::size_t p = point_of(state, part, i);
+            Eigen::Map<Vector3>(state.position.data() + 4 * std::size_t(i)) =
+              c + R * (points[p] + Eigen::Map<const Vector3>(u.data() + 3 * p) - c);
+          }
+      }
+    relaxation_.constrain(state);
+  }
+
+  std::string PairStart::solve(State &state, const Relaxation::Loads &loads)
+  {
+    // The pin of the factors holds the rotation, and carries nothing.
+    Relaxation::Loads whole           = loads;
+    whole.hold_rotation               = false;
+    Relaxation::Loads without_contact = whole;
+    without_contact.contact           = false;
+    std::vector<double> residuals;
+    std::ostringstream  text;
+    for (unsigned int round = 0;; ++round)
+      {
+        std::vector<double> forces, all;
+        relaxation_.compute_forces(state, without_contact, forces);
+        relaxation_.compute_forces(state, whole, all);
+        const double residual = relaxation_.compute_residual(state, whole, all);
+        if (residual < loads.looseness * relaxation_.options().tolerance)
+          {
+            text << round << " rounds, residual " << residual;
+            return text.str();
+          }
+        residuals.push_back(residual);
+        if (round == largest_rounds || !std::isfinite(residual) ||
+            (round >= 3 && residual > least_gain * residuals[round - 2]))
+          break;
+
+        const std::vector<double> moved = compliance_->solve(turned_back(state, forces));
+        std::vector<double>       u     = displacements(state);
+        for (std::size_t i = 0; i < u.size(); ++i)
+          u[i] += moved[i];
+        if (loads.contact)
+          {
+            const PairEquilibriumResult pressed = pair_->press(0., u, moment(state, forces));
+            u                                   = pressed.displacements;
+            turn_                               = pressed.turn;
+          }
+        place(u, state);
+      }
+    const RelaxationReport report = relaxation_.solve(state, loads);
+    text << report.steps << " relaxation steps after the rounds, residual " << report.residual;
+    return text.str();
+  }
+} // namespace vfife

@@ -1,0 +1,191 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/output/output_options.h>
+#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/run/run_checks.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    template <typename... Parts>
+    std::string text(const Parts &...parts)
+    {
+      std::ostringstream message;
+      message.precision(4);
+      (message << ... << parts);
+      return message.str();
+    }
+
+    /** Mean length of the shorter sides of a surface's facets [mm]. */
+    double compute_facet_width(const FacetSurface &surface)
+    {
+      double sum = 0;
+      for (const auto &facet : surface.facets)
+        {
+          const auto side = [&](const unsigned int i) {
+            return (surface.positions[facet[(i + 1) % 4]] - surface.positions[facet[i]]).norm();
+          };
+          sum += 0.5 * std::min(side(0) + side(2), side(1) + side(3));
+        }
+      return sum / surface.facets.size();
+    }
+
+    /** A sentence, or nothing where all is well. */
+    using Check = std::string (*)(const RunPlan &plan);
+
+    std::string check_damping(const RunPlan &plan)
+    {
+      const double largest = std::max(plan.dynamics.damping, plan.dynamics.mesh_damping);
+      if (!(largest > 2000.))
+        return "";
+      return text("damping of ",
+                  largest,
+                  " 1/s is above 2000 1/s: it drags the deformation that stands still in space and "
+                  "changes the compliance");
+    }
+
+    std::string check_damping_rate(const RunPlan &plan)
+    {
+      if (plan.dynamics.damping_rate == DampingRate::momentum || !(plan.dynamics.damping > 0))
+        return "";
+      return "damping relative to the mean speed exerts a torque about the axis; the damping audit "
+             "of summary.json states it";
+    }
+
+    std::string check_ramp(const RunPlan &plan)
+    {
+      const OperationOptions &operation = plan.gear_case.operation();
+      if (plan.dynamics.start != Start::ramp)
+        return "";
+      if (operation.ramp == 0)
+        return "start = ramp with ramp = 0 is a step of the torque: the contact force overshoots "
+               "and the flanks may part";
+      if (operation.ramp >= operation.meshes)
+        return text("the ramp of ",
+                    operation.ramp,
+                    " tooth meshes does not end within the run of ",
+                    operation.meshes,
+                    ": no steady part is possible");
+      return "";
+    }
+
+    std::string check_flank(const RunPlan &plan)
+    {
+      // The pinion pushes along -n; that must turn the gear in the drive direction.
+      const Transmission &t    = *plan.model.transmission;
+      const Axis         &axis = plan.model.bodies[t.driven].axis;
+      const double        arm  = -t.driven_sense *
+                         axis.direction.dot((t.contact_point - axis.point).cross(t.contact_normal));
+      return arm > 0 ? ""
+                     : "the flanks of the drive side push the gear against the drive "
+                       "direction: the load torque opens them";
+    }
+
+    std::string check_hertz(const RunPlan &plan)
+    {
+      const ContactPair  &drive = plan.model.contacts.front();
+      const FacetSurface &flank =
+        plan.model.bodies[drive.slave_body].mesh().surfaces.at(drive.slave_surface);
+      const double width =
+        2 * plan.gear_case.hertz_contact().semi_axes(plan.gear_case.operation().torque /
+                                                     plan.model.transmission->arm)[1];
+      const double facet   = compute_facet_width(flank);
+      const double spacing = facet / drive.options.points_per_facet;
+      if (spacing > 0.5 * width)
+        return text("contact points lie ",
+                    spacing,
+                    " mm apart, Hertz's contact is ",
+                    width,
+                    " mm wide: pressures are those of single points and the force ripples");
+      if (facet > width)
+        return text("flank elements of ",
+                    facet,
+                    " mm are wider than Hertz's contact of ",
+                    width,
+                    " mm: forces are meaningful, pressures and subsurface stresses are not");
+      return "";
+    }
+
+    std::string check_hub(const RunPlan &plan)
+    {
+      if (plan.gear_case.has_web() || plan.gear_case.operation().hub != HubKind::free_rotation)
+        return "";
+      return "web = none with hub = free rotation: the rim's underside is guided radially and "
+             "axially, and each of its nodes turns on its own";
+    }
+
+    std::string check_step(const RunPlan &plan)
+    {
+      if (plan.step < 0.7 * plan.stable_step)
+        return text("history every = ",
+                    plan.output.history_every,
+                    " samples a tooth mesh makes the step ",
+                    plan.step / plan.stable_step,
+                    " of the stable one");
+      if (plan.stable_step < 0.6 * plan.element_step)
+        return text("the contact penalty makes the step ",
+                    plan.stable_step / plan.element_step,
+                    " of that of the elements");
+      return "";
+    }
+
+    std::string check_fields(const RunPlan &plan)
+    {
+      const unsigned int every = plan.output.fields_every;
+      if (every <= plan.gear_case.operation().meshes)
+        return "";
+      return text("fields every = ",
+                  every,
+                  " is more than the run's ",
+                  plan.gear_case.operation().meshes,
+                  " tooth meshes: fields are written at the start and the end only");
+    }
+
+    std::string check_checkpoint(const RunPlan &plan)
+    {
+      if (plan.output.checkpoint_every > 0 || plan.expected_time < 3600)
+        return "";
+      return "a run of about " + duration_text(plan.expected_time) +
+             " without checkpoints (Output/checkpoint every)";
+    }
+
+    std::string check_samples(const RunPlan &plan)
+    {
+      // A tooth pair's share of a mesh and its harmonics need some points.
+      if (plan.output.history_every >= 10)
+        return "";
+      return text("history every = ",
+                  plan.output.history_every,
+                  " samples a tooth mesh miss the ripple: means and peaks will be wrong");
+    }
+
+    const std::vector<Check> all_checks = {&check_flank,
+                                           &check_hub,
+                                           &check_damping,
+                                           &check_damping_rate,
+                                           &check_ramp,
+                                           &check_hertz,
+                                           &check_step,
+                                           &check_samples,
+                                           &check_fields,
+                                           &check_checkpoint};
+  } // namespace
+
+  std::vector<std::string> find_contradictions(const RunPlan &plan)
+  {
+    std::vector<std::string> found;
+    for (const Check check : all_checks)
+      {
+        const std::string sentence = check(plan);
+        if (!sentence.empty())
+          found.push_back(sentence);
+      }
+    return found;
+  }
+} // namespace vfife

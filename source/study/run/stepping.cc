@@ -1,0 +1,220 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/revision.h>
+#include <vfife/base/process/run_signals.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/output/files/checkpoint.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/observers/field_writer.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/study/run/stepping.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Signals and clock are looked at every so many steps: ranks must agree on them. */
+    constexpr unsigned int look_interval = 10;
+
+    std::string where(const State &state)
+    {
+      return "time " + std::to_string(1e3 * state.time) + " ms, step " + std::to_string(state.step);
+    }
+  } // namespace
+
+  Stepping::Stepping(OutputFolder        &folder,
+                     Log                 &log,
+                     Model               &model,
+                     ExplicitSolver      &solver,
+                     const OutputOptions &output,
+                     const std::uint64_t  sample_steps)
+    : folder_(folder)
+    , communicator_(folder.communicator())
+    , log_(log)
+    , model_(model)
+    , solver_(solver)
+    , output_(output)
+    , sample_steps_(sample_steps)
+    , begin_(WallClock::now())
+    , last_checkpoint_(begin_)
+  {
+    solver_.start(state_);
+  }
+
+  Stepping::~Stepping() = default;
+
+  void Stepping::add_fields(const std::uint64_t steps, const DynamicsOptions &dynamics)
+  {
+    auto fields =
+      std::make_unique<FieldWriter>(folder_, model_, steps, dynamics.stiffness, dynamics.frame);
+    fields_ = fields.get();
+    observers_.push_back(std::move(fields));
+  }
+
+  State &Stepping::state()
+  {
+    return state_;
+  }
+
+  RunSummary &Stepping::summary()
+  {
+    return summary_;
+  }
+
+  double Stepping::run_time() const
+  {
+    return earlier_time_ + seconds_since(begin_);
+  }
+
+  void Stepping::exchange(ByteStream &common, ByteStream *own)
+  {
+    exchange_model(common, model_);
+    double time = run_time();
+    common.pass(time);
+    earlier_time_ = common.reads() ? time : earlier_time_;
+    solver_.exchange(common, own, state_);
+    if (exchange_parts_)
+      exchange_parts_(common);
+    for (const auto &observer : observers_)
+      observer->exchange(common);
+
+    std::vector<std::pair<std::string, unsigned int>> warnings;
+    for (const Log::Warning &warning : log_.warnings())
+      warnings.emplace_back(warning.text, warning.count);
+    common.pass(warnings);
+    std::vector<Log::Warning> earlier;
+    for (const auto &[text, count] : warnings)
+      earlier.push_back({text, count});
+    if (common.reads())
+      log_.take_warnings(earlier);
+  }
+
+  void Stepping::write()
+  {
+    ByteStream common, own;
+    exchange(common, &own);
+    write_checkpoint(folder_, common.bytes(), own.bytes(), has_checkpoint_);
+    has_checkpoint_  = true;
+    last_checkpoint_ = WallClock::now();
+  }
+
+  void Stepping::restore(const Checkpoint &checkpoint)
+  {
+    ByteStream common(checkpoint.common);
+    const bool same_ranks = checkpoint.own.size() == communicator_.size();
+    ByteStream own(same_ranks ? checkpoint.own[communicator_.rank()] : "");
+    exchange(common, same_ranks ? &own : nullptr);
+    has_checkpoint_ = true;
+    log_.line("goes on from \"",
+              checkpoint.file,
+              "\" at ",
+              where(state_),
+              same_ranks ? "" : ", written by another number of ranks: agrees to round-off");
+    if (checkpoint.version != std::string(program_version()) + " (" + program_revision() + ")")
+      log_.line("the checkpoint was written by version ",
+                checkpoint.version,
+                " of the program, this is ",
+                program_version(),
+                " (",
+                program_revision(),
+                ")");
+  }
+
+  void Stepping::stop(const int signal) const
+  {
+    const unsigned int n = communicator_.size();
+    throw Interrupted(
+      "stopped by " + RunSignals::name(signal) + " at " + where(state_) +
+      " after a checkpoint; to go on: " + (n > 1 ? "mpirun -n " + std::to_string(n) + " " : "") +
+      "vfife --restart \"" + folder_.path() + "\"");
+  }
+
+  void Stepping::before_step(RunSignals &signals, const std::uint64_t last_step)
+  {
+    const bool writes = output_.checkpoint_every > 0;
+    // After the equilibrium before the start, which takes long, and at the end, so that a run can
+    // be made longer.
+    bool due    = writes && (!has_checkpoint_ || state_.step == last_step);
+    int  signal = 0;
+    if (state_.step % look_interval == 0)
+      {
+        // Clocks differ: rank 0's decides for all.
+        const bool is_time = writes && communicator_.is_root() &&
+                             seconds_since(last_checkpoint_) >= output_.checkpoint_every;
+        std::vector<double> asked = {is_time ? 1. : 0.,
+                                     static_cast<double>(signals.stop_signal()),
+                                     signals.take_field_request() ? 1. : 0.};
+        communicator_.max(asked);
+        due    = due || asked[0] > 0 || asked[1] > 0;
+        signal = static_cast<int>(asked[1]);
+        if (asked[2] > 0 && fields_ != nullptr)
+          fields_->request();
+      }
+    if (due)
+      write();
+    if (signal != 0)
+      stop(signal);
+  }
+
+  void Stepping::finish(const Parts &parts)
+  {
+    summary_.run_time       = run_time();
+    summary_.dt             = state_.dt;
+    summary_.time           = state_.time;
+    summary_.steps          = state_.step;
+    summary_.energy         = state_.measured.energy;
+    summary_.damping        = solver_.damping_audit();
+    summary_.contact_losses = solver_.contact_losses();
+    for (const Log::Warning &warning : log_.warnings())
+      summary_.warnings.push_back(warning.text);
+    if (parts.complete)
+      parts.complete();
+    write_summary(folder_, summary_);
+  }
+
+  void Stepping::run(const Checkpoint *checkpoint,
+                     const double      end_time,
+                     const double      whole_time,
+                     const Parts      &parts)
+  {
+    observers_.push_back(
+      std::make_unique<ProgressLine>(log_, communicator_, 0., end_time, whole_time, sample_steps_));
+    exchange_parts_ = parts.exchange;
+    begin_          = WallClock::now();
+    try
+      {
+        if (checkpoint != nullptr)
+          restore(*checkpoint);
+        // A run that has not come to its end must not look as if it had.
+        folder_.remove_file("summary.json");
+        if (checkpoint == nullptr)
+          parts.prepare(state_);
+        begin_ = last_checkpoint_     = WallClock::now();
+        const std::uint64_t last_step = std::llround(end_time / state_.dt);
+        RunSignals          signals;
+        solver_.run(state_, end_time, observers_, [&](State &) {
+          before_step(signals, last_step);
+        });
+      }
+    catch (const NumericalError &error)
+      {
+        summary_.status  = "failed";
+        summary_.failure = error.what();
+        finish(parts);
+        throw;
+      }
+    finish(parts);
+    log_.line("finished: ",
+              state_.step,
+              " steps in ",
+              duration_text(summary_.run_time),
+              ", ",
+              1e-6 * summary_.element_steps_per_second(),
+              " million element-steps a second");
+  }
+} // namespace vfife

@@ -1,0 +1,259 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/command_line.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/output/files/run_figures.h>
+#include <vfife/study/study.h>
+#include <vfife/study/sweep/sweep_study.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Results that are drawn beside those of the runs; a folder has at least one of them. */
+    bool can_stand_beside(const std::string &folder)
+    {
+      return fs::exists(fs::path(folder) / "coupled_modes.csv") ||
+             fs::exists(fs::path(folder) / "resonance.csv");
+    }
+  } // namespace
+
+  std::string SweepStudy::folder_of_run(const std::size_t i)
+  {
+    std::ostringstream name;
+    name << "run_" << std::setw(2) << std::setfill('0') << i + 1;
+    return name.str();
+  }
+
+  unsigned int SweepStudy::count_groups(const Communicator &communicator) const
+  {
+    const unsigned int all = communicator.size();
+    return all / (ranks_per_run_ == 0 ? all : std::min(ranks_per_run_, all));
+  }
+
+  std::size_t
+  SweepStudy::go_on(const std::string &, const EntryValues &, const Communicator &, Log &)
+  {
+    restart_ = true; // each run is looked at by itself
+    return std::numeric_limits<std::size_t>::max();
+  }
+
+  std::vector<std::string> SweepStudy::Parameter::list_values() const
+  {
+    // Vectors have commas of their own.
+    const char               separator = values.find(';') == std::string::npos ? ',' : ';';
+    std::vector<std::string> list;
+    std::istringstream       text(values);
+    for (std::string value; std::getline(text, value, separator);)
+      list.push_back(trimmed(value));
+    return list;
+  }
+
+  void SweepStudy::declare_own(dealii::ParameterHandler &prm)
+  {
+    static const Choices<Combination> combinations = {{"product", Combination::product},
+                                                      {"list", Combination::list}};
+    declare_text(prm, "base", base_, "Parameter file of the case, relative to this file");
+    declare_names(prm, "parameters", names_, "What is varied: a section Parameter NAME each");
+    declare_choice(
+      prm,
+      "combination",
+      combination_,
+      combinations,
+      "Runs for all combinations of values (the last parameter changes fastest), or for "
+      "the first values of all parameters, the second ones and so on");
+    declare_text(prm,
+                 "entries",
+                 entries_,
+                 "What all runs have otherwise than that file: \"Section/name = value\", separated "
+                 "by semicolons");
+    declare_names(prm,
+                  "beside",
+                  beside_,
+                  "Folders of results that the report draws beside the runs: of a loaded tooth "
+                  "contact analysis with coupled modes, of a lumped model with a sweep of speeds");
+    declare_integer(prm,
+                    "ranks per run",
+                    ranks_per_run_,
+                    "Ranks that do a run together, while others do other runs; 0: all");
+    declare_names(prm,
+                  "figures",
+                  figure_names_,
+                  "Further columns of the table, taken of the histories: a section Figure NAME "
+                  "each");
+    declare_switch(prm,
+                   "pictures",
+                   pictures_,
+                   "Whether the report of all runs is written at the end");
+  }
+
+  void SweepStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    folder_of_file_ = fs::path(file.path()).parent_path().string();
+    {
+      dealii::ParameterHandler first;
+      {
+        Subsection section(first, "Sweep");
+        declare_own(first);
+      }
+      file.read_known(first);
+    }
+    parameters_.resize(names_.size());
+    figures_.resize(figure_names_.size());
+    Subsection section(prm, "Sweep");
+    declare_own(prm);
+    for (std::size_t i = 0; i < figures_.size(); ++i)
+      {
+        figures_[i].name = figure_names_[i];
+        Subsection figure(prm, "Figure " + figure_names_[i]);
+        figures_[i].declare(prm);
+      }
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      {
+        parameters_[i].name = names_[i];
+        Subsection parameter(prm, "Parameter " + names_[i]);
+        declare_text(prm,
+                     "entry",
+                     parameters_[i].entry,
+                     "The entry with its sections, as Gear pair/Gear/Body/web thickness");
+        declare_text(prm,
+                     "values",
+                     parameters_[i].values,
+                     "Values separated by commas; by semicolons where a value has commas");
+      }
+  }
+
+  std::vector<SweepStudy::Values> SweepStudy::list_runs() const
+  {
+    std::vector<Values> runs(1);
+    if (combination_ == Combination::list)
+      runs.resize(parameters_.front().list_values().size());
+    for (const Parameter &parameter : parameters_)
+      {
+        const std::vector<std::string> values = parameter.list_values();
+        if (combination_ == Combination::list)
+          {
+            for (std::size_t i = 0; i < runs.size(); ++i)
+              runs[i].push_back(values[i]);
+            continue;
+          }
+        std::vector<Values> more;
+        for (const Values &run : runs)
+          for (const std::string &value : values)
+            {
+              more.push_back(run);
+              more.back().push_back(value);
+            }
+        runs = std::move(more);
+      }
+    return runs;
+  }
+
+  CommandLine SweepStudy::command_line(const Values &values) const
+  {
+    CommandLine line;
+    line.parameter_file = (fs::path(folder_of_file_) / base_).string();
+    line.overrides      = split_entries(entries_, "Sweep/entries");
+    for (std::size_t i = 0; i < values.size(); ++i)
+      line.overrides.push_back(parameters_[i].entry + "=" + values[i]);
+    return line;
+  }
+
+  std::string SweepStudy::describe(const Values &values) const
+  {
+    std::string text;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      text += (i > 0 ? ", " : "") + parameters_[i].name + " = " + values[i];
+    return text;
+  }
+
+  void SweepStudy::check() const
+  {
+    if (base_.empty())
+      throw InputError("Sweep/base", "the parameter file of the case is missing");
+    if (parameters_.empty())
+      throw InputError("Sweep/parameters", "there is nothing to vary");
+    for (const Parameter &parameter : parameters_)
+      {
+        const std::string section = "Sweep/Parameter " + parameter.name;
+        const auto        values  = parameter.list_values();
+        if (parameter.entry.empty())
+          throw InputError(section + "/entry", "the entry to vary is missing");
+        if (values.empty() || std::count(values.begin(), values.end(), "") > 0)
+          throw InputError(section + "/values", "a value is missing");
+        const std::size_t n = parameters_.front().list_values().size();
+        if (combination_ == Combination::list && values.size() != n)
+          throw InputError(section + "/values",
+                           std::to_string(values.size()) + " values, but \"" +
+                             parameters_.front().name + "\" has " + std::to_string(n) +
+                             ": with combination = list there must be as many");
+      }
+    check_columns();
+    for (const std::string &folder : beside_)
+      if (!can_stand_beside(folder))
+        throw InputError("Sweep/beside",
+                         "the folder \"" + folder +
+                           "\" has neither coupled modes (coupled_modes.csv) nor a sweep of speeds "
+                           "(resonance.csv)");
+    split_entries(entries_, "Sweep/entries");
+    for (const Values &values : list_runs())
+      try
+        {
+          read_case(command_line(values));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("run with " + describe(values) + ": " + error.what());
+        }
+  }
+
+  void SweepStudy::check_columns() const
+  {
+    std::vector<std::string> taken = {"run", "status"};
+    for (const auto &figure : read_run_figures("").figures)
+      taken.push_back(figure.first);
+    for (const std::string &name : names_)
+      {
+        if (std::count(taken.begin(), taken.end(), name) > 0)
+          throw InputError("Sweep/parameters",
+                           "the table has another column \"" + name +
+                             "\": the parameter needs another name");
+        taken.push_back(name);
+      }
+    for (const HistoryFigure &figure : figures_)
+      {
+        const std::string section = "Sweep/Figure " + figure.name;
+        figure.check(section);
+        for (const char *ending : {"", " error", " order"})
+          {
+            if (std::count(taken.begin(), taken.end(), figure.name + ending) > 0)
+              throw InputError(section,
+                               "the table has another column \"" + figure.name + ending +
+                                 "\": the figure needs another name");
+            taken.push_back(figure.name + ending);
+          }
+      }
+  }
+
+  void SweepStudy::inspect(Communicator &communicator, Log &log)
+  {
+    const auto runs = list_runs();
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      log.line(folder_of_run(i), ": ", describe(runs[i]));
+    log.line(runs.size(), " runs, ", count_groups(communicator), " at a time");
+  }
+} // namespace vfife
