@@ -27,17 +27,13 @@ namespace
   /** -80 + 3 cos(2 pi p + 1) + cos(4 pi p - 2) at n places of a tooth mesh. */
   double estimate(const unsigned int n, const double mesh_frequency, const double least_share)
   {
-    std::vector<double> positions, curve;
+    std::vector<double> curve;
     for (unsigned int i = 0; i < n; ++i)
       {
         const double p = static_cast<double>(i) / n;
-        positions.push_back(p);
         curve.push_back(-80. + 3. * std::cos(2 * pi * p + 1.) + std::cos(4 * pi * p - 2.));
       }
-    return estimate_swing(positions,
-                          curve,
-                          mesh_frequency,
-                          TurningModes(make_modes("standing"), least_share));
+    return estimate_swing(curve, mesh_frequency, TurningModes(make_modes("standing"), least_share));
   }
 
   /** r^2/(1 - r^2) of a mode. */

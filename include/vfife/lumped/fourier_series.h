@@ -2,6 +2,7 @@
 #ifndef vfife_lumped_fourier_series_h
 #define vfife_lumped_fourier_series_h
 
+#include <cmath>
 #include <vector>
 
 namespace vfife
@@ -22,6 +23,16 @@ namespace vfife
     double mean() const
     {
       return mean_;
+    }
+    /** Highest harmonic. */
+    std::size_t n_harmonics() const
+    {
+      return cosines_.size();
+    }
+    /** Of harmonic @p n = 1, 2..., at most n_harmonics(). */
+    double amplitude(std::size_t n) const
+    {
+      return std::hypot(cosines_[n - 1], sines_[n - 1]);
     }
     double value(double x) const;
     /** Derivative with respect to x. */

@@ -2,78 +2,56 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
+
 #include <cstring>
 #include <limits>
 
 namespace vfife
 {
-  namespace
-  {
-    template <typename T>
-    T reduce(T                   value,
-             const MPI_Datatype  type,
-             const MPI_Op        operation,
-             const Communicator &communicator)
-    {
-      if (communicator.size() > 1)
-        MPI_Allreduce(MPI_IN_PLACE, &value, 1, type, operation, communicator.mpi());
-      return value;
-    }
-
-    void reduce(double             *values,
-                const std::size_t   n,
-                const MPI_Op        operation,
-                const Communicator &communicator)
-    {
-      if (communicator.size() > 1 && n > 0)
-        MPI_Allreduce(
-          MPI_IN_PLACE, values, static_cast<int>(n), MPI_DOUBLE, operation, communicator.mpi());
-    }
-  } // namespace
+  namespace mpi = dealii::Utilities::MPI;
 
   Communicator::Communicator(const MPI_Comm comm)
     : comm_(comm)
+    , rank_(mpi::this_mpi_process(comm))
+    , size_(mpi::n_mpi_processes(comm))
   {
-    int rank = 0, size = 1;
-    MPI_Comm_rank(comm, &rank);
-    MPI_Comm_size(comm, &size);
-    rank_ = static_cast<unsigned int>(rank);
-    size_ = static_cast<unsigned int>(size);
   }
 
   double Communicator::sum(const double value) const
   {
-    return reduce(value, MPI_DOUBLE, MPI_SUM, *this);
+    return size_ == 1 ? value : mpi::sum(value, comm_);
   }
 
   double Communicator::min(const double value) const
   {
-    return reduce(value, MPI_DOUBLE, MPI_MIN, *this);
+    return size_ == 1 ? value : mpi::min(value, comm_);
   }
 
   double Communicator::max(const double value) const
   {
-    return reduce(value, MPI_DOUBLE, MPI_MAX, *this);
+    return size_ == 1 ? value : mpi::max(value, comm_);
   }
 
   unsigned long long Communicator::sum(const unsigned long long value) const
   {
-    return reduce(value, MPI_UNSIGNED_LONG_LONG, MPI_SUM, *this);
+    return size_ == 1 ? value : mpi::sum(value, comm_);
   }
 
   unsigned int Communicator::sum(const unsigned int value) const
   {
-    return reduce(value, MPI_UNSIGNED, MPI_SUM, *this);
+    return size_ == 1 ? value : mpi::sum(value, comm_);
   }
 
   unsigned int Communicator::min(const unsigned int value) const
   {
-    return reduce(value, MPI_UNSIGNED, MPI_MIN, *this);
+    return size_ == 1 ? value : mpi::min(value, comm_);
   }
 
   unsigned int Communicator::max(const unsigned int value) const
   {
-    return reduce(value, MPI_UNSIGNED, MPI_MAX, *this);
+    return size_ == 1 ? value : mpi::max(value, comm_);
   }
 
   bool Communicator::any(const bool condition) const
@@ -88,48 +66,38 @@ namespace vfife
 
   void Communicator::sum(std::vector<double> &values) const
   {
-    reduce(values.data(), values.size(), MPI_SUM, *this);
+    if (size_ > 1)
+      mpi::sum(values, comm_, values);
   }
 
   void Communicator::min(std::vector<double> &values) const
   {
-    reduce(values.data(), values.size(), MPI_MIN, *this);
+    if (size_ > 1)
+      mpi::min(values, comm_, values);
   }
 
   void Communicator::max(std::vector<double> &values) const
   {
-    reduce(values.data(), values.size(), MPI_MAX, *this);
+    if (size_ > 1)
+      mpi::max(values, comm_, values);
   }
 
   void Communicator::sum(double *values, const unsigned int n) const
   {
-    reduce(values, n, MPI_SUM, *this);
+    if (size_ > 1)
+      mpi::sum(dealii::ArrayView<const double>(values, n),
+               comm_,
+               dealii::ArrayView<double>(values, n));
   }
 
   std::vector<std::string> Communicator::all_gather(const std::string &text) const
   {
-    const std::vector<unsigned int> lengths = all_gather(static_cast<unsigned int>(text.size()));
-    const std::vector<char>         letters = gather_bytes(text.data(), text.size());
-    std::vector<std::string>        texts;
-    std::size_t                     begin = 0;
-    for (const unsigned int length : lengths)
-      {
-        texts.emplace_back(letters.data() + begin, length);
-        begin += length;
-      }
-    return texts;
+    return size_ == 1 ? std::vector<std::string>(1, text) : mpi::all_gather(comm_, text);
   }
 
   std::string Communicator::broadcast(const std::string &text, const unsigned int root) const
   {
-    if (size_ == 1)
-      return text;
-    unsigned int length = text.size();
-    MPI_Bcast(&length, 1, MPI_UNSIGNED, static_cast<int>(root), comm_);
-    std::string result = text;
-    result.resize(length);
-    MPI_Bcast(result.data(), static_cast<int>(length), MPI_CHAR, static_cast<int>(root), comm_);
-    return result;
+    return size_ == 1 ? text : mpi::broadcast(comm_, text, root);
   }
 
   void Communicator::barrier() const

@@ -1,10 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/types.h>
+#include <vfife/lumped/fourier_series.h>
 #include <vfife/study/compare/quasi_static.h>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numeric>
 
 namespace vfife
@@ -24,8 +23,7 @@ namespace vfife
       }
   }
 
-  double estimate_swing(const std::vector<double> &positions,
-                        const std::vector<double> &curve,
+  double estimate_swing(const std::vector<double> &curve,
                         const double               mesh_frequency,
                         const TurningModes        &modes)
   {
@@ -35,24 +33,19 @@ namespace vfife
       std::accumulate(curve.begin(), curve.end(), 0., [](const double most, const double value) {
         return std::max(most, std::abs(value));
       });
-    const std::size_t n         = positions.size();
-    double            departure = 0;
-    for (unsigned int k = 1; 2 * k <= n; ++k)
+    const FourierSeries series    = FourierSeries::interpolate(curve);
+    double              departure = 0;
+    for (std::size_t k = 1; k <= series.n_harmonics(); ++k)
       {
-        std::complex<double> sum = 0;
-        for (std::size_t j = 0; j < n; ++j)
-          sum += curve[j] * std::polar(1., -2 * pi * k * positions[j]);
-        const double amplitude = std::abs(sum) * (2 * k == n ? 1. : 2.) / n;
-        if (amplitude < least_part * largest)
+        if (series.amplitude(k) < least_part * largest)
           continue;
-
         double amplification = 0;
         for (std::size_t i = 0; i < modes.frequencies.size(); ++i)
           {
             const double r = k * mesh_frequency / modes.frequencies[i];
             amplification += modes.shares[i] * r * r / (1. - r * r);
           }
-        departure += amplitude * std::abs(amplification);
+        departure += series.amplitude(k) * std::abs(amplification);
       }
     return departure;
   }

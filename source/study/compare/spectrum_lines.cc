@@ -2,6 +2,8 @@
 #include <vfife/base/types.h>
 #include <vfife/study/compare/spectrum_lines.h>
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -42,19 +44,13 @@ namespace vfife
         return 2 * std::abs(sum) / sum_;
       }
 
-      /** The maximum between two frequencies, by golden section. */
-      double find_peak(double low, double high) const
+      /** The maximum between two frequencies. */
+      double find_peak(const double low, const double high) const
       {
-        const double golden = 0.5 * (std::sqrt(5.) - 1), width = 1e-6 * high;
-        while (high - low > width)
-          {
-            const double a = high - golden * (high - low), b = low + golden * (high - low);
-            if (amplitude(a) > amplitude(b))
-              high = b;
-            else
-              low = a;
-          }
-        return 0.5 * (low + high);
+        constexpr int bits = 21; // of the frequency: 5e-7
+        return boost::math::tools::brent_find_minima(
+                 [this](const double f) { return -amplitude(f); }, low, high, bits)
+          .first;
       }
 
       double step() const
