@@ -9,21 +9,9 @@
 
 namespace vfife
 {
-  namespace
-  {
-    /** What may change when a run goes on: nothing that its past depends on. */
-    const std::vector<std::string> changeable = {"Study/output folder",
-                                                 "Operation/tooth meshes",
-                                                 "Dynamics/end time",
-                                                 "Dynamics/largest number of steps",
-                                                 "Dynamics/energy limit",
-                                                 "Output/fields every",
-                                                 "Output/checkpoint every",
-                                                 "Output/pictures",
-                                                 "Output/verbosity"};
-  } // namespace
-
-  void refuse_changes(const EntryValues &before, const EntryValues &now, const bool goes_on)
+  void refuse_changes(const EntryValues              &before,
+                      const EntryValues              &now,
+                      const std::vector<std::string> &changeable)
   {
     const std::map<std::string, std::string> old(before.begin(), before.end());
     const std::map<std::string, std::string> fresh(now.begin(), now.end());
@@ -39,12 +27,14 @@ namespace vfife
       {
         const std::string &name = entry.first;
         const bool         may_change =
-          goes_on && std::find(changeable.begin(), changeable.end(), name) != changeable.end();
+          std::find(changeable.begin(), changeable.end(), name) != changeable.end();
         if (!may_change && text(old, name) != text(fresh, name))
-          errors.emplace_back(
-            name,
-            "is " + text(fresh, name) + ", but the run was begun with " + text(old, name) +
-              (goes_on ? "; a run that goes on may change only " + list_of(changeable, true) : ""));
+          errors.emplace_back(name,
+                              "is " + text(fresh, name) + ", but the run was begun with " +
+                                text(old, name) +
+                                (changeable.empty() ? ""
+                                                    : "; a run that goes on may change only " +
+                                                        list_of(changeable, true)));
       }
     if (errors.size() == 1)
       throw InputError(errors.front());
@@ -52,13 +42,14 @@ namespace vfife
       throw InputErrors(errors);
   }
 
-  Checkpoint find_checkpoint(const std::string  &folder,
-                             const EntryValues  &now,
-                             const Communicator &communicator,
-                             Log                &log)
+  Checkpoint find_checkpoint(const std::string              &folder,
+                             const EntryValues              &now,
+                             const std::vector<std::string> &changeable,
+                             const Communicator             &communicator,
+                             Log                            &log)
   {
     Checkpoint checkpoint = read_checkpoint(folder, communicator, log);
-    refuse_changes(checkpoint.parameters, now, true);
+    refuse_changes(checkpoint.parameters, now, changeable);
     return checkpoint;
   }
 } // namespace vfife

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameter_file.h>
+#include <vfife/study/case_runner.h>
 #include <vfife/study/parameter_reference.h>
+#include <vfife/study/study.h>
 #include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -96,7 +98,8 @@ namespace vfife
       StudyOptions             options;
       options.declare(first);
       file.read_known(first);
-      const auto study = options.kind(file);
+      const auto runner = make_case_runner();
+      const auto study  = options.kind(*runner);
       options.declare(prm);
       study->declare(prm, file);
       std::ostringstream text;

@@ -6,6 +6,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/study/case_runner.h>
 #include <vfife/study/study.h>
 #include <vfife/study/study_kinds.h>
 
@@ -19,14 +20,14 @@ namespace vfife
 {
   namespace
   {
-    /** A parameter file that has been read. */
-    struct Case
+    /** A parameter file that has been read, and the study that it asks for. */
+    struct ReadStudy
     {
       StudyOptions               options;
       std::unique_ptr<StudyKind> study;
       dealii::ParameterHandler   prm;
 
-      explicit Case(const ParameterFile &file)
+      ReadStudy(const ParameterFile &file, const CaseRunner &runner)
       {
         {
           // The kind decides what else may stand in the file.
@@ -34,7 +35,7 @@ namespace vfife
           options.declare(first);
           file.read_known(first);
         }
-        study = options.kind(file);
+        study = options.kind(runner);
         options.declare(prm);
         study->declare(prm, file);
         file.read(prm);
@@ -43,10 +44,11 @@ namespace vfife
 
     void read_and_run(const CommandLine   &command_line,
                       const ParameterFile &file,
+                      const CaseRunner    &runner,
                       Communicator        &communicator,
                       Log                 &log)
     {
-      Case        read(file);
+      ReadStudy   read(file, runner);
       auto       &prm   = read.prm;
       const auto &study = read.study;
       if (command_line.print_parameters)
@@ -65,40 +67,54 @@ namespace vfife
                                                                   : command_line.output_folder;
       std::optional<std::size_t> log_size;
       if (command_line.restart)
-        log_size = study->go_on(path, find_declared(prm).list_values(), communicator, log);
+        log_size = study->resume(path, find_declared(prm).list_values(), communicator, log);
       OutputFolder folder(path, communicator);
       folder.attach_log(log, log_size);
       folder.write_parameters(prm);
       log.line("vfife: ", file.path(), ", results in ", folder.path());
       study->run(folder, log);
     }
+
+    class StudyRunner : public CaseRunner
+    {
+    public:
+      CaseFile read(const CommandLine &line) const override
+      {
+        const ParameterFile file(line.parameter_file, line.overrides);
+        try
+          {
+            const ReadStudy parsed(file, *this);
+            parsed.study->check();
+            return {find_declared(parsed.prm).list_values(), parsed.study->last_file()};
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(file.explain(error));
+          }
+      }
+
+      void run(const CommandLine &line, Communicator &communicator, Log &log) const override
+      {
+        const ParameterFile file(line.parameter_file, line.overrides);
+        try
+          {
+            read_and_run(line, file, *this, communicator, log);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(file.explain(error));
+          }
+      }
+    };
   } // namespace
 
-  EntryValues read_case(const CommandLine &command_line)
+  std::unique_ptr<CaseRunner> make_case_runner()
   {
-    const ParameterFile file(command_line.parameter_file, command_line.overrides);
-    try
-      {
-        const Case read(file);
-        read.study->check();
-        return find_declared(read.prm).list_values();
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(file.explain(error));
-      }
+    return std::make_unique<StudyRunner>();
   }
 
   void run_study(const CommandLine &command_line, Communicator &communicator, Log &log)
   {
-    const ParameterFile file(command_line.parameter_file, command_line.overrides);
-    try
-      {
-        read_and_run(command_line, file, communicator, log);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(file.explain(error));
-      }
+    StudyRunner().run(command_line, communicator, log);
   }
 } // namespace vfife

@@ -5,9 +5,14 @@
 namespace vfife
 {
   std::size_t
-  StudyKind::go_on(const std::string &, const EntryValues &, const Communicator &, Log &)
+  StudyKind::resume(const std::string &, const EntryValues &, const Communicator &, Log &)
   {
     throw InputError("Study/kind",
                      "--restart is for kinds run and sweep: this one has no checkpoints");
+  }
+
+  std::string StudyKind::last_file() const
+  {
+    return "summary.json";
   }
 } // namespace vfife

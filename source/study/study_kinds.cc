@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/parameters/parameter_file.h>
 #include <vfife/study/benchmark/benchmark_study.h>
 #include <vfife/study/compare/compare_study.h>
 #include <vfife/study/conventional/linear_static_study.h>
@@ -8,8 +7,8 @@
 #include <vfife/study/gear/lumped_study.h>
 #include <vfife/study/gear/mesh_study.h>
 #include <vfife/study/gear/tooth_contact_study.h>
-#include <vfife/study/run/dynamic_run.h>
-#include <vfife/study/run/model_run.h>
+#include <vfife/study/run/run_study.h>
+#include <vfife/study/run/static_study.h>
 #include <vfife/study/study_kinds.h>
 #include <vfife/study/sweep/sweep_study.h>
 
@@ -20,26 +19,23 @@ namespace vfife
   namespace
   {
     template <typename Kind>
-    std::unique_ptr<StudyKind> make(const ParameterFile &)
+    std::unique_ptr<StudyKind> make(const CaseRunner &)
     {
       return std::make_unique<Kind>();
     }
 
-    /** A file with a section Model and no Gear pair is a general model. */
-    std::unique_ptr<StudyKind> make_run(const ParameterFile &file)
+    template <typename Kind>
+    std::unique_ptr<StudyKind> make_of_cases(const CaseRunner &runner)
     {
-      if (file.contains("Model") && !file.contains("Gear pair"))
-        return std::make_unique<ModelRun>();
-      return std::make_unique<DynamicRun>();
+      return std::make_unique<Kind>(runner);
     }
-
   } // namespace
 
   const Choices<MakeStudy> &study_kinds()
   {
     static const Choices<MakeStudy> kinds = {
-      {"run", &make_run},
-      {"static", &make<StaticRun>},
+      {"run", &make<RunStudy>},
+      {"static", &make<StaticStudy>},
       {"tooth contact analysis", &make<ToothContactStudy>},
       {"mesh", &make<MeshStudy>},
       {"modal", &make<ModalStudy>},
@@ -47,8 +43,8 @@ namespace vfife
       {"loaded tooth contact analysis", &make<LoadedContactStudy>},
       {"lumped", &make<LumpedStudy>},
       {"benchmark", &make<BenchmarkStudy>},
-      {"sweep", &make<SweepStudy>},
-      {"compare", &make<CompareStudy>},
+      {"sweep", &make_of_cases<SweepStudy>},
+      {"compare", &make_of_cases<CompareStudy>},
     };
     return kinds;
   }

@@ -34,7 +34,7 @@ namespace
     file.read(prm);
     std::ostringstream nothing;
     Log                log(nothing, world.is_root(), Verbosity::quiet);
-    return gears.make_model(false, log);
+    return gears.make_model(log);
   }
 
   FemOptions lumped_masses()

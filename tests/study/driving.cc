@@ -41,7 +41,7 @@ namespace
     file.read_known(prm);
     std::ostringstream  text;
     Log                 log(text, true, Verbosity::quiet);
-    const Model         model = gear_case.make_model(false, log);
+    const Model         model = gear_case.make_model(log);
     const GearPair      pair  = gear_case.make_pair();
     const Transmission &t     = *model.transmission;
     const ContactPair  &first = model.contacts.front();

@@ -17,17 +17,20 @@ namespace vfife
 
   /**
    * Throws InputErrors naming every entry whose value differs from the one the run was begun with,
-   * with both values. Where a run @p goes_on, some entries may change: how far it goes, what it
-   * writes, and the folder's name.
+   * with both values, but for those that are @p changeable.
    */
-  void refuse_changes(const EntryValues &before, const EntryValues &now, bool goes_on);
+  void refuse_changes(const EntryValues              &before,
+                      const EntryValues              &now,
+                      const std::vector<std::string> &changeable = {});
 
-  /** The last usable checkpoint in @p folder, of a run with the parameters @p now. Throws
-   * InputError when there is none or parameters have changed. Collective. */
-  Checkpoint find_checkpoint(const std::string  &folder,
-                             const EntryValues  &now,
-                             const Communicator &communicator,
-                             Log                &log);
+  /** The last usable checkpoint in @p folder, of a run with the parameters @p now but for
+   * @p changeable ones. Throws InputError when there is none or other parameters have changed.
+   * Collective. */
+  Checkpoint find_checkpoint(const std::string              &folder,
+                             const EntryValues              &now,
+                             const std::vector<std::string> &changeable,
+                             const Communicator             &communicator,
+                             Log                            &log);
 } // namespace vfife
 
 #endif

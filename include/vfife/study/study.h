@@ -2,16 +2,17 @@
 #ifndef vfife_study_study_h
 #define vfife_study_study_h
 
-#include <vfife/study/continuation.h>
+#include <memory>
 
 namespace vfife
 {
   struct CommandLine;
+  class CaseRunner;
   class Communicator;
   class Log;
 
-  /** The parameters in force of a case, checked. Throws InputError (complete message). */
-  EntryValues read_case(const CommandLine &command_line);
+  /** Knows all kinds of studies. */
+  std::unique_ptr<CaseRunner> make_case_runner();
 
   /**
    * Does what the parameter file's section Study asks for: one explicit table of kinds. Throws

@@ -34,17 +34,21 @@ namespace vfife
     virtual void inspect(Communicator &communicator, Log &log) = 0;
 
     /**
-     * --restart: tells it, before run(), to go on with what an earlier run of these parameters has
+     * --restart: tells it, before run(), to resume what an earlier run of these parameters has
      * left in @p folder. Returns how many bytes of run.log are kept. Throws InputError for kinds
-     * that cannot go on, and where there is nothing to go on with. Collective.
+     * that cannot resume, and where there is nothing to resume. Collective.
      */
-    virtual std::size_t go_on(const std::string  &folder,
-                              const EntryValues  &now,
-                              const Communicator &communicator,
-                              Log                &log);
+    virtual std::size_t resume(const std::string  &folder,
+                               const EntryValues  &now,
+                               const Communicator &communicator,
+                               Log                &log);
 
     /** Does it and writes the results. */
     virtual void run(OutputFolder &folder, Log &log) = 0;
+
+    /** The file that run() writes last: where it is, all results are. A summary.json says so
+     * itself, by its status. Empty for kinds of which no file tells. */
+    virtual std::string last_file() const;
   };
 } // namespace vfife
 

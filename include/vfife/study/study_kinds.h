@@ -10,7 +10,10 @@
 
 namespace vfife
 {
-  using MakeStudy = std::unique_ptr<StudyKind> (*)(const ParameterFile &);
+  class CaseRunner;
+
+  /** Makes a study; one that is made of cases does them by the runner, which outlives it. */
+  using MakeStudy = std::unique_ptr<StudyKind> (*)(const CaseRunner &);
 
   /** All kinds of studies by their words in `Study/kind`. */
   const Choices<MakeStudy> &study_kinds();

@@ -117,14 +117,19 @@ namespace vfife
 
   void BenchmarkStudy::inspect(Communicator &, Log &log)
   {
-    gear_case_.make_model(false, log);
+    gear_case_.make_model(log);
+  }
+
+  std::string BenchmarkStudy::last_file() const
+  {
+    return "contact_cost.json";
   }
 
   void BenchmarkStudy::run(OutputFolder &folder, Log &log)
   {
     // Each rank measures alone; what the ranks share is the memory.
     const Communicator  alone(MPI_COMM_SELF);
-    const Model         pair    = gear_case_.make_model(false, log);
+    const Model         pair    = gear_case_.make_model(log);
     const Model         general = make_general_model(benchmark_.cells);
     const unsigned int  n       = benchmark_.plain_elements;
     const StiffnessKind modes = StiffnessKind::incompatible_modes, full = StiffnessKind::full,

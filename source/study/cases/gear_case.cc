@@ -3,11 +3,13 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
+#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/gear/tooth_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/pair_checks.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -17,9 +19,6 @@ namespace vfife
 {
   namespace
   {
-    const Choices<HubKind> hub_kinds = {{"free rotation", HubKind::free_rotation},
-                                        {"rigid hub", HubKind::rigid_hub}};
-
     const char *surface_of(const FlankSide side)
     {
       return side == FlankSide::concave ? surface_name::concave : surface_name::convex;
@@ -35,56 +34,6 @@ namespace vfife
       body.rate           = rate;
     }
   } // namespace
-
-  void OperationOptions::declare(dealii::ParameterHandler &prm)
-  {
-    Subsection section(prm, "Operation");
-    declare_quantity(prm, "speed", speed, "rpm", "Speed of the pinion", Range::not_negative());
-    declare_quantity(prm,
-                     "torque",
-                     torque,
-                     "N m",
-                     "Torque on the driven member (the gear, if nothing else is said), against its "
-                     "rotation",
-                     Range::not_negative());
-    declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1);
-    declare_number(prm,
-                   "ramp",
-                   ramp,
-                   "Tooth meshes over which the torque grows linearly, with Dynamics/start = ramp "
-                   "(whole swing periods)",
-                   Range::not_negative());
-    declare_driving(prm, driving, direction);
-    declare_choice(
-      prm,
-      "hub",
-      hub,
-      hub_kinds,
-      "Bore of the driven member: each node free to turn about the axis under the constant "
-      "traction of the torque, or all nodes "
-      "turning as one; radial and axial displacement held");
-  }
-
-  void OperationOptions::check(const std::string &section) const
-  {
-    if (!(speed > 0))
-      throw InputError(section + "/speed",
-                       "the speed of the pinion is missing or zero; a dynamic run needs one");
-    if (!(torque > 0))
-      throw InputError(section + "/torque",
-                       "the torque on the driven member is missing or zero; flanks without load do "
-                       "not stay in contact");
-  }
-
-  void OperationOptions::require_driving_pinion(const std::string &section,
-                                                const std::string &study) const
-  {
-    if (driving != DrivingMember::pinion)
-      throw InputError(section + "/driving member",
-                       "the " + study +
-                         " has the pinion driving; the flanks that a driving gear uses carry with "
-                         "direction of rotation = reverse");
-  }
 
   GearCase::GearCase()
     : pinion_body_(pinion_body_defaults())
@@ -173,6 +122,30 @@ namespace vfife
     return operation_.mesh_frequency(pair_.completed().pinion.blank.teeth);
   }
 
+  double GearCase::end_time() const
+  {
+    return operation_.meshes / mesh_frequency();
+  }
+
+  double GearCase::ramp_time() const
+  {
+    return operation_.ramp / mesh_frequency();
+  }
+
+  void GearCase::check_run(const DynamicsOptions &dynamics) const
+  {
+    if (dynamics.start == Start::undeformed)
+      throw InputError("Dynamics/start",
+                       "a gear pair starts by \"static preload\" or \"ramp\"; \"undeformed\" is "
+                       "for models of the section Model");
+  }
+
+  std::vector<std::string> GearCase::find_contradictions(const RunPlan &plan) const
+  {
+    return find_pair_contradictions(*this, plan);
+  }
+
+  // Whole steps from sample to sample: a tooth mesh is divided into a multiple of their number.
   double GearCase::choose_step(const double stable_step, const unsigned int samples) const
   {
     const double steps_per_sample = std::ceil(1. / (mesh_frequency() * stable_step * samples));
@@ -238,13 +211,15 @@ namespace vfife
     return t;
   }
 
-  Model GearCase::make_model(const bool torque_is_ramped, Log &log) const
+  Model GearCase::make_model(Log &log) const
   {
     for (const std::string &message : pair_.examine().warnings())
       log.warning(message);
     const GearPair pair(pair_);
     Model          model;
 
+    // 1. Bodies, meshed and mounted so that the generated flanks of the working side touch in the
+    // mean contact at time zero.
     Body pinion("pinion", make_gear_body(pair.pinion(), pinion_body_), material(pinion_material_));
     // Where the generated flanks of the working side touch, the pinion's turned onto its tooth 0.
     const MeshSide     side  = working_side();
@@ -258,16 +233,18 @@ namespace vfife
 
     model.add_body(std::move(pinion));
     model.add_body(std::move(gear));
+    // 2. What drives and what is driven.
     Transmission t      = make_transmission(pair);
     const Body  &driver = model.bodies[t.driver];
     t.driven_rim        = model.bodies[t.driven].node_set(node_set::rim);
     model.transmission  = t;
 
+    // 3. Bores, load torque, flanks that may touch, places that are looked at.
     model.constraints.push_back({driver.name() + " bore",
                                  ConstraintKind::prescribed_rotation,
                                  t.driver,
                                  driver.node_set(held_set(t.driver))});
-    add_hub(model, torque_is_ramped);
+    add_hub(model);
     add_contacts(pair, model);
     add_probes(model);
     for (const BodyFigures &figures : measure_bodies(model))
@@ -281,7 +258,7 @@ namespace vfife
     return options.web == WebKind::none ? node_set::rim_underside : node_set::bore;
   }
 
-  void GearCase::add_hub(Model &model, const bool torque_is_ramped) const
+  void GearCase::add_hub(Model &model) const
   {
     Transmission &t      = *model.transmission;
     const Body   &driven = model.bodies[t.driven];
@@ -296,12 +273,11 @@ namespace vfife
     model.constraints.push_back(hub);
 
     Torque load;
-    load.name      = "load torque";
-    load.body      = t.driven;
-    load.nodes     = t.driven_bore;
-    load.areas     = compute_nodal_areas(driven, t.driven_bore);
-    load.value     = -t.driven_sense * operation_.torque;
-    load.ramp_time = torque_is_ramped ? operation_.ramp / mesh_frequency() : 0.;
+    load.name  = "load torque";
+    load.body  = t.driven;
+    load.nodes = t.driven_bore;
+    load.areas = compute_nodal_areas(driven, t.driven_bore);
+    load.value = -t.driven_sense * operation_.torque;
     model.torques.push_back(load);
   }
 

@@ -8,11 +8,10 @@
 #include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/pictures.h>
+#include <vfife/study/case_runner.h>
 #include <vfife/study/compare/compare_study.h>
 #include <vfife/study/compare/model_comparison.h>
 #include <vfife/study/compare/pair_comparison.h>
-#include <vfife/study/inner_case.h>
-#include <vfife/study/study.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -127,7 +126,7 @@ namespace vfife
       throw InputError(section + "/base", "the parameter file of the case is missing");
     try
       {
-        read_case(command_line(one, no_folder));
+        runner_.read(command_line(one, no_folder));
       }
     catch (const InputError &error)
       {
@@ -149,8 +148,18 @@ namespace vfife
       log.line(one.name, ": ", one.results.empty() ? one.base : "results of " + one.results);
   }
 
+  CompareStudy::CompareStudy(const CaseRunner &runner)
+    : runner_(runner)
+  {
+  }
+
+  std::string CompareStudy::last_file() const
+  {
+    return "comparison.json";
+  }
+
   std::size_t
-  CompareStudy::go_on(const std::string &, const EntryValues &, const Communicator &, Log &)
+  CompareStudy::resume(const std::string &, const EntryValues &, const Communicator &, Log &)
   {
     return std::numeric_limits<std::size_t>::max(); // each case is looked at by itself, always
   }
@@ -166,7 +175,7 @@ namespace vfife
     if (one.results.empty())
       {
         log.line(one.name, " begins: ", one.base);
-        const CaseReport report = do_case(command_line(one, folder.path()), true, ranks);
+        const CaseReport report = runner_.do_case(command_line(one, folder.path()), true, ranks);
         log.line(one.name, " ", report.describe());
         if (report.outcome == Outcome::interrupted)
           throw Interrupted("the comparison is stopped; to go on: the same command");
@@ -174,12 +183,11 @@ namespace vfife
           throw NumericalError("case " + one.name + " has failed: " + report.message);
       }
     results.parameter_file = compared.folder + "/parameters.prm";
-    for (const auto &value : read_case(results))
-      {
-        if (value.first == "Study/kind")
-          compared.kind = value.second;
-        compared.is_pair = compared.is_pair || value.first.rfind("Gear pair/", 0) == 0;
-      }
+    const CaseFile file    = runner_.read(results);
+    compared.kind          = file.value("Study/kind");
+    compared.is_pair = std::any_of(file.entries.begin(), file.entries.end(), [](const auto &e) {
+      return e.first.rfind("Gear pair/", 0) == 0;
+    });
     return compared;
   }
 
@@ -190,6 +198,7 @@ namespace vfife
       cases.push_back(do_one(one, folder, log));
 
     // One rank reads: files may appear on the others later.
+    // Failures of the one that reads are told to all, so that all end alike.
     ComparisonRows             rows;
     std::optional<std::string> failure;
     if (folder.communicator().is_root())

@@ -165,14 +165,14 @@ namespace vfife
       run.judge_slow(run.tolerances.error * std::abs(row.reference), row);
       rows.push_back(row);
 
+      // The whole curve: how much it swings, and how far the run is from it anywhere.
       if (positions.size() > 1)
         {
           const std::vector<double> cycle = run.at_positions("dte", positions);
           const double              swing =
             coupled == nullptr
                            ? 0.
-                           : estimate_swing(positions,
-                               curve,
+                           : estimate_swing(curve,
                                run.mesh_frequency,
                                TurningModes(coupled->table("coupled_modes.csv"), 0.));
           row = {"dte over the tooth mesh, peak to peak",
@@ -285,6 +285,8 @@ namespace vfife
       run.cut("dte", time, dte);
       if (modes.empty() || time.size() < 8)
         return;
+      // Lines that are harmonics of the mesh (whole orders, within the resolution 1.5/length of the
+      // record) say nothing about modes; the three strongest others are looked up.
       const double length  = time.back() - time.front();
       const double highest = 1.2 * *std::max_element(modes.begin(), modes.end());
       unsigned int n       = 0;

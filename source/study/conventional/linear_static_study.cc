@@ -12,6 +12,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/probe_writer.h>
+#include <vfife/study/cases/case.h>
 #include <vfife/study/conventional/chosen_bodies.h>
 #include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/start_summary.h>
@@ -146,32 +147,23 @@ namespace vfife
     output_.fields_every = 1;
   }
 
+  LinearStaticStudy::~LinearStaticStudy() = default;
+
   void LinearStaticStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    is_general_ = file.contains("Model") && !file.contains("Gear pair");
-    if (is_general_)
-      model_.declare(prm, file);
-    else
-      gear_case_.declare(prm, file);
+    case_ = make_case(file);
+    case_->declare(prm, file);
     dynamics_.declare(prm);
     output_.declare(prm);
     options_.declare(prm);
-    if (is_general_)
-      {
-        Subsection section(prm, "Dynamics");
-        declare_quantity(
-          prm, "end time", end_time_, "s", "Time at which the run ends", Range::not_negative());
-      }
+    case_->declare_run(prm);
     Subsection section(prm, "Fem");
     fem_.declare(prm);
   }
 
   void LinearStaticStudy::check() const
   {
-    if (is_general_)
-      model_.check();
-    else
-      gear_case_.check();
+    case_->check();
     dynamics_.check("Dynamics");
     output_.check("Output");
     options_.check();
@@ -184,7 +176,7 @@ namespace vfife
 
   void LinearStaticStudy::refuse_what_is_not_linear(const Model &model) const
   {
-    if (!is_general_)
+    if (model.transmission)
       return;
     for (const ContactPair &pair : model.contacts)
       throw InputError("Model/contacts",
@@ -204,7 +196,7 @@ namespace vfife
 
   Model LinearStaticStudy::make_model(Log &log) const
   {
-    Model model = is_general_ ? model_.make_model() : gear_case_.make_model(false, log);
+    Model model = case_->make_model(log);
     refuse_what_is_not_linear(model);
     return model;
   }
@@ -234,7 +226,7 @@ namespace vfife
       state.measured.probes.push_back(
         compute_probe_value(probe, discretization, result.displacements, stresses));
     Observers observers;
-    if (is_general_)
+    if (!model.transmission)
       observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
     else
       observers.push_back(std::make_unique<ProbeWriter>(folder, 1));
@@ -254,7 +246,7 @@ namespace vfife
 
     StaticLoads loads    = options_.loads();
     HubRotation rotation = fem_.hold_hubs ? HubRotation::held : HubRotation::free;
-    if (!is_general_)
+    if (model.transmission)
       {
         log.line("the members of the pair turn, each by itself: no contact, no torque");
         loads.part_of_torques = 0;
@@ -267,6 +259,7 @@ namespace vfife
     const std::vector<Stress> stresses = solver.compute_node_stresses(result);
     summary.run_time                   = seconds_since(start);
 
+    // Key numbers, then probes, fields and reactions.
     double largest = 0, stress = 0;
     for (std::size_t i = 0; i < result.displacements.size(); i += 3)
       largest =

@@ -1,15 +1,15 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
-#include <vfife/base/process/timers.h>
 #include <vfife/base/process/wall_clock.h>
-#include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/mesh/node_set_names.h>
+#include <vfife/model/load_torque.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_probes.h>
+#include <vfife/study/run/stepped_solver.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -106,15 +106,15 @@ namespace vfife
                                                          const Communicator &communicator,
                                                          Log                &log) const
   {
-    Timers         timers;
-    ExplicitSolver solver(model, dynamics_, communicator, log, timers);
-    solver.set_step(gear_case_.choose_step(solver.stable_step(), output_.history_every));
-    return solver.contact().penalties();
+    SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
+      return gear_case_.choose_step(stable_step, output_.history_every);
+    });
+    return stepped.solver.contact().penalties();
   }
 
   void LoadedContactStudy::inspect(Communicator &communicator, Log &log)
   {
-    const Model model = gear_case_.make_model(false, log);
+    const Model model = gear_case_.make_model(log);
     log.line("penalty of a run of this file ",
              find_penalties(model, communicator, log).front(),
              " N/mm^3; ",
@@ -124,7 +124,7 @@ namespace vfife
 
   void LoadedContactStudy::run(OutputFolder &folder, Log &log)
   {
-    const Model               model     = gear_case_.make_model(false, log);
+    const Model               model     = gear_case_.make_model(log);
     const std::vector<double> penalties = find_penalties(model, folder.communicator(), log);
     auto                      start     = WallClock::now();
     Compliance                compliance(model, fem_, options_.centrifugal, folder.communicator());
@@ -138,6 +138,7 @@ namespace vfife
              seconds_since(start),
              " s");
 
+    // Positions over one tooth mesh of the driver, from the reference position on.
     const double        pitch = 2 * pi / model.transmission->driver_teeth;
     std::vector<double> turns;
     for (unsigned int i = 0; i < options_.positions; ++i)
@@ -169,10 +170,15 @@ namespace vfife
       return;
     folder.write_file("loaded_probes.csv",
                       [&](std::ostream &out) { probes.table().write_csv(out); });
+    folder.write_file("loaded_teeth.csv", [&](std::ostream &out) { teeth_.write_csv(out); });
     folder.write_file("loaded_contact.csv", [&](std::ostream &out) { positions_.write_csv(out); });
     folder.write_file("loaded_contact.json",
                       [&](std::ostream &out) { positions_.write_json(out); });
-    folder.write_file("loaded_teeth.csv", [&](std::ostream &out) { teeth_.write_csv(out); });
+  }
+
+  std::string LoadedContactStudy::last_file() const
+  {
+    return "loaded_contact.json";
   }
 
   void LoadedContactStudy::find_modes(const Model                 &model,
@@ -233,6 +239,9 @@ namespace vfife
                                         const std::vector<Stress>   &stresses,
                                         Log                         &log)
   {
+    // Leads of the driven member's bore in the drive direction: where flanks touch without load,
+    // and under the torque. The secant leads from one to the other, the tangent is the slope under
+    // load.
     const Transmission &t    = *model.transmission;
     const auto          lead = [&](const double turn, const std::vector<double> &u) {
       return t.driven_sense *
@@ -241,10 +250,11 @@ namespace vfife
     const double offset   = t.driven_start - t.ratio() * t.driver_start;
     const double unloaded = offset + lead(result.touch_turn, compliance.spun());
     const double loaded   = offset + lead(result.turn, result.displacements);
-    const double torque   = gear_case_.operation().torque;
+    const double torque   = load_torque(model);
     const double secant   = torque / std::abs(loaded - unloaded);
     const double tangent  = torque / std::abs(lead(result.turn_slope, result.displacement_slope));
 
+    // A row a tooth pair, and one for their sum.
     double force = 0, pressure = 0;
     for (const ToothContact &tooth : result.teeth)
       {

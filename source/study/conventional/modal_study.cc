@@ -7,6 +7,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/study/cases/case.h>
 #include <vfife/study/conventional/chosen_bodies.h>
 #include <vfife/study/conventional/modal_study.h>
 
@@ -28,34 +29,26 @@ namespace vfife
     }
   } // namespace
 
+  ModalStudy::ModalStudy()  = default;
+  ModalStudy::~ModalStudy() = default;
+
   void ModalStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    is_general_ = file.contains("Model") && !file.contains("Gear pair");
-    if (is_general_)
-      model_.declare(prm, file);
-    else
-      gear_case_.declare(prm, file);
+    case_ = make_case(file);
+    case_->declare(prm, file);
     Subsection section(prm, "Fem");
     fem_.declare(prm);
   }
 
   void ModalStudy::check() const
   {
-    if (is_general_)
-      model_.check();
-    else
-      gear_case_.check();
+    case_->check();
     fem_.check("Fem");
-  }
-
-  Model ModalStudy::make_model(Log &log) const
-  {
-    return is_general_ ? model_.make_model() : gear_case_.make_model(false, log);
   }
 
   void ModalStudy::inspect(Communicator &, Log &log)
   {
-    const Model model = make_model(log);
+    const Model model = case_->make_model(log);
     for (const unsigned int b : find_chosen_bodies(fem_, model))
       log.line("modes of the ",
                model.bodies[b].name(),
@@ -68,16 +61,21 @@ namespace vfife
 
   void ModalStudy::run(OutputFolder &folder, Log &log)
   {
-    const Model model = make_model(log);
+    const Model model = case_->make_model(log);
     folder.make_subfolder("modes");
     for (const unsigned int b : find_chosen_bodies(fem_, model))
       solve_body(model, b, folder, log);
-    write_tables(folder, "modes", modes_);
     if (fem_.rates().size() > 1)
       {
         write_tables(folder, "campbell", campbell_);
         write_tables(folder, "resonances", resonances_);
       }
+    write_tables(folder, "modes", modes_);
+  }
+
+  std::string ModalStudy::last_file() const
+  {
+    return "modes.json";
   }
 
   void ModalStudy::solve_body(const Model        &model,

@@ -151,7 +151,7 @@ namespace vfife
     LumpedOptions filled = options_;
     if (has_pair_)
       {
-        const Model         model = gear_case_.make_model(false, log);
+        const Model         model = gear_case_.make_model(log);
         const Transmission &t     = *model.transmission;
         const auto          fill  = [](auto &value, const auto known) {
           if (!(value > 0))
@@ -176,6 +176,11 @@ namespace vfife
   void LumpedStudy::inspect(Communicator &, Log &log)
   {
     log_model(LumpedModel(make_pair(log)), log);
+  }
+
+  std::string LumpedStudy::last_file() const
+  {
+    return "lumped.json";
   }
 
   void LumpedStudy::run(OutputFolder &folder, Log &log)

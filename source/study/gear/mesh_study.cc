@@ -77,17 +77,21 @@ namespace vfife
 
   void MeshStudy::inspect(Communicator &, Log &log)
   {
-    gear_case_.make_model(false, log);
+    gear_case_.make_model(log);
+  }
+
+  std::string MeshStudy::last_file() const
+  {
+    return "mesh.json";
   }
 
   void MeshStudy::run(OutputFolder &folder, Log &log)
   {
-    const Model model = gear_case_.make_model(false, log);
+    const Model model = gear_case_.make_model(log);
     if (!folder.is_writer())
       return;
     const Table figures = body_figures_table(gear_case_.measure_bodies(model));
     folder.write_file("mesh.csv", [&](std::ostream &out) { figures.write_csv(out); });
-    folder.write_file("mesh.json", [&](std::ostream &out) { figures.write_json(out); });
     const Table meridian = gear_case_.meridian_table();
     folder.write_file("meridian.csv", [&](std::ostream &out) { meridian.write_csv(out); });
 
@@ -110,8 +114,13 @@ namespace vfife
     if (export_.pair)
       write("pair", pair);
 
-    if (export_.lengthwise == 0)
-      return;
+    if (export_.lengthwise > 0)
+      write_flank_points(folder);
+    folder.write_file("mesh.json", [&](std::ostream &out) { figures.write_json(out); });
+  }
+
+  void MeshStudy::write_flank_points(const OutputFolder &folder) const
+  {
     const GearPair gears = gear_case_.make_pair();
     for (const GearMember *member : {&gears.pinion(), &gears.gear()})
       {

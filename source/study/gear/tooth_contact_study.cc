@@ -285,6 +285,11 @@ namespace vfife
     log_derived(GearPair(pair_), log);
   }
 
+  std::string ToothContactStudy::last_file() const
+  {
+    return "tca.json";
+  }
+
   void ToothContactStudy::run(OutputFolder &folder, Log &log)
   {
     warn(pair_, log);

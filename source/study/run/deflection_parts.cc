@@ -133,10 +133,13 @@ namespace vfife
     const Axis         &axis   = model_.bodies[t.driven].axis;
     const Shape         loaded = measure(state);
 
+    // Differences of the loaded and the spun shape; signs and the arm as in the header.
     DeflectionParts parts;
-    parts.total        = loaded.hub_lead;
-    parts.centrifugal  = spun_.contact;
-    parts.web_windup   = (loaded.hub_lead - loaded.rim_lead) - (spun_.hub_lead - spun_.rim_lead);
+    parts.total       = loaded.hub_lead;
+    parts.centrifugal = spun_.contact;
+    parts.web_windup  = (loaded.hub_lead - loaded.rim_lead) - (spun_.hub_lead - spun_.rim_lead);
+    // Of the rim's rigid motion only what is no rotation about the axis, taken to the contact
+    // point.
     const Vector3 turn = loaded.rim_turn - spun_.rim_turn;
     const Vector3 tilt = turn - axis.direction.dot(turn) * axis.direction;
     const Vector3 shift =

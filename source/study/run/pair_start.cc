@@ -144,6 +144,9 @@ namespace vfife
 
   std::string PairStart::solve(State &state, const Relaxation::Loads &loads)
   {
+    // u' = u + K^-1 r: the forces out of balance r are the operator's own, K is the conventional
+    // stiffness in the turning axes, close enough to make r fall from round to round. Contact is
+    // left out of r: the flanks are then pressed together by the torque that remains at the hub.
     // The pin of the factors holds the rotation, and carries nothing.
     Relaxation::Loads whole           = loads;
     whole.hold_rotation               = false;
@@ -153,6 +156,7 @@ namespace vfife
     std::ostringstream  text;
     for (unsigned int round = 0;; ++round)
       {
+        // 1. What is out of balance, with contact (is it enough?) and without (what is solved for).
         std::vector<double> forces, all;
         relaxation_.compute_forces(state, without_contact, forces);
         relaxation_.compute_forces(state, whole, all);
@@ -167,10 +171,12 @@ namespace vfife
             (round >= 3 && residual > least_gain * residuals[round - 2]))
           break;
 
+        // 2. What both bodies do under it, in their turning axes, added to where they are.
         const std::vector<double> moved = compliance_->solve(turned_back(state, forces));
         std::vector<double>       u     = displacements(state);
         for (std::size_t i = 0; i < u.size(); ++i)
           u[i] += moved[i];
+        // 3. The flanks are pressed together; the driven member turns as that asks.
         if (loads.contact)
           {
             const PairEquilibriumResult pressed = pair_->press(0., u, moment(state, forces));

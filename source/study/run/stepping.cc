@@ -10,6 +10,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/field_writer.h>
 #include <vfife/output/observers/progress_line.h>
+#include <vfife/study/run/run_start.h>
 #include <vfife/study/run/stepping.h>
 
 #include <cmath>
@@ -75,11 +76,11 @@ namespace vfife
   {
     exchange_model(common, model_);
     double time = run_time();
+    // The wall time so far goes on counting after a restart.
     common.pass(time);
     earlier_time_ = common.reads() ? time : earlier_time_;
     solver_.exchange(common, own, state_);
-    if (exchange_parts_)
-      exchange_parts_(common);
+    start_->exchange(common);
     for (const auto &observer : observers_)
       observer->exchange(common);
 
@@ -161,7 +162,7 @@ namespace vfife
       stop(signal);
   }
 
-  void Stepping::finish(const Parts &parts)
+  void Stepping::finish(const std::function<void()> &complete)
   {
     summary_.run_time       = run_time();
     summary_.dt             = state_.dt;
@@ -172,20 +173,20 @@ namespace vfife
     summary_.contact_losses = solver_.contact_losses();
     for (const Log::Warning &warning : log_.warnings())
       summary_.warnings.push_back(warning.text);
-    if (parts.complete)
-      parts.complete();
+    complete();
     write_summary(folder_, summary_);
   }
 
-  void Stepping::run(const Checkpoint *checkpoint,
-                     const double      end_time,
-                     const double      whole_time,
-                     const Parts      &parts)
+  void Stepping::run(const Checkpoint            *checkpoint,
+                     const double                 end_time,
+                     const double                 whole_time,
+                     RunStart                    &start,
+                     const std::function<void()> &complete)
   {
     observers_.push_back(
       std::make_unique<ProgressLine>(log_, communicator_, 0., end_time, whole_time, sample_steps_));
-    exchange_parts_ = parts.exchange;
-    begin_          = WallClock::now();
+    start_ = &start;
+    begin_ = WallClock::now();
     try
       {
         if (checkpoint != nullptr)
@@ -193,7 +194,7 @@ namespace vfife
         // A run that has not come to its end must not look as if it had.
         folder_.remove_file("summary.json");
         if (checkpoint == nullptr)
-          parts.prepare(state_);
+          start.prepare(state_);
         begin_ = last_checkpoint_     = WallClock::now();
         const std::uint64_t last_step = std::llround(end_time / state_.dt);
         RunSignals          signals;
@@ -205,10 +206,10 @@ namespace vfife
       {
         summary_.status  = "failed";
         summary_.failure = error.what();
-        finish(parts);
+        finish(complete);
         throw;
       }
-    finish(parts);
+    finish(complete);
     log_.line("finished: ",
               state_.step,
               " steps in ",

@@ -7,7 +7,6 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/output/files/run_figures.h>
-#include <vfife/study/study.h>
 #include <vfife/study/sweep/sweep_study.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -45,8 +44,18 @@ namespace vfife
     return all / (ranks_per_run_ == 0 ? all : std::min(ranks_per_run_, all));
   }
 
+  SweepStudy::SweepStudy(const CaseRunner &runner)
+    : runner_(runner)
+  {
+  }
+
+  std::string SweepStudy::last_file() const
+  {
+    return "";
+  }
+
   std::size_t
-  SweepStudy::go_on(const std::string &, const EntryValues &, const Communicator &, Log &)
+  SweepStudy::resume(const std::string &, const EntryValues &, const Communicator &, Log &)
   {
     restart_ = true; // each run is looked at by itself
     return std::numeric_limits<std::size_t>::max();
@@ -213,7 +222,7 @@ namespace vfife
     for (const Values &values : list_runs())
       try
         {
-          read_case(command_line(values));
+          runner_.read(command_line(values));
         }
       catch (const InputError &error)
         {

@@ -9,7 +9,6 @@
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/output/pictures.h>
-#include <vfife/study/inner_case.h>
 #include <vfife/study/sweep/sweep_study.h>
 
 #include <nlohmann/json.hpp>
@@ -127,6 +126,7 @@ namespace vfife
         known.push_back(f);
 
     Table table;
+    // sweep.csv: run, swept values, status, then the figures; sweep.json has the same.
     table.add_text_column("run");
     for (const Parameter &parameter : parameters_)
       table.add_text_column(parameter.name);
@@ -177,6 +177,8 @@ namespace vfife
 
   void SweepStudy::run(OutputFolder &folder, Log &log)
   {
+    // Rounds of as many runs as there are groups of ranks; after each round all ranks know how its
+    // runs have ended, and the tables are written anew.
     copy_beside(folder);
     const Communicator       &all      = folder.communicator();
     const std::vector<Values> runs     = list_runs();
@@ -197,9 +199,10 @@ namespace vfife
           {
             CommandLine line   = command_line(runs[first + index]);
             line.output_folder = folder.file(folder_of_run(first + index));
-            report             = do_case(line, restart_, group);
+            report             = runner_.do_case(line, restart_, group);
           }
 
+        // Each group's first rank tells, the others wait.
         const auto outcomes = all.all_gather(group.is_root() ? report.outcome : Outcome::waits);
         const auto messages = all.all_gather(report.message);
         const auto groups   = all.all_gather(index);

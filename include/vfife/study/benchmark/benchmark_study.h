@@ -34,6 +34,8 @@ namespace vfife
     void inspect(Communicator &communicator, Log &log) override;
     void run(OutputFolder &folder, Log &log) override;
 
+    std::string last_file() const override;
+
   private:
     GearCase                gear_case_;
     BenchmarkOptions        benchmark_;

@@ -11,6 +11,7 @@
 
 namespace vfife
 {
+  class CaseRunner;
   struct CommandLine;
 
   /**
@@ -24,15 +25,18 @@ namespace vfife
   class CompareStudy : public StudyKind
   {
   public:
+    explicit CompareStudy(const CaseRunner &runner);
+
     void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
     /** Reads every case that is to be done. */
     void        check() const override;
     void        inspect(Communicator &communicator, Log &log) override;
-    std::size_t go_on(const std::string  &folder,
-                      const EntryValues  &now,
-                      const Communicator &communicator,
-                      Log                &log) override;
+    std::size_t resume(const std::string  &folder,
+                       const EntryValues  &now,
+                       const Communicator &communicator,
+                       Log                &log) override;
     void        run(OutputFolder &folder, Log &log) override;
+    std::string last_file() const override;
 
   private:
     struct Case
@@ -48,6 +52,7 @@ namespace vfife
     std::string              folder_of(const Case &one, const std::string &folder) const;
     ComparedCase             do_one(const Case &one, OutputFolder &folder, Log &log) const;
 
+    const CaseRunner        &runner_;
     std::string              title_, entries_, folder_of_file_;
     std::vector<std::string> names_;
     std::vector<Case>        cases_;

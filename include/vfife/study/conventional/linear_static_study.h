@@ -4,13 +4,15 @@
 
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/statics/static_solver.h>
-#include <vfife/model/options/model_options.h>
 #include <vfife/output/output_options.h>
-#include <vfife/study/cases/gear_case.h>
 #include <vfife/study/study_kind.h>
+
+#include <memory>
 
 namespace vfife
 {
+  class Case;
+
   /** Section Linear static. */
   struct LinearStaticOptions
   {
@@ -37,6 +39,7 @@ namespace vfife
   {
   public:
     LinearStaticStudy();
+    ~LinearStaticStudy() override;
 
     void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
     void check() const override;
@@ -52,14 +55,11 @@ namespace vfife
                        const StaticResult        &result,
                        const std::vector<Stress> &stresses) const;
 
-    bool                is_general_ = false; ///< section Model and no Gear pair
-    GearCase            gear_case_;
-    ModelOptions        model_;
-    DynamicsOptions     dynamics_;
-    OutputOptions       output_;
-    FemOptions          fem_;
-    LinearStaticOptions options_;
-    double              end_time_ = 0; ///< of the run of the same file, not used [s]
+    std::unique_ptr<Case> case_;
+    DynamicsOptions       dynamics_;
+    OutputOptions         output_;
+    FemOptions            fem_;
+    LinearStaticOptions   options_;
   };
 } // namespace vfife
 

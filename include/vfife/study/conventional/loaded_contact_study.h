@@ -39,6 +39,8 @@ namespace vfife
     void inspect(Communicator &communicator, Log &log) override;
     void run(OutputFolder &folder, Log &log) override;
 
+    std::string last_file() const override;
+
   private:
     std::vector<double>
          find_penalties(const Model &model, const Communicator &communicator, Log &log) const;

@@ -4,33 +4,38 @@
 
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/modes/campbell.h>
-#include <vfife/model/options/model_options.h>
-#include <vfife/study/cases/gear_case.h>
 #include <vfife/study/study_kind.h>
+
+#include <memory>
 
 namespace vfife
 {
+  class Case;
+  struct Model;
+
   /** Study kind `modal`: natural vibrations of the bodies of a gear pair or a general model, each
    * for itself, at rest and at speed. */
   class ModalStudy : public StudyKind
   {
   public:
+    ModalStudy();
+    ~ModalStudy() override;
+
     void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
     void check() const override;
     void inspect(Communicator &communicator, Log &log) override;
     void run(OutputFolder &folder, Log &log) override;
 
-  private:
-    Model make_model(Log &log) const;
-    void  solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
+    std::string last_file() const override;
 
-    bool         is_general_ = false; ///< section Model and no Gear pair
-    GearCase     gear_case_;
-    ModelOptions model_;
-    FemOptions   fem_;
-    Table        modes_      = make_mode_table();
-    Table        campbell_   = make_campbell_table();
-    Table        resonances_ = make_resonance_table();
+  private:
+    void solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
+
+    std::unique_ptr<Case> case_;
+    FemOptions            fem_;
+    Table                 modes_      = make_mode_table();
+    Table                 campbell_   = make_campbell_table();
+    Table                 resonances_ = make_resonance_table();
   };
 } // namespace vfife
 

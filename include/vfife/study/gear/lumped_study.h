@@ -22,6 +22,8 @@ namespace vfife
     void inspect(Communicator &communicator, Log &log) override;
     void run(OutputFolder &folder, Log &log) override;
 
+    std::string last_file() const override;
+
   private:
     const OperationOptions &operation() const;
     /** Fills what the options leave open from the gear pair. */

@@ -30,7 +30,11 @@ namespace vfife
     void inspect(Communicator &communicator, Log &log) override;
     void run(OutputFolder &folder, Log &log) override;
 
+    std::string last_file() const override;
+
   private:
+    void write_flank_points(const OutputFolder &folder) const;
+
     GearCase      gear_case_;
     ExportOptions export_;
   };

@@ -19,6 +19,8 @@ namespace vfife
     void inspect(Communicator &communicator, Log &log) override;
     void run(OutputFolder &folder, Log &log) override;
 
+    std::string last_file() const override;
+
   private:
     GearPairOptions        pair_;
     ContactAnalysisOptions options_;

@@ -20,6 +20,7 @@ namespace vfife
   class Log;
   class OutputFolder;
   class RunSignals;
+  class RunStart;
   struct Checkpoint;
   struct DynamicsOptions;
 
@@ -31,17 +32,6 @@ namespace vfife
   class Stepping
   {
   public:
-    /** What the kinds of runs do each in their way; all on all ranks. */
-    struct Parts
-    {
-      /** Takes the state to where the first step begins; not called when a run goes on. */
-      std::function<void(State &)> prepare;
-      /** Passes what prepare() has found out and complete() needs; may be empty. */
-      std::function<void(ByteStream &)> exchange;
-      /** Fills in the summary of a run that has ended or failed; may be empty. */
-      std::function<void()> complete;
-    };
-
     /** Everything given must outlive the object. The step of @p solver is set. @p sample_steps:
      * steps from sample to sample of the histories. */
     Stepping(OutputFolder        &folder,
@@ -70,11 +60,16 @@ namespace vfife
     RunSummary &summary();
 
     /**
-     * Runs from time zero or from @p checkpoint (nullptr: none) to @p end_time [s], of a run that
-     * would end at @p whole_time. Throws NumericalError after the summary of a failed run has been
-     * written, Interrupted after a checkpoint.
+     * Runs from where @p start takes the state, or from @p checkpoint (nullptr: none), to
+     * @p end_time [s], of a run that would end at @p whole_time. @p complete fills in the summary
+     * of a run that has ended or failed, before it is written. Throws NumericalError after the
+     * summary of a failed run has been written, Interrupted after a checkpoint.
      */
-    void run(const Checkpoint *checkpoint, double end_time, double whole_time, const Parts &parts);
+    void run(const Checkpoint            *checkpoint,
+             double                       end_time,
+             double                       whole_time,
+             RunStart                    &start,
+             const std::function<void()> &complete);
 
   private:
     void   before_step(RunSignals &signals, std::uint64_t last_step);
@@ -83,7 +78,7 @@ namespace vfife
     void   restore(const Checkpoint &checkpoint);
     void   exchange(ByteStream &common, ByteStream *own);
     double run_time() const;
-    void   finish(const Parts &parts);
+    void   finish(const std::function<void()> &complete);
 
     OutputFolder        &folder_;
     const Communicator  &communicator_;
@@ -97,10 +92,10 @@ namespace vfife
     State                state_;
     RunSummary           summary_;
 
-    std::function<void(ByteStream &)> exchange_parts_;
-    WallClock::time_point             begin_, last_checkpoint_;
-    double                            earlier_time_   = 0; ///< run time before the checkpoint [s]
-    bool                              has_checkpoint_ = false; ///< of this run
+    RunStart             *start_ = nullptr;
+    WallClock::time_point begin_, last_checkpoint_;
+    double                earlier_time_   = 0;     ///< run time before the checkpoint [s]
+    bool                  has_checkpoint_ = false; ///< of this run
   };
 } // namespace vfife
 

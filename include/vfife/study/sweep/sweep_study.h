@@ -2,7 +2,7 @@
 #ifndef vfife_study_sweep_sweep_study_h
 #define vfife_study_sweep_sweep_study_h
 
-#include <vfife/study/inner_case.h>
+#include <vfife/study/case_runner.h>
 #include <vfife/study/study_kind.h>
 #include <vfife/study/sweep/history_figure.h>
 
@@ -29,15 +29,19 @@ namespace vfife
   class SweepStudy : public StudyKind
   {
   public:
+    explicit SweepStudy(const CaseRunner &runner);
+
     void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
     /** Reads the base case with the entries of every run. */
     void        check() const override;
     void        inspect(Communicator &communicator, Log &log) override;
-    std::size_t go_on(const std::string  &folder,
-                      const EntryValues  &now,
-                      const Communicator &communicator,
-                      Log                &log) override;
+    std::size_t resume(const std::string  &folder,
+                       const EntryValues  &now,
+                       const Communicator &communicator,
+                       Log                &log) override;
     void        run(OutputFolder &folder, Log &log) override;
+    /** None: the tables are written anew after every run. */
+    std::string last_file() const override;
 
   private:
     struct Parameter
@@ -75,6 +79,7 @@ namespace vfife
                                             const std::vector<CaseReport> &reports,
                                             Log                           &log) const;
 
+    const CaseRunner          &runner_;
     bool                       restart_ = false;
     std::string                base_, entries_, folder_of_file_;
     std::vector<std::string>   names_, figure_names_, beside_;

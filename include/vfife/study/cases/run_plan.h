@@ -1,13 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_run_run_checks_h
-#define vfife_study_run_run_checks_h
-
-#include <string>
-#include <vector>
+#ifndef vfife_study_cases_run_plan_h
+#define vfife_study_cases_run_plan_h
 
 namespace vfife
 {
-  class GearCase;
   struct DynamicsOptions;
   struct Model;
   struct OutputOptions;
@@ -15,7 +11,6 @@ namespace vfife
   /** What is known of a run before its first step. */
   struct RunPlan
   {
-    const GearCase        &gear_case;
     const DynamicsOptions &dynamics;
     const OutputOptions   &output;
     const Model           &model;
@@ -24,12 +19,6 @@ namespace vfife
     double                 step          = 0; ///< of the run [s]
     double                 expected_time = 0; ///< wall time of the run [s]
   };
-
-  /**
-   * Sentences about entries that contradict each other or will not give what the user expects,
-   * although each of them is allowed; empty when nothing is found. doc/study.md lists the checks.
-   */
-  std::vector<std::string> find_contradictions(const RunPlan &plan);
 } // namespace vfife
 
 #endif

@@ -1,10 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/load_torque.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/gear_case.h>
-#include <vfife/study/run/run_checks.h>
+#include <vfife/study/cases/pair_checks.h>
+#include <vfife/study/cases/run_plan.h>
 
 #include <cmath>
 #include <sstream>
@@ -37,9 +39,9 @@ namespace vfife
     }
 
     /** A sentence, or nothing where all is well. */
-    using Check = std::string (*)(const RunPlan &plan);
+    using Check = std::string (*)(const GearCase &gear_case, const RunPlan &plan);
 
-    std::string check_damping(const RunPlan &plan)
+    std::string check_damping(const GearCase &, const RunPlan &plan)
     {
       const double largest = std::max(plan.dynamics.damping, plan.dynamics.mesh_damping);
       if (!(largest > 2000.))
@@ -50,7 +52,7 @@ namespace vfife
                   "changes the compliance");
     }
 
-    std::string check_damping_rate(const RunPlan &plan)
+    std::string check_damping_rate(const GearCase &, const RunPlan &plan)
     {
       if (plan.dynamics.damping_rate == DampingRate::momentum || !(plan.dynamics.damping > 0))
         return "";
@@ -58,9 +60,9 @@ namespace vfife
              "of summary.json states it";
     }
 
-    std::string check_ramp(const RunPlan &plan)
+    std::string check_ramp(const GearCase &gear_case, const RunPlan &plan)
     {
-      const OperationOptions &operation = plan.gear_case.operation();
+      const OperationOptions &operation = gear_case.operation();
       if (plan.dynamics.start != Start::ramp)
         return "";
       if (operation.ramp == 0)
@@ -75,7 +77,7 @@ namespace vfife
       return "";
     }
 
-    std::string check_flank(const RunPlan &plan)
+    std::string check_flank(const GearCase &, const RunPlan &plan)
     {
       // The pinion pushes along -n; that must turn the gear in the drive direction.
       const Transmission &t    = *plan.model.transmission;
@@ -87,14 +89,13 @@ namespace vfife
                        "direction: the load torque opens them";
     }
 
-    std::string check_hertz(const RunPlan &plan)
+    std::string check_hertz(const GearCase &gear_case, const RunPlan &plan)
     {
       const ContactPair  &drive = plan.model.contacts.front();
       const FacetSurface &flank =
         plan.model.bodies[drive.slave_body].mesh().surfaces.at(drive.slave_surface);
-      const double width =
-        2 * plan.gear_case.hertz_contact().semi_axes(plan.gear_case.operation().torque /
-                                                     plan.model.transmission->arm)[1];
+      const double width   = 2 * gear_case.hertz_contact().semi_axes(load_torque(plan.model) /
+                                                                   plan.model.transmission->arm)[1];
       const double facet   = compute_facet_width(flank);
       const double spacing = facet / drive.options.points_per_facet;
       if (spacing > 0.5 * width)
@@ -112,15 +113,15 @@ namespace vfife
       return "";
     }
 
-    std::string check_hub(const RunPlan &plan)
+    std::string check_hub(const GearCase &gear_case, const RunPlan &)
     {
-      if (plan.gear_case.has_web() || plan.gear_case.operation().hub != HubKind::free_rotation)
+      if (gear_case.has_web() || gear_case.operation().hub != HubKind::free_rotation)
         return "";
       return "web = none with hub = free rotation: the rim's underside is guided radially and "
              "axially, and each of its nodes turns on its own";
     }
 
-    std::string check_step(const RunPlan &plan)
+    std::string check_step(const GearCase &, const RunPlan &plan)
     {
       if (plan.step < 0.7 * plan.stable_step)
         return text("history every = ",
@@ -135,19 +136,19 @@ namespace vfife
       return "";
     }
 
-    std::string check_fields(const RunPlan &plan)
+    std::string check_fields(const GearCase &gear_case, const RunPlan &plan)
     {
       const unsigned int every = plan.output.fields_every;
-      if (every <= plan.gear_case.operation().meshes)
+      if (every <= gear_case.operation().meshes)
         return "";
       return text("fields every = ",
                   every,
                   " is more than the run's ",
-                  plan.gear_case.operation().meshes,
+                  gear_case.operation().meshes,
                   " tooth meshes: fields are written at the start and the end only");
     }
 
-    std::string check_checkpoint(const RunPlan &plan)
+    std::string check_checkpoint(const GearCase &, const RunPlan &plan)
     {
       if (plan.output.checkpoint_every > 0 || plan.expected_time < 3600)
         return "";
@@ -155,7 +156,7 @@ namespace vfife
              " without checkpoints (Output/checkpoint every)";
     }
 
-    std::string check_samples(const RunPlan &plan)
+    std::string check_samples(const GearCase &, const RunPlan &plan)
     {
       // A tooth pair's share of a mesh and its harmonics need some points.
       if (plan.output.history_every >= 10)
@@ -177,12 +178,12 @@ namespace vfife
                                            &check_checkpoint};
   } // namespace
 
-  std::vector<std::string> find_contradictions(const RunPlan &plan)
+  std::vector<std::string> find_pair_contradictions(const GearCase &gear_case, const RunPlan &plan)
   {
     std::vector<std::string> found;
     for (const Check check : all_checks)
       {
-        const std::string sentence = check(plan);
+        const std::string sentence = check(gear_case, plan);
         if (!sentence.empty())
           found.push_back(sentence);
       }

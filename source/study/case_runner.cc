@@ -5,16 +5,12 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/output/files/run_figures.h>
+#include <vfife/study/case_runner.h>
 #include <vfife/study/continuation.h>
-#include <vfife/study/inner_case.h>
-#include <vfife/study/study.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 namespace vfife
 {
@@ -22,40 +18,11 @@ namespace vfife
   {
     namespace fs = std::filesystem;
 
-    /** Kinds without a summary: the file that they write last. */
-    const std::vector<std::pair<std::string, std::string>> last_files = {
-      {"loaded tooth contact analysis", "loaded_contact.json"},
-      {"lumped", "lumped.json"},
-      {"modal", "modes.json"}};
-
-    std::string last_file(const EntryValues &values)
+    bool has_results(const std::string &folder, const std::string &last_file)
     {
-      for (const auto &value : values)
-        if (value.first == "Study/kind")
-          for (const auto &known : last_files)
-            if (known.first == value.second)
-              return known.second;
-      return "summary.json";
-    }
-
-    bool has_results(const std::string &folder, const std::string &file)
-    {
-      return file == "summary.json" ? read_run_figures(folder).status == "finished"
-                                    : fs::exists(folder + "/" + file);
-    }
-
-    /** Results of an earlier case must not be taken for those of one that ends before its last
-     * file. */
-    void remove_results(const CommandLine &line)
-    {
-      try
-        {
-          fs::remove(line.output_folder + "/" + last_file(read_case(line)));
-        }
-      catch (const InputError &)
-        {
-          // the case itself says so, on all ranks
-        }
+      return last_file == "summary.json"
+               ? read_run_figures(folder).status == "finished"
+               : !last_file.empty() && fs::exists(folder + "/" + last_file);
     }
   } // namespace
 
@@ -97,7 +64,15 @@ namespace vfife
     return word_for(outcome) + (message.empty() ? "" : ": " + message);
   }
 
-  bool is_finished(const CommandLine &line, const Communicator &communicator)
+  std::string CaseFile::value(const std::string &entry) const
+  {
+    for (const auto &one : entries)
+      if (one.first == entry)
+        return one.second;
+    return "";
+  }
+
+  bool CaseRunner::is_finished(const CommandLine &line, const Communicator &communicator) const
   {
     // One rank looks: files may appear on the others later.
     bool finished = false;
@@ -105,12 +80,11 @@ namespace vfife
       try
         {
           CommandLine before;
-          before.parameter_file  = line.output_folder + "/parameters.prm";
-          const EntryValues now  = read_case(line);
-          const std::string file = last_file(now);
-          if (has_results(line.output_folder, file))
+          before.parameter_file = line.output_folder + "/parameters.prm";
+          const CaseFile now    = read(line);
+          if (has_results(line.output_folder, now.last_file))
             {
-              refuse_changes(read_case(before), now, false);
+              refuse_changes(read(before).entries, now.entries);
               finished = true;
             }
         }
@@ -121,11 +95,27 @@ namespace vfife
     return communicator.any(finished);
   }
 
-  CaseReport do_case(CommandLine line, const bool goes_on, Communicator &communicator)
+  void CaseRunner::remove_last_file(const CommandLine &line) const
   {
+    try
+      {
+        const std::string last_file = read(line).last_file;
+        if (!last_file.empty())
+          fs::remove(line.output_folder + "/" + last_file);
+      }
+    catch (const InputError &)
+      {
+        // the case itself says so, on all ranks
+      }
+  }
+
+  CaseReport
+  CaseRunner::do_case(CommandLine line, const bool resumes, Communicator &communicator) const
+  {
+    // A case ends in one of four ways, none of which ends the study of cases.
     std::ostream nowhere(nullptr); // the case has a log of its own
     Log          log(nowhere, communicator.is_root(), Verbosity::quiet);
-    if (goes_on)
+    if (resumes)
       {
         if (is_finished(line, communicator))
           return {Outcome::finished, "was finished before"};
@@ -134,9 +124,11 @@ namespace vfife
       }
     try
       {
+        // Results of an earlier case must not be taken for those of one that ends before its last
+        // file.
         if (communicator.is_root() && !line.restart)
-          remove_results(line);
-        run_study(line, communicator, log);
+          remove_last_file(line);
+        run(line, communicator, log);
       }
     catch (const Interrupted &interruption)
       {

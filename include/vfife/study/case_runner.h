@@ -1,0 +1,87 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_case_runner_h
+#define vfife_study_case_runner_h
+
+#include <vfife/study/continuation.h>
+
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  struct CommandLine;
+  class Communicator;
+  class Log;
+
+  /** What has become of a case that a study does with others. */
+  enum class Outcome
+  {
+    waits,
+    finished,
+    failed,
+    interrupted
+  };
+
+  /** "waits", "finished"... */
+  std::string word_for(Outcome outcome);
+
+  /** How a case has ended. */
+  struct CaseReport
+  {
+    Outcome     outcome = Outcome::waits;
+    std::string message;
+
+    /** "finished", "failed: why". */
+    std::string describe() const;
+  };
+
+  /** A parameter file that has been read and checked. */
+  struct CaseFile
+  {
+    EntryValues entries;   ///< in force
+    std::string last_file; ///< StudyKind::last_file()
+
+    /** Of an entry by its path; empty where there is none. */
+    std::string value(const std::string &entry) const;
+  };
+
+  /**
+   * Reads and does other cases, for studies that are made of cases: these are handed one, since
+   * they stand among the kinds that it knows.
+   */
+  class CaseRunner
+  {
+  public:
+    virtual ~CaseRunner() = default;
+
+    /** Throws InputError (complete message). */
+    virtual CaseFile read(const CommandLine &line) const = 0;
+
+    /** Throws InputError (complete message), NumericalError and Interrupted. Collective. */
+    virtual void run(const CommandLine &line, Communicator &communicator, Log &log) const = 0;
+
+    /**
+     * Whether the output folder of @p line has all results of that case, with the same parameters.
+     * Collective.
+     */
+    bool is_finished(const CommandLine &line, const Communicator &communicator) const;
+
+    /**
+     * Does a case, with a log of its own in its output folder. With @p resumes a finished case is
+     * kept, and one with a checkpoint goes on. Bad input and failing numbers are reported, not
+     * thrown. Collective.
+     */
+    CaseReport do_case(CommandLine line, bool resumes, Communicator &communicator) const;
+
+  private:
+    void remove_last_file(const CommandLine &line) const;
+  };
+
+  /**
+   * What cases have otherwise than their files, "Section/name = value; ...", as the overrides of a
+   * command line. @throws InputError, of @p entry, for what has no "=".
+   */
+  std::vector<std::string> split_entries(const std::string &text, const std::string &entry);
+} // namespace vfife
+
+#endif

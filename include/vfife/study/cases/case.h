@@ -1,0 +1,76 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_cases_case_h
+#define vfife_study_cases_case_h
+
+#include <vfife/contact/law/hertz.h>
+#include <vfife/model/model.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  class Log;
+  class ParameterFile;
+  struct DynamicsOptions;
+  struct OutputOptions;
+  struct RunPlan;
+
+  /**
+   * What a study is of: the sections of the parameter file that describe bodies, what holds, loads
+   * and drives them, and how long they are run. The model that it makes is all that solvers see.
+   */
+  class Case
+  {
+  public:
+    virtual ~Case() = default;
+
+    /** Declares the sections of the case; names that decide what is declared are read from @p file
+     * first. Bound by address: the object must stay until the file is read. */
+    virtual void declare(dealii::ParameterHandler &prm, const ParameterFile &file) = 0;
+
+    /** Throws InputError when entries contradict each other. */
+    virtual void check() const = 0;
+
+    /** Meshes the bodies and puts the model together; logs what a user wants to know about them. */
+    virtual Model make_model(Log &log) const = 0;
+
+    /** Sets the defaults of a run's options that are others for cases of this kind; to be called
+     * before these are declared. */
+    virtual void set_defaults(DynamicsOptions &dynamics, OutputOptions &output) const;
+
+    /** Declares the entries of the case in the sections of a run. */
+    virtual void declare_run(dealii::ParameterHandler &prm);
+
+    /** Throws InputError where the options of a run do not fit the case. */
+    virtual void check_run(const DynamicsOptions &dynamics) const = 0;
+
+    /** Time at which a run ends [s]. */
+    virtual double end_time() const = 0;
+
+    /** Time over which the load torque grows where a run starts with a ramp [s]. */
+    virtual double ramp_time() const;
+
+    /** The step of a run [s], at most @p stable_step; @p samples of a history lie in a tooth mesh
+     * where there is one. */
+    virtual double choose_step(double stable_step, unsigned int samples) const = 0;
+
+    /** Of one tooth pair at the mean contact of the unloaded flanks; of no size without teeth. */
+    virtual HertzContact hertz_contact() const;
+
+    /** Sentences about entries that contradict each other or will not give what the user expects,
+     * although each of them is allowed; empty when nothing is found. */
+    virtual std::vector<std::string> find_contradictions(const RunPlan &plan) const;
+  };
+
+  /** A file with a section Model and no Gear pair is a general model, any other a gear pair. */
+  std::unique_ptr<Case> make_case(const ParameterFile &file);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,50 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_cases_operation_options_h
+#define vfife_study_cases_operation_options_h
+
+#include <vfife/base/types.h>
+#include <vfife/gear/contact_analysis.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /** How the hub of the driven member turns. */
+  enum class HubKind
+  {
+    free_rotation,
+    rigid_hub
+  };
+
+  /** Section Operation: what the pair is run at. */
+  struct OperationOptions
+  {
+    double       speed  = 0;  ///< of the pinion [rad/s]
+    double       torque = 0;  ///< on the driven member [N mm]
+    unsigned int meshes = 40; ///< tooth meshes to run
+    double       ramp   = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
+    HubKind      hub    = HubKind::free_rotation;
+
+    DrivingMember    driving   = DrivingMember::pinion;
+    TurningDirection direction = TurningDirection::forward;
+
+    void declare(dealii::ParameterHandler &prm);
+    void check(const std::string &section) const;
+
+    /** Throws InputError where the gear drives, which @p study (a noun) does not take. */
+    void require_driving_pinion(const std::string &section, const std::string &study) const;
+
+    /** Tooth meshes per second [Hz]. */
+    double mesh_frequency(unsigned int pinion_teeth) const
+    {
+      return speed * pinion_teeth / (2 * pi);
+    }
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,57 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_run_pair_preload_h
+#define vfife_study_run_pair_preload_h
+
+#include <vfife/study/run/deflection_parts.h>
+#include <vfife/study/run/run_start.h>
+
+namespace vfife
+{
+  /** What the equilibrium of a loaded gear pair before the start tells. */
+  struct PairPreload
+  {
+    DeflectionParts parts;
+    Swing           swing;
+    double          penalty_lag = 0; ///< [rad], compute_penalty_lag()
+  };
+
+  /**
+   * Lag that the penalty springs of the contact add to a pair at rest [rad], positive. With
+   * pressures p they give way by p/penalty; by virtual work under the torque T the gear yields by
+   * int p (p/penalty) dA/T = 2 E/T, E their energy [mJ] and T in N mm: the mean penetration
+   * weighted with force, over the arm.
+   */
+  double compute_penalty_lag(double contact_energy, double torque);
+
+  /**
+   * Start of a gear pair (doc/dynamics.md, The preloaded start): equilibrium in the turning frames,
+   * spun, then under a part of the torque, then under all of it, each telling a part of the
+   * transmission error. A run with `static preload` begins in the loaded one, with the deformation
+   * standing still in space; one with `ramp` where the flanks of the spun shapes just touch.
+   */
+  class PreloadedPair : public RunStart
+  {
+  public:
+    PreloadedPair(const Model           &model,
+                  const DynamicsOptions &options,
+                  ExplicitSolver        &solver,
+                  const Communicator    &communicator,
+                  Log                   &log);
+
+    void               prepare(State &state) override;
+    void               exchange(ByteStream &stream) override;
+    const PairPreload *preload() const override;
+
+  private:
+    void log_preload() const;
+
+    const Model           &model_;
+    const DynamicsOptions &options_;
+    ExplicitSolver        &solver_;
+    const Communicator    &communicator_;
+    Log                   &log_;
+    PairPreload            preload_;
+  };
+} // namespace vfife
+
+#endif

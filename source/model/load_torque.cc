@@ -1,0 +1,15 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/model/load_torque.h>
+#include <vfife/model/model.h>
+
+namespace vfife
+{
+  double load_torque(const Model &model)
+  {
+    double sum = 0;
+    for (const Torque &torque : model.torques)
+      if (model.transmission && torque.body == model.transmission->driven)
+        sum -= model.transmission->driven_sense * torque.value;
+    return sum;
+  }
+} // namespace vfife

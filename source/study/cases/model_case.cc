@@ -1,0 +1,96 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/log.h>
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/mesh_quality.h>
+#include <vfife/output/output_options.h>
+#include <vfife/study/cases/model_case.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    void log_bodies(const Model &model, Log &log)
+    {
+      for (const Body &body : model.bodies)
+        {
+          const MeshQuality quality = compute_mesh_quality(body.mesh().triangulation);
+          log.line(body.name(),
+                   ": ",
+                   quality.cells,
+                   " elements, ",
+                   quality.nodes,
+                   " nodes, mass ",
+                   1e3 * body.mass(),
+                   " kg, least scaled Jacobian ",
+                   quality.least_scaled_jacobian,
+                   ", least edge ",
+                   quality.least_edge,
+                   " mm");
+        }
+    }
+  } // namespace
+
+  void ModelCase::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    options_.declare(prm, file);
+  }
+
+  void ModelCase::check() const
+  {
+    options_.check();
+  }
+
+  Model ModelCase::make_model(Log &log) const
+  {
+    Model model = options_.make_model();
+    log_bodies(model, log);
+    return model;
+  }
+
+  void ModelCase::set_defaults(DynamicsOptions &dynamics, OutputOptions &output) const
+  {
+    // A general model moves as it is told: no start of a gear pair, no dampers.
+    dynamics.start        = Start::undeformed;
+    dynamics.damping      = 0;
+    dynamics.mesh_damping = 0;
+    output.fields_every   = 0;
+  }
+
+  void ModelCase::declare_run(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Dynamics");
+    declare_quantity(
+      prm, "end time", end_time_, "s", "Time at which the run ends", Range::not_negative());
+  }
+
+  void ModelCase::check_dynamics(const DynamicsOptions &dynamics) const
+  {
+    if (dynamics.start == Start::ramp)
+      throw InputError("Dynamics/start",
+                       "a ramp of the torque is for gear pairs; loads of a model have histories");
+    if (dynamics.mesh_damping > 0)
+      throw InputError("Dynamics/mesh damping", "there is no gear pair in the model");
+  }
+
+  void ModelCase::check_run(const DynamicsOptions &dynamics) const
+  {
+    check_dynamics(dynamics);
+    if (!(end_time_ > 0))
+      throw InputError("Dynamics/end time", "the end of the run is missing or zero");
+  }
+
+  double ModelCase::end_time() const
+  {
+    return end_time_;
+  }
+
+  double ModelCase::choose_step(const double stable_step, const unsigned int) const
+  {
+    return end_time_ / std::ceil(end_time_ / stable_step);
+  }
+} // namespace vfife

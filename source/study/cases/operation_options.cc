@@ -1,0 +1,65 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/study/cases/operation_options.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<HubKind> hub_kinds = {{"free rotation", HubKind::free_rotation},
+                                        {"rigid hub", HubKind::rigid_hub}};
+  } // namespace
+
+  void OperationOptions::declare(dealii::ParameterHandler &prm)
+  {
+    Subsection section(prm, "Operation");
+    declare_quantity(prm, "speed", speed, "rpm", "Speed of the pinion", Range::not_negative());
+    declare_quantity(prm,
+                     "torque",
+                     torque,
+                     "N m",
+                     "Torque on the driven member (the gear, if nothing else is said), against its "
+                     "rotation",
+                     Range::not_negative());
+    declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1);
+    declare_number(prm,
+                   "ramp",
+                   ramp,
+                   "Tooth meshes over which the torque grows linearly, with Dynamics/start = ramp "
+                   "(whole swing periods)",
+                   Range::not_negative());
+    declare_driving(prm, driving, direction);
+    declare_choice(
+      prm,
+      "hub",
+      hub,
+      hub_kinds,
+      "Bore of the driven member: each node free to turn about the axis under the constant "
+      "traction of the torque, or all nodes "
+      "turning as one; radial and axial displacement held");
+  }
+
+  void OperationOptions::check(const std::string &section) const
+  {
+    if (!(speed > 0))
+      throw InputError(section + "/speed",
+                       "the speed of the pinion is missing or zero; a dynamic run needs one");
+    if (!(torque > 0))
+      throw InputError(section + "/torque",
+                       "the torque on the driven member is missing or zero; flanks without load do "
+                       "not stay in contact");
+  }
+
+  void OperationOptions::require_driving_pinion(const std::string &section,
+                                                const std::string &study) const
+  {
+    if (driving != DrivingMember::pinion)
+      throw InputError(section + "/driving member",
+                       "the " + study +
+                         " has the pinion driving; the flanks that a driving gear uses carry with "
+                         "direction of rotation = reverse");
+  }
+} // namespace vfife

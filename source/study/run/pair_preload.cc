@@ -1,0 +1,158 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/dynamics/equilibrium/relaxation.h>
+#include <vfife/dynamics/equilibrium/standing_pattern.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/model/load_torque.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/study/run/pair_preload.h>
+#include <vfife/study/run/pair_start.h>
+
+#include <optional>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    std::string describe(const RelaxationReport &report)
+    {
+      std::ostringstream text;
+      text << report.steps << " relaxation steps, residual " << report.residual;
+      return text.str();
+    }
+
+    /** The pattern changes its own forces of inertia by (n Omega/omega_n)^2, n waves around a body
+     * of frequency omega_n: a few per cent. */
+    constexpr unsigned int pattern_rounds = 2;
+
+    /** Teeth share the load the better, the larger it is: the swing sees the slope at full torque,
+     * which is taken from here to there. */
+    constexpr double partial_load = 0.9;
+
+    /** Of the torque, where flanks just touch. */
+    constexpr double touching_load = 1e-3;
+  } // namespace
+
+  double compute_penalty_lag(const double contact_energy, const double torque)
+  {
+    return 2. * contact_energy / torque;
+  }
+
+  PreloadedPair::PreloadedPair(const Model           &model,
+                               const DynamicsOptions &options,
+                               ExplicitSolver        &solver,
+                               const Communicator    &communicator,
+                               Log                   &log)
+    : model_(model)
+    , options_(options)
+    , solver_(solver)
+    , communicator_(communicator)
+    , log_(log)
+  {
+  }
+
+  void PreloadedPair::prepare(State &state)
+  {
+    const auto      start = WallClock::now();
+    Relaxation      relaxation(model_,
+                          options_.relaxation,
+                          solver_.vfife_operator(),
+                          solver_.contact(),
+                          solver_.walls(),
+                          communicator_,
+                          log_);
+    DeflectionProbe probe(model_, communicator_);
+    const double    torque = load_torque(model_);
+    log_.line("equilibrium before the start:");
+    std::optional<PairStart> factors;
+    if (options_.start_solver == StartSolver::factorization)
+      factors.emplace(
+        model_, options_, relaxation, solver_.contact().penalties(), communicator_, log_);
+    const auto relax = [&](const char *name, const Relaxation::Loads &loads) {
+      log_.line("  ",
+                name,
+                ": ",
+                factors ? factors->solve(state, loads) : describe(relaxation.solve(state, loads)));
+    };
+
+    // 1. Centrifugal force alone.
+    Relaxation::Loads spinning;
+    spinning.torque        = 0;
+    spinning.contact       = false;
+    spinning.hold_rotation = true;
+    relax("spinning", spinning);
+    probe.take_spun(state);
+
+    // 2. A part of the torque, then all of it: the slope between both is the swing's stiffness.
+    Relaxation::Loads partly;
+    partly.torque    = partial_load;
+    partly.looseness = 10;
+    relax("at 0.9 of the torque", partly);
+    probe.take_partly_loaded(state, partly.torque * torque);
+    relax("loaded", Relaxation::Loads());
+    preload_.parts       = probe.take_loaded(state);
+    preload_.penalty_lag = compute_penalty_lag(solver_.contact().energy(), torque);
+    preload_.swing       = probe.compute_swing(state, preload_.parts, torque);
+
+    // 3. Where the run begins.
+    StandingPattern pattern(model_, communicator_);
+    if (options_.start == Start::ramp)
+      {
+        Relaxation::Loads touching;
+        touching.torque = touching_load;
+        relax("touching", touching);
+      }
+    else
+      for (unsigned int round = 0; round < pattern_rounds; ++round)
+        {
+          pattern.update(state);
+          Relaxation::Loads standing;
+          standing.pattern = &pattern;
+          relax("standing in space", standing);
+        }
+    log_.line("  took ", duration_text(seconds_since(start)));
+    solver_.set_rigid_velocities(state);
+    pattern.add_velocities(state.velocity);
+    log_preload();
+  }
+
+  void PreloadedPair::exchange(ByteStream &stream)
+  {
+    stream.pass(preload_.parts, preload_.swing, preload_.penalty_lag);
+  }
+
+  const PairPreload *PreloadedPair::preload() const
+  {
+    return &preload_;
+  }
+
+  void PreloadedPair::log_preload() const
+  {
+    const DeflectionParts &parts = preload_.parts;
+    log_.line("transmission error under load ",
+              parts.total / arcsecond,
+              " arcsec: centrifugal shift ",
+              parts.centrifugal / arcsecond,
+              ", web windup ",
+              parts.web_windup / arcsecond,
+              ", rim tilt and shift ",
+              parts.rim_tilt / arcsecond,
+              ", teeth and rest ",
+              parts.teeth / arcsecond,
+              "; of the lag ",
+              preload_.penalty_lag / arcsecond,
+              " arcsec are the contact's penalty springs");
+    log_.line("the driven member swings at about ",
+              preload_.swing.frequency(),
+              " Hz, ",
+              model_.transmission->mesh_frequency() / preload_.swing.frequency(),
+              " tooth meshes a period: stiffness ",
+              1e-3 * preload_.swing.stiffness,
+              " N m/rad, inertia of the shape ",
+              1e3 * preload_.swing.inertia,
+              " kg mm^2");
+  }
+} // namespace vfife

@@ -1,0 +1,140 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/table.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/model/load_torque.h>
+#include <vfife/output/observers/pattern_writer.h>
+#include <vfife/output/observers/probe_writer.h>
+#include <vfife/output/observers/rim_writer.h>
+#include <vfife/output/observers/teeth_writer.h>
+#include <vfife/study/run/pair_preload.h>
+#include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/stepping.h>
+
+#include <algorithm>
+#include <set>
+
+namespace vfife
+{
+  namespace
+  {
+    void add_preload(const PairPreload &preload, RunSummary &summary)
+    {
+      const DeflectionParts &parts = preload.parts;
+      summary.transmission_error   = {{"total at the start", {parts.total / arcsecond, "arcsec"}},
+                                      {"teeth and rest", {parts.teeth / arcsecond, "arcsec"}},
+                                      {"web windup", {parts.web_windup / arcsecond, "arcsec"}},
+                                      {"rim tilt and shift", {parts.rim_tilt / arcsecond, "arcsec"}},
+                                      {"centrifugal shift",
+                                       {parts.centrifugal / arcsecond, "arcsec"}}};
+      const Swing &swing           = preload.swing;
+      summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});
+      summary.figures.push_back({"inertia of the swing", {1e-3 * swing.inertia, "kg m^2"}});
+      summary.figures.push_back({"swing frequency, estimated", {swing.frequency(), "Hz"}});
+    }
+  } // namespace
+
+  PairResults::PairResults(const Model         &model,
+                           const HertzContact  &hertz,
+                           const OutputOptions &output,
+                           const std::uint64_t  history_steps,
+                           const double         end_time,
+                           Stepping            &stepping)
+    : model_(model)
+    , hertz_(hertz)
+    , output_(output)
+  {
+    const double one_mesh = 1. / model.transmission->mesh_frequency();
+    teeth_                = &stepping.add<TeethWriter>(model, history_steps, hertz).table();
+    stepping.add<PatternWriter>(model, std::max(0., end_time - one_mesh), history_steps);
+    stepping.add<ProbeWriter>(history_steps);
+    stepping.add<RimWriter>(model, history_steps);
+  }
+
+  NamedFigures PairResults::list_figures(ExplicitSolver &solver) const
+  {
+    const Transmission &t      = *model_.transmission;
+    const double        torque = load_torque(model_);
+    return {{"mesh frequency", {t.mesh_frequency(), "Hz"}},
+            {model_.bodies[t.driver].name() + " speed", {t.driver_rate * 30. / pi, "rpm"}},
+            {model_.bodies[t.driven].name() + " torque", {1e-3 * torque, "N m"}},
+            {"effective arm", {t.arm, "mm"}},
+            {"torque over effective arm", {torque / t.arm, "N"}},
+            {"stable step of the elements", {1e9 * solver.element_step(), "ns"}},
+            {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
+  }
+
+  void PairResults::log_hertz(Log &log) const
+  {
+    const double  force = load_torque(model_) / model_.transmission->arm;
+    const Vector2 axes  = hertz_.semi_axes(force);
+    log.line("Hertz, one tooth pair under all the torque: ",
+             axes[0],
+             " x ",
+             axes[1],
+             " mm, ",
+             hertz_.largest_pressure(force),
+             " MPa");
+  }
+
+  void PairResults::complete(const Table       &history,
+                             const PairPreload &preload,
+                             RunSummary        &summary,
+                             Log               &log) const
+  {
+    if (preload.swing.frequency() > 0)
+      {
+        add_preload(preload, summary);
+        if (history.n_rows() > 1)
+          find_steady(history, preload, summary, log);
+      }
+    if (summary.status != "failed")
+      add_contact(preload, history.n_rows(), summary);
+  }
+
+  void PairResults::find_steady(const Table       &history,
+                                const PairPreload &preload,
+                                RunSummary        &summary,
+                                Log               &log) const
+  {
+    double ramp_end = 0;
+    for (const Torque &torque : model_.torques)
+      ramp_end = std::max(ramp_end, torque.ramp_time);
+    const double period = model_.transmission->mesh_frequency() / preload.swing.frequency();
+    summary.steady      = find_steady_part(history, output_.history_every, period, ramp_end);
+    log.line(summary.steady->explain());
+    for (const char *name : {"contact force total", "dte", "rim dte"})
+      {
+        const ColumnStatistics &c = summary.steady->column(name);
+        log.line("  ",
+                 name,
+                 ": mean ",
+                 c.mean,
+                 " ",
+                 c.unit,
+                 ", peak to peak ",
+                 c.peak_to_peak,
+                 " ",
+                 c.unit);
+      }
+  }
+
+  void PairResults::add_contact(const PairPreload &preload,
+                                const std::size_t  n_samples,
+                                RunSummary        &summary) const
+  {
+    const double force = load_torque(model_) / model_.transmission->arm;
+    summary.transmission_error.push_back(
+      {"penalty springs, in teeth and rest", {-preload.penalty_lag / arcsecond, "arcsec"}});
+    summary.figures.push_back(
+      {"hertz pressure of one tooth pair", {hertz_.largest_pressure(force), "MPa"}});
+
+    // How often the other side of the teeth touched.
+    std::set<double> coast;
+    for (std::size_t i = 0; i < teeth_->n_rows(); ++i)
+      if (teeth_->column("side").texts[i] == "coast")
+        coast.insert(teeth_->numbers("time")[i]);
+    const double share = n_samples > 0 ? static_cast<double>(coast.size()) / n_samples : 0.;
+    summary.figures.push_back({"samples with contact on the coast side", {share, "-"}});
+  }
+} // namespace vfife

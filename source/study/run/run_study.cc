@@ -1,0 +1,191 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/operator/mass_scaling.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/observers/history_writer.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/output/pictures.h>
+#include <vfife/study/cases/case.h>
+#include <vfife/study/cases/run_plan.h>
+#include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/run_start.h>
+#include <vfife/study/run/run_study.h>
+#include <vfife/study/run/stepped_solver.h>
+#include <vfife/study/run/stepping.h>
+#include <vfife/study/start_summary.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Nothing that the past of a run depends on. */
+    const std::vector<std::string> changeable_entries = {"Study/output folder",
+                                                         "Operation/tooth meshes",
+                                                         "Dynamics/end time",
+                                                         "Dynamics/largest number of steps",
+                                                         "Dynamics/energy limit",
+                                                         "Output/fields every",
+                                                         "Output/checkpoint every",
+                                                         "Output/pictures",
+                                                         "Output/verbosity"};
+
+    /** Seconds by section. */
+    NamedFigures list_times(const Table &report)
+    {
+      NamedFigures times;
+      for (std::size_t i = 0; i < report.n_rows(); ++i)
+        times.emplace_back(report.column("section").texts[i],
+                           Figure{report.numbers("time")[i], "s"});
+      return times;
+    }
+
+    /** nullptr without a gear pair. */
+    const Transmission *transmission_of(const Model &model)
+    {
+      return model.transmission ? &*model.transmission : nullptr;
+    }
+  } // namespace
+
+  RunStudy::RunStudy()  = default;
+  RunStudy::~RunStudy() = default;
+
+  void RunStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    case_ = make_case(file);
+    case_->declare(prm, file);
+    case_->set_defaults(dynamics_, output_);
+    dynamics_.declare(prm);
+    output_.declare(prm);
+    case_->declare_run(prm);
+  }
+
+  void RunStudy::check() const
+  {
+    case_->check();
+    dynamics_.check("Dynamics");
+    output_.check("Output");
+    case_->check_run(dynamics_);
+  }
+
+  Model RunStudy::make_model(Log &log) const
+  {
+    Model model = case_->make_model(log);
+    if (dynamics_.start == Start::ramp)
+      for (Torque &torque : model.torques)
+        torque.ramp_time = case_->ramp_time();
+    scale_masses(dynamics_, model, log);
+    return model;
+  }
+
+  double RunStudy::choose_step(const double stable_step) const
+  {
+    return case_->choose_step(stable_step, output_.history_every);
+  }
+
+  std::vector<std::string> RunStudy::report_contradictions(const Model   &model,
+                                                           SteppedSolver &stepped,
+                                                           const double   run_time,
+                                                           Log           &log) const
+  {
+    RunPlan plan{dynamics_, output_, model};
+    plan.element_step                    = dynamics_.safety * stepped.solver.element_step();
+    plan.stable_step                     = stepped.solver.stable_step();
+    plan.step                            = stepped.dt;
+    plan.expected_time                   = run_time;
+    const std::vector<std::string> found = case_->find_contradictions(plan);
+    for (const std::string &sentence : found)
+      log.line("check: ", sentence);
+    if (found.empty() && model.transmission)
+      log.line("check: no contradictions");
+    return found;
+  }
+
+  void RunStudy::inspect(Communicator &communicator, Log &log)
+  {
+    const auto    start = WallClock::now();
+    const Model   model = make_model(log);
+    SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
+      return choose_step(stable_step);
+    });
+    stepped.log_step(model, log);
+    log.line("built in ", seconds_since(start), " s");
+
+    State state;
+    stepped.solver.start(state);
+    const double n_steps  = case_->end_time() / stepped.dt;
+    const double run_time = stepped.expect_run_time(state, n_steps);
+    log.line("a run is ",
+             std::llround(n_steps),
+             " steps, about ",
+             duration_text(run_time),
+             " with ",
+             communicator.size(),
+             communicator.size() == 1 ? " rank" : " ranks",
+             dynamics_.start == Start::undeformed ? "" : ", and the equilibrium before it");
+    report_contradictions(model, stepped, run_time, log);
+  }
+
+  std::size_t RunStudy::resume(const std::string  &folder,
+                               const EntryValues  &now,
+                               const Communicator &communicator,
+                               Log                &log)
+  {
+    checkpoint_ = find_checkpoint(folder, now, changeable_entries, communicator, log);
+    return checkpoint_->log_size;
+  }
+
+  void RunStudy::run(OutputFolder &folder, Log &log)
+  {
+    log.set_verbosity(output_.verbosity);
+    const Communicator &communicator = folder.communicator();
+    Model               model        = make_model(log);
+    SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
+      return choose_step(stable_step);
+    });
+    stepped.log_step(model, log);
+
+    // Observers: those of any model, those of a gear pair, fields.
+    const double whole_time = case_->end_time(), dt = stepped.dt;
+    const double end_time =
+      dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
+    const Transmission *transmission  = transmission_of(model);
+    const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
+    Stepping            stepping(folder, log, model, stepped.solver, output_, history_steps);
+    RunSummary         &summary = stepping.summary();
+    summary                     = start_summary("run", model, stepped.solver, dt, communicator);
+    const Table               &history = stepping.add<HistoryWriter>(model, history_steps).table();
+    std::optional<PairResults> pair;
+    if (transmission != nullptr)
+      {
+        pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time, stepping);
+        summary.figures = pair->list_figures(stepped.solver);
+        pair->log_hertz(log);
+      }
+    stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
+    summary.contradictions = report_contradictions(
+      model, stepped, stepped.expect_run_time(stepping.state(), end_time / dt), log);
+
+    // The steps; what has been found is put together when they have ended, well or not.
+    const auto start = make_start(model, dynamics_, stepped.solver, communicator, log);
+    stepping.run(checkpoint_ ? &*checkpoint_ : nullptr, end_time, whole_time, *start, [&] {
+      if (pair && start->preload() != nullptr)
+        pair->complete(history, *start->preload(), summary, log);
+      if (summary.status == "failed")
+        return;
+      summary.timers = list_times(stepped.timers.report(communicator));
+      if (end_time < whole_time)
+        log.line("ended after Dynamics/largest number of steps, ",
+                 1e3 * end_time,
+                 " of ",
+                 1e3 * whole_time,
+                 " ms");
+    });
+    if (output_.pictures)
+      draw_pictures(folder, log);
+  }
+} // namespace vfife

@@ -1,0 +1,124 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/equilibrium/relaxation.h>
+#include <vfife/dynamics/operator/mass_scaling.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/observers/field_writer.h>
+#include <vfife/output/observers/history_writer.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/output/pictures.h>
+#include <vfife/study/run/static_study.h>
+#include <vfife/study/run/stepped_solver.h>
+#include <vfife/study/start_summary.h>
+
+namespace vfife
+{
+  namespace
+  {
+    /** At rest the step matters to the penalties only. */
+    double stable_step_itself(const double stable_step)
+    {
+      return stable_step;
+    }
+  } // namespace
+
+  void StaticStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  {
+    case_.declare(prm, file);
+    case_.set_defaults(dynamics_, output_);
+    dynamics_.declare(prm);
+    output_.declare(prm);
+  }
+
+  void StaticStudy::check() const
+  {
+    case_.check();
+    dynamics_.check("Dynamics");
+    output_.check("Output");
+    case_.check_dynamics(dynamics_);
+  }
+
+  Model StaticStudy::make_model(Log &log) const
+  {
+    Model model = case_.make_model(log);
+    scale_masses(dynamics_, model, log);
+    return model;
+  }
+
+  Observers StaticStudy::make_observers(const OutputFolder &folder, const Model &model) const
+  {
+    Observers observers;
+    observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
+    if (output_.fields_every > 0)
+      observers.push_back(
+        std::make_unique<FieldWriter>(folder, model, 1, dynamics_.stiffness, dynamics_.frame));
+    return observers;
+  }
+
+  void StaticStudy::inspect(Communicator &communicator, Log &log)
+  {
+    const Model   model = make_model(log);
+    SteppedSolver stepped(model, dynamics_, communicator, log, &stable_step_itself);
+    stepped.log_step(model, log);
+  }
+
+  void StaticStudy::run(OutputFolder &folder, Log &log)
+  {
+    log.set_verbosity(output_.verbosity);
+    const Communicator &communicator = folder.communicator();
+    const Model         model        = make_model(log);
+    SteppedSolver       stepped(model, dynamics_, communicator, log, &stable_step_itself);
+    stepped.log_step(model, log);
+
+    ExplicitSolver &solver    = stepped.solver;
+    RunSummary      summary   = start_summary("static", model, solver, stepped.dt, communicator);
+    Observers       observers = make_observers(folder, model);
+    Relaxation      relaxation(model,
+                          dynamics_.relaxation,
+                          solver.vfife_operator(),
+                          solver.contact(),
+                          solver.walls(),
+                          communicator,
+                          log);
+    State           state;
+    solver.start(state);
+    const auto         start              = WallClock::now();
+    const unsigned int n_steps            = dynamics_.relaxation.load_steps;
+    std::uint64_t      n_relaxation_steps = 0;
+    // Load step by load step; a row of the histories each, with the part of the loads as its time.
+    for (unsigned int step = 1; step <= n_steps; ++step)
+      {
+        Relaxation::Loads loads;
+        loads.part                    = static_cast<double>(step) / n_steps;
+        const RelaxationReport report = relaxation.solve(state, loads);
+        n_relaxation_steps += report.steps;
+        log.line("load step ",
+                 step,
+                 " of ",
+                 n_steps,
+                 ": ",
+                 report.steps,
+                 " relaxation steps, residual ",
+                 report.residual);
+        state.time = *loads.part;
+        state.step = step;
+        solver.measure_at_rest(state);
+        for (const auto &observer : observers)
+          observer->observe(model, state);
+      }
+    for (const auto &observer : observers)
+      observer->finish(model, state);
+    summary.run_time = seconds_since(start);
+    summary.steps    = n_relaxation_steps;
+    summary.energy   = state.measured.energy;
+    for (const Log::Warning &warning : log.warnings())
+      summary.warnings.push_back(warning.text);
+    write_summary(folder, summary);
+    log.line(
+      "finished: ", n_relaxation_steps, " relaxation steps in ", duration_text(summary.run_time));
+    if (output_.pictures)
+      draw_pictures(folder, log);
+  }
+} // namespace vfife
