@@ -33,6 +33,7 @@ namespace vfife
           const unsigned int a = surface.facets[f][k], b = surface.facets[f][(k + 1) % 4];
           sides.push_back({std::min(a, b), std::max(a, b), f, k, a < b});
         }
+    // Sorted, both copies of a shared side are neighbours in the list.
     std::sort(sides.begin(), sides.end());
 
     const unsigned int none = FacetSurface::no_facet;
@@ -47,6 +48,7 @@ namespace vfife
                                    "\"";
         if (i + 2 < sides.size() && sides[i + 2].low == one.low && sides[i + 2].high == one.high)
           throw InputError(facets + " share an edge with a third one: a surface must not branch");
+        // Facets that turn alike run along their common side in opposite senses.
         if (one.upwards == two.upwards)
           throw InputError(
             facets +

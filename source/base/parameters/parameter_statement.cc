@@ -38,10 +38,10 @@ namespace vfife
       std::string place() const;
 
       std::string                     file_name_;
-      std::vector<std::string>        sections_;
-      std::vector<std::string>        open_files_;
-      std::vector<std::string>        section_places_;
-      std::map<std::string, unsigned> line_of_entry_;
+      std::vector<std::string>        sections_;   ///< open ones, those of including files first
+      std::vector<std::string>        open_files_; ///< this file and those that include it
+      std::vector<std::string>        section_places_; ///< where this file has opened sections
+      std::map<std::string, unsigned> line_of_entry_;  ///< by path: what this file has set so far
       std::vector<ParameterStatement> statements_;
       unsigned int                    line_number_ = 0; ///< first line of the present statement
     };
@@ -74,6 +74,8 @@ namespace vfife
               line_number_ = n_lines;
               statement.clear();
             }
+          // A statement over several lines has the number of its first one, and
+          // ends with the file at the latest.
           continued = !line.empty() && line.back() == '\\';
           statement += continued ? line.substr(0, line.size() - 1) : line;
           if (!continued)

@@ -96,6 +96,7 @@ namespace vfife
       return above ? "at most " + high : "";
     }
 
+    /** Throws unless the quantity is in @p range, which is stated in @p unit. */
     void check_range(const Quantity &quantity, const Unit &unit, const Range &range)
     {
       const double number = quantity.in(unit);

@@ -108,6 +108,7 @@ namespace vfife
 
   std::vector<std::string> Communicator::all_gather(const std::string &text) const
   {
+    // All letters in one row, cut by the lengths.
     const std::vector<unsigned int> lengths = all_gather(static_cast<unsigned int>(text.size()));
     const std::vector<char>         letters = gather_bytes(text.data(), text.size());
     std::vector<std::string>        texts;
@@ -124,6 +125,7 @@ namespace vfife
   {
     if (size_ == 1)
       return text;
+    // The length first: the other ranks do not know it.
     unsigned int length = text.size();
     MPI_Bcast(&length, 1, MPI_UNSIGNED, static_cast<int>(root), comm_);
     std::string result = text;
@@ -149,6 +151,7 @@ namespace vfife
     if (total > std::numeric_limits<int>::max())
       throw NumericalError("more than 2 GB are to be gathered from all ranks");
 
+    // Where the bytes of each rank begin: the lengths before it, summed.
     const int        n_mine = static_cast<int>(n_bytes);
     std::vector<int> counts(size_), offsets(size_, 0);
     MPI_Allgather(&n_mine, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);

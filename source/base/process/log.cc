@@ -43,6 +43,8 @@ namespace vfife
     if (level <= verbosity_)
       screen_ << text << std::endl;
     // every line is flushed: the last one before a crash is the one that is needed
+    // The folder of results is known only after some lines have been
+    // said: they are kept for the file.
     if (file_ == nullptr)
       {
         lines_before_file_.push_back(text);
@@ -71,6 +73,7 @@ namespace vfife
 
   void Log::take_warnings(std::vector<Warning> earlier)
   {
+    // The earlier ones come first, with their counts; of the present ones what they do not have.
     std::swap(warnings_, earlier);
     for (const Warning &warning : earlier)
       {

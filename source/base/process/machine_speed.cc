@@ -32,8 +32,9 @@ namespace vfife
     /** What the loops leave behind, so that they are not optimized away. */
     volatile double kept = 0.;
 
-    // The same loop for each register, as a macro: target attributes are not inherited by templates
-    // that a function calls.
+    // x <- f x + f in independent chains; f just below 1 keeps the numbers between 0 and 1e6, so none
+    // is slow for being denormal or infinite. The same loop for each register, as a macro: target
+    // attributes are not inherited by templates that a function calls.
 #define VFIFE_MULTIPLY_ADD_LOOP(name, lanes_attribute, target)                                     \
   target void name()                                                                               \
   {                                                                                                \

@@ -36,7 +36,9 @@ namespace vfife
       {
         struct sigaction action = {};
         action.sa_handler       = &remember;
-        action.sa_flags         = SA_RESTART;
+        // SA_RESTART: reading and writing go on after the signal. SA_RESETHAND: the second
+        // one of its kind ends the program.
+        action.sa_flags = SA_RESTART;
         if (caught[i] == SIGTERM || caught[i] == SIGINT)
           action.sa_flags |= static_cast<int>(SA_RESETHAND);
         sigemptyset(&action.sa_mask);

@@ -12,6 +12,7 @@ namespace vfife
 {
   namespace
   {
+    /** "N  m" and "N m" are one unit. */
     std::string single_blanks(const std::string &text)
     {
       std::string result;
@@ -23,6 +24,7 @@ namespace vfife
       return result;
     }
 
+    /** nullptr if it is not known. */
     const Unit *find_known(const std::string &name)
     {
       const std::string wanted = single_blanks(name);
