@@ -21,6 +21,7 @@ namespace vfife
     {
       ElementNodes forces = ElementNodes::Zero(3, X.cols());
       for (const ElementPoint &point : compute_element_points(X))
+        // f_a = sum_q w N_a force(x_q)
         forces += point.weight * force(X * point.N) * point.N.transpose();
       return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
     }
@@ -56,6 +57,8 @@ namespace vfife
       std::vector<double> points = {-outer, outer};
       if (n == 3)
         points = {-outer, 0., outer};
+      // One at Gauss point i of a line, zero at the others; the field through all n^3 values is
+      // evaluated at the corners, which lie outside of them.
       const auto lagrange = [&](const unsigned int i, const double x) {
         double value = 1.;
         for (unsigned int j = 0; j < n; ++j)
@@ -96,6 +99,7 @@ namespace vfife
                                (constraint.kind == ConstraintKind::free_rotation ||
                                 constraint.kind == ConstraintKind::rigid_hub);
                       });
+        // Of a hub that is pinned or held, the rotation about the axis is not missing.
         const std::size_t n       = find_free_motions(discretization_, part).size();
         const std::size_t allowed = has_hub && rotation != HubRotation::free ? 1 : 0;
         if (n > allowed)
@@ -134,6 +138,9 @@ namespace vfife
                                             const std::vector<double> &spun,
                                             double                    &strain_energy) const
   {
+    // g(u) = (K + K_sigma) u - what acts: forces of the model and springs on one rank, the
+    // rest element by element. Without constraints it is zero in equilibrium; with them it is
+    // what they exert.
     const Discretization &d       = discretization_;
     const bool            is_root = communicator_.is_root();
     const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; });
@@ -213,6 +220,7 @@ namespace vfife
         q            = solver.solve(f, options_.linear_tolerance);
         n_iterations = solver.n_iterations();
       }
+    // Conjugate gradients count no pivots, but an indefinite matrix shows in negative work.
     const double work = assembly.dot(f, q);
     if (!std::isfinite(work))
       throw NumericalError("the static solution is not finite");
@@ -228,6 +236,8 @@ namespace vfife
     std::vector<double> stressed(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
     if (!loads.centrifugal || !loads.stress_stiffness)
       return stressed;
+    // The fixed point of u = (K + K_sigma(u) + hub curvature(u))^-1 Omega^2 S X. K becomes the
+    // matrix it ends with, so that everything else is linear about the state of spin.
     const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
     // Softened bodies may be stable under their stresses only: the first round is not softened.
     SparseValues now          = matrices.stiffness();
@@ -258,6 +268,7 @@ namespace vfife
 
   StaticResult StaticSolver::solve(const StaticLoads &loads) const
   {
+    // u = T q + u_c: unknowns are what is not prescribed.
     Unknowns::Options unknowns;
     unknowns.padded       = options_.linear_solver == LinearSolverKind::multigrid;
     unknowns.rotation     = rotation_;
@@ -265,6 +276,7 @@ namespace vfife
     const Assembly       assembly(discretization_, unknowns, communicator_);
     const SystemMatrices matrices(assembly, options_.mass);
     SparseValues         K = matrices.stiffness();
+    // K - Omega^2 S: the displaced mass is thrown outwards too.
     if (loads.centrifugal && loads.spin_softening)
       K = add_scaled(std::move(K), -1., matrices.spin_mass([this](const unsigned int body) {
         return model_.bodies[body].rate;
@@ -300,7 +312,8 @@ namespace vfife
   std::vector<Stress> compute_node_stresses(const Discretization      &discretization,
                                             const std::vector<double> &displacements)
   {
-    const Model              &model = discretization.model();
+    const Model &model = discretization.model();
+    // The plain mean of the elements that meet at a node.
     std::vector<Stress>       stresses(model.n_nodes(), Stress::Zero());
     std::vector<unsigned int> counts(model.n_nodes(), 0);
     const Eigen::MatrixXd     corners =
