@@ -89,6 +89,8 @@ namespace vfife
   {
     if (options.kind == SweepKind::none)
       return;
+    // One solver for both passes: it keeps the motion from speed to speed, also where the
+    // sweep turns round.
     LumpedSolver solver(model, run);
     const auto   pass = [&](const std::string &direction) {
       for (unsigned int i = 0; i < options.n_speeds; ++i)
