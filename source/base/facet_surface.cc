@@ -36,6 +36,7 @@ namespace vfife
     // Sorted, both copies of a shared side are neighbours in the list.
     std::sort(sides.begin(), sides.end());
 
+    // Each side that two facets share makes them neighbours; the others are the border.
     const unsigned int none = FacetSurface::no_facet;
     surface.neighbours.assign(surface.facets.size(), {{none, none, none, none}});
     for (std::size_t i = 0; i + 1 < sides.size(); ++i)

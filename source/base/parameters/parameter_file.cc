@@ -11,6 +11,9 @@
 #include <list>
 #include <ostream>
 
+// From text to values: read_statements() splits the file into statements with their places,
+// find_declared() lists what a handler expects, each statement is looked up there and set by the
+// handler. So a message can name file and line, what is allowed, and what was meant.
 namespace vfife
 {
   namespace

@@ -150,6 +150,7 @@ namespace vfife
       if (statement.name.empty())
         throw InputError(place() + ": the name before '=' is missing in \"set " + rest + "\"");
 
+      // Twice in one file is a slip; the command line and an including file may set it again.
       const auto [earlier, is_new] = line_of_entry_.insert({statement.path(), line_number_});
       if (!is_new)
         throw InputError(place() + ": \"" + statement.path() + "\" is set already in line " +
@@ -198,6 +199,7 @@ namespace vfife
     statement.place             = "--set \"" + text + "\"";
     statement.from_command_line = true;
 
+    // The first '=' ends the name: values may have more of them, names have none.
     const std::size_t equal_sign = text.find('=');
     if (equal_sign == std::string::npos)
       throw InputError(statement.place +

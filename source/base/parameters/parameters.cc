@@ -77,6 +77,7 @@ namespace vfife
         {
           throw InputError("default " + default_text + " of \"" + name + "\": " + error.what());
         }
+      // Called at once with the default, and again whenever the entry is set.
       prm.add_action(name, [read, store, default_text, default_value](const std::string &text) {
         store(text == default_text ? default_value : read(text));
       });
@@ -126,6 +127,7 @@ namespace vfife
     /** The three parts between two commas. */
     std::array<std::string, 3> split_three(const std::string &text)
     {
+      // Two commas, no less and no more.
       const std::size_t first = text.find(','), second = text.find(',', first + 1);
       if (first == std::string::npos || second == std::string::npos ||
           text.find(',', second + 1) != std::string::npos)
@@ -237,6 +239,7 @@ namespace vfife
                        const unsigned int        lowest,
                        const unsigned int        highest)
   {
+    // The largest int stands for no limit, and is not shown.
     const bool unlimited = highest == static_cast<unsigned int>(std::numeric_limits<int>::max());
     const std::string words =
       unlimited ? (lowest == 0 ? "" : "at least " + std::to_string(lowest))

@@ -9,6 +9,7 @@ namespace vfife
 {
   namespace
   {
+    // The result is on all ranks; one rank alone has nothing to exchange.
     template <typename T>
     T reduce(T                   value,
              const MPI_Datatype  type,

@@ -61,6 +61,7 @@ namespace vfife
 
   void Log::add_warning(const std::string &text)
   {
+    // A run of a million steps may warn at each: the first is written, all are counted.
     for (Warning &warning : warnings_)
       if (warning.text == text)
         {

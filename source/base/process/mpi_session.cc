@@ -34,6 +34,7 @@ namespace vfife
 
   namespace
   {
+    /** One write for the whole line: those of several ranks do not mix. */
     void write_message(const Failure &failure)
     {
       std::cout.flush();

@@ -45,6 +45,7 @@ namespace vfife
 
   CsvText read_csv(std::istream &in, const std::string &name)
   {
+    // The first line has the headings; places count from 1, as editors do.
     CsvText     text;
     std::string line;
     if (!in || !std::getline(in, line))

@@ -142,6 +142,7 @@ namespace vfife
     if (name.empty())
       return {number, &expected};
 
+    // "0,5": what follows the number is no unit but a decimal comma.
     if (name[0] == ',')
       throw InputError("the decimal sign is a point, not a comma");
 

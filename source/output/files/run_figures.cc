@@ -44,6 +44,7 @@ namespace vfife
           const Json &value = json.at(place);
           if (value.is_number())
             return value.get<double>();
+          // "found" becomes 0 or 1: a table has numbers.
           if (value.is_boolean())
             return value.get<bool>() ? 1 : 0;
         }

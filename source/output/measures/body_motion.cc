@@ -70,6 +70,8 @@ namespace vfife
         if (!body.turns_on_axis)
           continue;
         const double *sum = &sums[n_sums * b];
+        // Without a body_motion the angle that brings r0 nearest to r in the mean over the mass:
+        // its tangent is sum m a.(r0 x r) / sum m r0.r.
         motions[b].rotation =
           state.body_motion.size() == model.bodies.size()
             ? compute_turn(body, state.body_motion[b])

@@ -46,6 +46,7 @@ namespace vfife
     std::size_t         b = 0;
     for (const std::uint32_t e : state.partition.elements)
       {
+        // The partition's elements ascend, and so do their bodies.
         while (e >= model.bodies[b].first_element + model.bodies[b].n_elements())
           ++b;
         add_element_stresses(
@@ -60,6 +61,7 @@ namespace vfife
           const double *record = &records[n_records * (body.first_node + i)];
           if (record[6] == 0)
             continue;
+          // Averaged along the axes of the body frame, then turned once for each node.
           const Stress turned =
             turn_stress(Eigen::Map<const Stress>(record) / record[6],
                         compute_cylindrical_axes(body, body.node_positions()[i]));
