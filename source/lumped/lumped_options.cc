@@ -22,6 +22,10 @@ namespace vfife
                                             {"secant", LoadLaw::secant}};
     const Choices<bool>          drives  = {{"prescribed rotation", false}, {"free", true}};
 
+    /**
+     * Numbers of a list in internal units; bare ones are in @p unit. Throws
+     * InputError for the entry.
+     */
     std::vector<double> parse_list(const std::string              &entry,
                                    const std::vector<std::string> &texts,
                                    const std::string              &unit)

@@ -11,6 +11,7 @@ namespace vfife
 {
   namespace
   {
+    /** Whether the text is a file: no formula ends in these letters. */
     bool names_a_file(const std::string &text)
     {
       const auto ends_in = [&](const std::string &end) {

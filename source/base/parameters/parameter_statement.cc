@@ -51,6 +51,8 @@ namespace vfife
       return file_name_ + ":" + std::to_string(line_number_);
     }
 
+    // Lines are joined to statements, statements are put to read_line(); @p included_from begins
+    // the message where the file cannot be read.
     std::vector<ParameterStatement> StatementReader::read(const std::string &included_from)
     {
       const std::string prefix = included_from.empty() ? "" : included_from + ": ";
@@ -123,6 +125,8 @@ namespace vfife
                          did_you_mean(word, {"set", "subsection", "end", "include"}));
     }
 
+    // The statement says that the section exists and where: a section without entries can
+    // be refused too.
     void StatementReader::open_section(const std::string &name)
     {
       if (name.empty())

@@ -83,6 +83,9 @@ namespace vfife
       });
     }
 
+    /**
+     * As a message ends with it: "positive", "at least 2", "between 0 and 1"; "" without a limit.
+     */
     std::string range_words(const Range &range)
     {
       const bool        below = std::isfinite(range.lowest), above = std::isfinite(range.highest);
@@ -137,6 +140,7 @@ namespace vfife
                trimmed(text.substr(second + 1))}};
     }
 
+    /** The names of "a, b, c". Throws InputError for empty and repeated ones. */
     std::vector<std::string> split_names(const std::string &text)
     {
       std::vector<std::string> names;

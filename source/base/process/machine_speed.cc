@@ -21,6 +21,7 @@ namespace vfife
     constexpr unsigned int n_chains       = 12; // more than latency times throughput of any core
     constexpr unsigned int n_measurements = 3;
 
+    /** Processor time of the loop [s]. */
     template <typename Loop>
     double seconds(const Loop &loop)
     {

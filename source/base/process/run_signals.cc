@@ -14,6 +14,7 @@ namespace vfife
 
     constexpr std::array<int, 4> caught = {{SIGTERM, SIGINT, SIGUSR2, SIGUSR1}};
 
+    /** The handler: nothing but setting flags is safe inside one. The loop asks for them. */
     void remember(const int signal)
     {
       if (signal == SIGUSR1)

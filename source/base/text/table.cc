@@ -25,6 +25,7 @@ namespace vfife
       return quoted + "\"";
     }
 
+    /** The cell; null for a number that is not finite, for which JSON has no text. */
     Json json_value(const Table::Column &column, const std::size_t row)
     {
       if (column.is_text)

@@ -105,6 +105,7 @@ namespace vfife
       ModeDescriber               describer_;
     };
 
+    /** Displacements of all points, sum of the modes' shapes times coefficients. */
     std::vector<double> combine(const std::vector<Mode> &modes, const Eigen::VectorXd &coefficients)
     {
       std::vector<double> sum(modes.front().shape.size(), 0.);
@@ -121,6 +122,7 @@ namespace vfife
       Eigen::VectorXd load; ///< of a unit torque
     };
 
+    /** The problem of standing shapes on the span of all modes found. Collective. */
     Reduced reduce(const Assembly       &assembly,
                    const SystemMatrices &matrices,
                    const SparseValues   &mass,

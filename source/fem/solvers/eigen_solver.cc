@@ -47,6 +47,7 @@ namespace vfife
         return 0;
       }
 
+      // What else the interface asks for; Anasazi calls Apply() only.
       int SetUseTranspose(bool) override
       {
         return 0;
@@ -122,6 +123,7 @@ namespace vfife
       return list;
     }
 
+    /** The first @p n pairs that Anasazi has found; throws NumericalError if there are fewer. */
     EigenPairs take_pairs(const Problem &problem, const unsigned int n, const int n_iterations)
     {
       const auto &solution = problem.getSolution();

@@ -16,6 +16,7 @@ namespace vfife
 {
   namespace
   {
+    /** Nodal forces [N] of a force per volume [N/mm^3], 3 a point of the element. */
     Eigen::VectorXd integrate_body_force(const ElementNodes                            &X,
                                          const std::function<Vector3(const Vector3 &)> &force)
     {
@@ -40,6 +41,7 @@ namespace vfife
       return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
     }
 
+    /** Of a load: its history at the time asked for, or the part of all loads. */
     double factor_of(const ParameterHistory &history, const StaticLoads &loads)
     {
       return loads.time ? history.value(*loads.time) : loads.part_of_loads;
@@ -281,6 +283,7 @@ namespace vfife
       K = add_scaled(std::move(K), -1., matrices.spin_mass([this](const unsigned int body) {
         return model_.bodies[body].rate;
       }));
+    // First the state of spin, which stiffens and softens K.
     const std::vector<double> spun = find_spun(loads, matrices, K);
 
     // K T q = -(K u - f) at the prescribed displacements u alone.
@@ -300,6 +303,7 @@ namespace vfife
                    result.displacements.begin(),
                    result.displacements.begin(),
                    std::plus<double>());
+    // What is left of all forces at the solution is what the constraints exert.
     result.reactions = balance(loads, result.displacements, spun, result.strain_energy);
     return result;
   }

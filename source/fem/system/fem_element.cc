@@ -80,6 +80,7 @@ namespace vfife
       return n_nodes == 8 ? linear : quadratic;
     }
 
+    /** From xx yy zz xy yz zx. */
     Matrix3 stress_tensor(const Eigen::Matrix<double, 6, 1> &s)
     {
       Matrix3 tensor;

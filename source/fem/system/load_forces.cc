@@ -39,6 +39,7 @@ namespace vfife
       return shares;
     }
 
+    /** Of a face at its undeformed place, out of the body [mm^2]. */
     Vector3 vector_area(const BoundaryFace         &face,
                         const Discretization       &discretization,
                         const Discretization::Part &part)

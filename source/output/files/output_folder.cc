@@ -54,6 +54,7 @@ namespace vfife
       throw std::runtime_error("cannot write \"" + path + "\": " + std::strerror(errno));
     }
 
+    /** Makes a folder on one rank and throws on all ranks what went wrong there. */
     void create_on_root(const std::string &path, const Communicator &communicator)
     {
       // What a user can set right is told from what the disk refuses; either way on all ranks.

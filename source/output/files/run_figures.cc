@@ -36,6 +36,7 @@ namespace vfife
       {"centrifugal shift", "arcsec", "/transmission error/centrifugal shift/value"},
       {"swing frequency", "Hz", "/figures/swing frequency, estimated/value"}};
 
+    /** Numbers, and yes or no as 1 or 0; NaN for what is missing or null. */
     double read_number(const Json &json, const std::string &pointer)
     {
       const Json::json_pointer place(pointer);
@@ -44,7 +45,6 @@ namespace vfife
           const Json &value = json.at(place);
           if (value.is_number())
             return value.get<double>();
-          // "found" becomes 0 or 1: a table has numbers.
           if (value.is_boolean())
             return value.get<bool>() ? 1 : 0;
         }

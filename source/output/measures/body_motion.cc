@@ -21,12 +21,16 @@ namespace vfife
       n_sums
     };
 
+    /** From the axis to the point, across the axis [mm]. */
     Vector3 off_axis(const Vector3 &x, const Axis &axis)
     {
       const Vector3 r = x - axis.point;
       return r - r.dot(axis.direction) * axis.direction;
     }
 
+    /**
+     * n_sums numbers a body over the nodes that this rank owns; zeros for bodies without bearings.
+     */
     std::vector<double> compute_sums(const Model &model, const State &state)
     {
       std::vector<double> sums(n_sums * model.bodies.size(), 0.);

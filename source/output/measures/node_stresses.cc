@@ -13,6 +13,10 @@ namespace vfife
     /** Six sums of stresses and the number of elements in them. */
     constexpr unsigned int n_records = 7;
 
+    /**
+     * Adds the element's nodal stresses [MPa], in the axes of the body frame, to the
+     * records of its nodes.
+     */
     void add_element_stresses(const Body          &body,
                               const unsigned int   element,
                               const State         &state,

@@ -55,6 +55,9 @@ namespace vfife
                          [&name](const Table::Column &c) { return c.name == name && !c.is_text; });
     }
 
+    /**
+     * Mean and standard deviation as integrals over the window, peak to peak of the samples in it.
+     */
     ColumnStatistics compute_statistics(const Table::Column &column, const Window &window)
     {
       const std::vector<double> &values = column.numbers;

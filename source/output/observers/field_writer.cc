@@ -41,6 +41,7 @@ namespace vfife
       n_rows       = 16
     };
 
+    /** In the order of Row; components of a vector share its name. */
     const std::vector<std::string> &row_names()
     {
       static const std::vector<std::string> names = {"displacement",
@@ -114,6 +115,7 @@ namespace vfife
       return record;
     }
 
+    /** Of all local nodes; @p stresses and @p contact_areas are those of the model's nodes. */
     std::vector<NodeRecord> compute_node_records(const Model                              &model,
                                                  const State                              &state,
                                                  const std::vector<BodyMotion>            &motions,
@@ -178,6 +180,7 @@ namespace vfife
       return patches;
     }
 
+    /** By node of the model, zero off the surfaces of contact pairs [mm^2]. */
     std::vector<double> compute_contact_areas(const Model &model)
     {
       std::vector<double> areas(model.n_nodes(), 0.);
