@@ -74,6 +74,7 @@ namespace vfife
 
   double LumpedModel::transmission_error(const Eigen::VectorXd &q) const
   {
+    // q_g - i q_p: what both have on top of the kinematic motion.
     return q[0] - (pair_.driver_is_free ? pair_.ratio() * q[1] : 0.);
   }
 
@@ -118,6 +119,7 @@ namespace vfife
                                      const Eigen::VectorXd &v,
                                      const double           x) const
   {
+    // T + sum k q^2/2 + U(s, x), of the motion on top of the kinematic one.
     return 0.5 * masses_.dot(v.cwiseAbs2()) + 0.5 * stiffness_.dot(q.cwiseAbs2()) +
            pair_.law.energy(compression(q, x), x);
   }

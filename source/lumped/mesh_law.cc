@@ -16,6 +16,9 @@ namespace vfife
       return s > 0 ? s : s < -backlash ? s + backlash : 0.;
     }
 
+    /**
+     * Throws unless they are 0, 1/N, 2/N...: only then the Fourier series meets the table at each.
+     */
     void check_positions(const std::vector<double> &positions, const std::string &path)
     {
       for (std::size_t i = 0; i < positions.size(); ++i)

@@ -95,6 +95,7 @@ namespace vfife
     const auto   pass = [&](const std::string &direction) {
       for (unsigned int i = 0; i < options.n_speeds; ++i)
         {
+          // Both passes meet the same speeds, so that their rows can be compared.
           const unsigned int place = direction == "up" ? i : options.n_speeds - 1 - i;
           const double       speed =
             options.lowest_speed +

@@ -56,6 +56,8 @@ namespace vfife
                                                     const double                    rigid_rate,
                                                     const unsigned int              n)
   {
+    // A small basis first: the modes x, and K^-1 C x, which a wave begins to take up when
+    // Coriolis forces set in.
     const SparseMatrix       K(assembly, stiffness), M(assembly, mass), C(assembly, coriolis);
     std::vector<OwnedVector> vectors = modes;
     for (const OwnedVector &mode : modes)
@@ -93,6 +95,8 @@ namespace vfife
     std::sort(order.begin(), order.end());
     order.resize(std::min<std::size_t>(order.size(), n));
 
+    // Back to all unknowns; the residual is that of the full problem, so it shows what
+    // the basis misses.
     std::vector<GyroscopicMode> waves;
     for (const auto &entry : order)
       {

@@ -76,6 +76,7 @@ namespace vfife
     Found        found = options_.eigen_solver == EigenSolverKind::lobpcg
                            ? find_by_lobpcg(stiffness, mass, shift)
                            : find_by_factorization(stiffness, mass, shift);
+    // Guards have served for the gap and for double modes; from here on only what was asked for.
     found.pairs.values.resize(options_.n_modes);
     found.pairs.vectors.resize(options_.n_modes);
     const std::vector<double> residuals =

@@ -271,6 +271,7 @@ namespace vfife
                                             Teuchos::rcp<Epetra_Operator>(M.get(), false),
                                             make_start(map, assembly.unknowns(), block)));
     problem->setPrec(inverse);
+    // Here K - shift M and M are both symmetric, and all steps are Rayleigh and Ritz.
     problem->setHermitian(true);
     problem->setNEV(n);
     problem->setProblem();

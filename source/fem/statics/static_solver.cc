@@ -206,6 +206,7 @@ namespace vfife
     const double    size     = assembly.dot(f, f);
     if (!std::isfinite(size))
       throw NumericalError("the loads of the static solution are not finite");
+    // Nothing acts: conjugate gradients could not measure their residual by it.
     if (size == 0)
       return assembly.expand(q);
     bool stable = true;

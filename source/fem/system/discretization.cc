@@ -146,6 +146,7 @@ namespace vfife
           throw InputError("body \"" + body.name() + "\": its sectors are not turned copies");
         sector.points_.push_back(body.placement(X[i]));
       }
+    // Of nodes of sector 1: their points here.
     std::map<unsigned int, unsigned int> copies;
     for (unsigned int e = 0; e < n_elements; ++e)
       for (const std::uint32_t node : body.elements()[e])

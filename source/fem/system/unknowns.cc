@@ -210,7 +210,8 @@ namespace vfife
                             const Options                &options,
                             const std::vector<LocalAxes> &axes)
   {
-    const unsigned int                   n_points = discretization.n_points();
+    const unsigned int n_points = discretization.n_points();
+    // By copy: which point it is the image of.
     std::map<unsigned int, unsigned int> original;
     for (const auto &image : discretization.images())
       original.insert(image);

@@ -35,6 +35,7 @@ namespace vfife
   void BodyOptions::declare(dealii::ParameterHandler &prm, const std::string &section)
   {
     declare_kind(prm);
+    // A file brings its own sizes; a shape declares those that it has.
     if (mesh == from_file)
       declare_text(prm,
                    "file",

@@ -119,6 +119,8 @@ namespace vfife
                         const bool          keeps_previous)
   {
     Checkpoint checkpoint;
+    // What only a rank knows, in the order of the ranks: it serves as many ranks again,
+    // "common" any number.
     checkpoint.own = folder.communicator().all_gather(own);
     if (!folder.is_writer())
       return;
