@@ -33,8 +33,10 @@ namespace vfife
           const unsigned int a = surface.facets[f][k], b = surface.facets[f][(k + 1) % 4];
           sides.push_back({std::min(a, b), std::max(a, b), f, k, a < b});
         }
+    // Sorted, both copies of a shared side are neighbours in the list.
     std::sort(sides.begin(), sides.end());
 
+    // Each side that two facets share makes them neighbours; the others are the border.
     const unsigned int none = FacetSurface::no_facet;
     surface.neighbours.assign(surface.facets.size(), {{none, none, none, none}});
     for (std::size_t i = 0; i + 1 < sides.size(); ++i)
@@ -47,6 +49,7 @@ namespace vfife
                                    "\"";
         if (i + 2 < sides.size() && sides[i + 2].low == one.low && sides[i + 2].high == one.high)
           throw InputError(facets + " share an edge with a third one: a surface must not branch");
+        // Facets that turn alike run along their common side in opposite senses.
         if (one.upwards == two.upwards)
           throw InputError(
             facets +

@@ -23,6 +23,8 @@ namespace vfife
 
   Matrix3 compute_polar_rotation(const Matrix3 &F)
   {
+    // F = W S V^T = (W V^T)(V S V^T): the first factor is the rotation, the second the stretch U.
+    // If F mirrors, so does W V^T: refused, like a collapsed element, where R is not unique.
     const Eigen::JacobiSVD<Matrix3> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Matrix3                   R = svd.matrixU() * svd.matrixV().transpose();
     if (!(svd.singularValues()[2] > 0.) || !(R.determinant() > 0.))
@@ -39,6 +41,9 @@ namespace vfife
     if (!(side.norm() > 0.) || !(normal.norm() > 0.))
       throw NumericalError("The first three nodes of an element lie on one line: they give no "
                            "three-node frame.");
+    //     d
+    //     |        e1 along a-b, e3 normal to the plane a-b-d, e2 in it:
+    //     a----b   whatever the angle at a is.
     Matrix3 triad;
     triad.col(0) = side.normalized();
     triad.col(2) = normal.normalized();
@@ -49,6 +54,8 @@ namespace vfife
 
   Matrix3 compute_frame(const FrameKind kind, const HexahedronNodes &X, const HexahedronNodes &x)
   {
+    // Three nodes: triad(X)^T takes the reference axes to x y z, triad(x)
+    // takes those to the present axes.
     return kind == FrameKind::polar
              ? compute_polar_rotation(compute_mean_deformation_gradient(X, x))
              : Matrix3(compute_triad(x) * compute_triad(X).transpose());

@@ -10,6 +10,7 @@ namespace vfife
 {
   Vector3 reference_corner(const unsigned int node)
   {
+    // The bits of the number are the places along xi, eta and zeta.
     return {node & 1u ? 1. : -1., node & 2u ? 1. : -1., node & 4u ? 1. : -1.};
   }
 
@@ -50,6 +51,8 @@ namespace vfife
 
   double hourglass_sign(const unsigned int k, const unsigned int node)
   {
+    // The functions eta zeta, xi zeta, xi eta, xi eta zeta, which no linear field contains; with 1,
+    // xi, eta, zeta they span all fields of eight nodes.
     const Vector3 corner = reference_corner(node);
     return k == 3 ? corner.prod() : corner[(k + 1) % 3] * corner[(k + 2) % 3];
   }
@@ -63,6 +66,8 @@ namespace vfife
 
   double compute_volume(const HexahedronNodes &nodes)
   {
+    // det J has degree 2 in each of xi, eta, zeta, N_a det J degree 3: two points a
+    // direction integrate both exactly.
     double volume = 0.;
     for (unsigned int q = 0; q < 8; ++q)
       volume += compute_jacobian(nodes, gauss_point(q)).determinant();
@@ -79,6 +84,7 @@ namespace vfife
         const HexahedronNodes gradients   = reference_gradients(gauss_point(q));
         const Matrix3         jacobian    = nodes * gradients.transpose();
         const double          determinant = jacobian.determinant();
+        // grad N_a = J^-T dN_a/dxi; times det J it is the cofactor matrix, a polynomial again.
         integral += determinant * jacobian.inverse().transpose() * gradients;
         volume += determinant;
       }
@@ -101,6 +107,7 @@ namespace vfife
 
   double compute_least_jacobian(const HexahedronNodes &nodes)
   {
+    // The corners show where a face folds first, the Gauss points what the stiffness would see.
     double least = compute_jacobian(nodes, reference_corner(0)).determinant();
     for (unsigned int a = 0; a < 8; ++a)
       least = std::min({least,
@@ -112,6 +119,7 @@ namespace vfife
 
   Vector3 compute_centroid(const HexahedronNodes &nodes)
   {
+    // X = sum_a N_a X_a, so int X dV = sum_a X_a int N_a dV: the lumped masses of density 1.
     return nodes * compute_lumped_mass(nodes, 1.) / compute_volume(nodes);
   }
 } // namespace vfife

@@ -26,6 +26,11 @@ namespace vfife
     const Matrix3   R     = compute_frame(frame, X, x);
     if (frame == FrameKind::polar)
       {
+        // W = 1/2 u^T K u with u = R^T x - X changes by dW = (K u) . (R^T dx + d(R^T) x). With
+        // R^T dR = [w], d(R^T) x = -w x y, which gives -w . M, M = sum_a y_a x (K u)_a. How far R
+        // turns with the nodes follows from F = R U: (tr U I - U) w is the axial vector of R^T dF
+        // less its transpose, dF = sum_a dx_a b_a^T, so that
+        //     dW/dx_a = R (K u - t x b)_a,     (tr U I - U) t = M.
         const HexahedronNodes b      = compute_mean_gradients(X);
         const HexahedronNodes y      = R.transpose() * (x.colwise() - x.col(0).eval());
         const Matrix3         U      = y * b.transpose();

@@ -57,6 +57,8 @@ namespace vfife
                                              const Material        &material,
                                              const StiffnessKind    kind)
   {
+    // The numbers of the mean strain: V, b(a), and c_kj = sum_a h_k(a) X_j(a),
+    // the linear part of the patterns.
     const Matrix24        K     = compute_stiffness(X, material, kind);
     const HexahedronNodes b     = compute_mean_gradients(X);
     const Matrix3         triad = compute_triad(X);
@@ -80,11 +82,14 @@ namespace vfife
 
     // Fields w_l dual to the patterns, gamma_k . w_l = delta_kl: H is what K minus its mean part
     // does to them.
-    const Eigen::Matrix<double, 4, 8>   gamma = patterns_of(reduced);
-    const Eigen::Matrix4d               gram  = gamma * gamma.transpose();
-    const Matrix12x24                   W     = for_each_component(gram.inverse() * gamma);
+    const Eigen::Matrix<double, 4, 8> gamma = patterns_of(reduced);
+    const Eigen::Matrix4d             gram  = gamma * gamma.transpose();
+    // With W = (gamma gamma^T)^-1 gamma, gamma_k . w_l = delta_kl
+    // holds; G W^T = I, so W K' W^T = H.
+    const Matrix12x24                   W = for_each_component(gram.inverse() * gamma);
     const Eigen::Matrix<double, 12, 12> H =
       W * (K - mean_stiffness(reduced, material)) * W.transpose();
+    // Round-off leaves H symmetric only nearly; the kernels read its upper triangle, row by row.
     double *entry = reduced.hourglass_stiffness;
     for (unsigned int row = 0; row < 12; ++row)
       for (unsigned int column = row; column < 12; ++column)

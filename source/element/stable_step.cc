@@ -12,6 +12,8 @@ namespace vfife
   {
     if (!(mass.minCoeff() > 0.))
       throw NumericalError("An element gives a node no mass: it is too distorted.");
+    // K x = omega^2 M x as the symmetric problem of M^-1/2 K M^-1/2;
+    // eigenvalues come in rising order.
     Vector24 scale;
     for (unsigned int a = 0; a < 8; ++a)
       scale.segment<3>(3 * a).setConstant(1. / std::sqrt(mass[a]));

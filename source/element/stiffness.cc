@@ -21,6 +21,8 @@ namespace vfife
 
   Eigen::Matrix<double, 6, 6> compute_elasticity(const Material &material)
   {
+    // sigma = lambda tr(eps) I + 2 mu eps; engineering shears are twice
+    // the tensor's, so mu alone there.
     Eigen::Matrix<double, 6, 6> D = Eigen::Matrix<double, 6, 6>::Zero();
     D.topLeftCorner<3, 3>().setConstant(material.lambda());
     D.diagonal().head<3>().array() += 2. * material.mu();
@@ -35,6 +37,7 @@ namespace vfife
     for (int a = 0; a < gradients.cols(); ++a)
       for (int i = 0; i < 3; ++i)
         {
+          // Row 3 + i is the shear of the axes i and i + 1: xy, yz, zx.
           const int next         = (i + 1) % 3;
           B(i, 3 * a + i)        = gradients(i, a);
           B(3 + i, 3 * a + i)    = gradients(next, a);
@@ -74,12 +77,15 @@ namespace vfife
       HexahedronNodes gradients = mean;
       for (unsigned int k = 0; k < 4; ++k)
         {
+          // dh_k/dxi_i: h_k is the product of the two coordinates other than k (h_3: of all three).
           Vector3 slope;
           for (unsigned int i = 0; i < 3; ++i)
             slope[i] = k == 3 ? xi[(i + 1) % 3] * xi[(i + 2) % 3] : k == i ? 0. : xi[3 - k - i];
           Eigen::Matrix<double, 1, 8> h;
           for (unsigned int a = 0; a < 8; ++a)
             h[a] = hourglass_sign(k, a);
+          // gamma_k = h_k - c_k . b: no linear field feels it. c_k relative to
+          // node 0, since h_k sums to zero.
           const Eigen::Matrix<double, 1, 8> gamma =
             h - (h * (X.colwise() - X.col(0).eval()).transpose()) * mean;
           gradients += centre_inverse_transposed * slope * gamma / 8.;
@@ -101,8 +107,12 @@ namespace vfife
     strains.has_bubbles = kind != StiffnessKind::full;
     for (unsigned int q = 0; q < 8; ++q)
       {
+        // d(1 - xi_a^2)/dxi = -2 xi_a along axis a: column a of this matrix, in space, is the
+        // gradient of bubble a, with the J0 of the centre.
         const Vector3 xi               = gauss_point(q);
         const Matrix3 bubble_gradients = centre_inverse_transposed * (-2. * xi).asDiagonal();
+        // One point: the bubbles and the patterns see the parallelepiped of J0, whose det J is
+        // constant; the real volume replaces 8 det J0.
         if (kind == StiffnessKind::one_point)
           {
             strains.weight[q]       = volume / 8.;
@@ -111,6 +121,8 @@ namespace vfife
             strains.bubble[q] = compute_strain_matrix(bubble_gradients);
             continue;
           }
+        // QM6: J of the point for the nodes; det J0 / det J makes int grad dV of the bubbles
+        // zero, which the patch test needs.
         const HexahedronNodes gradients = reference_gradients(xi);
         const Matrix3         jacobian  = X * gradients.transpose();
         strains.weight[q]               = determinants[q];
@@ -131,6 +143,7 @@ namespace vfife
     if (!strains.has_bubbles)
       return Eigen::Matrix<double, 9, 24>::Zero();
 
+    // No force on the bubbles: Kaa alpha + Kau u = 0.
     const Eigen::Matrix<double, 6, 6> D  = compute_elasticity(material);
     Eigen::Matrix<double, 9, 9>       bb = Eigen::Matrix<double, 9, 9>::Zero();
     Eigen::Matrix<double, 9, 24>      bu = Eigen::Matrix<double, 9, 24>::Zero();

@@ -22,6 +22,7 @@ namespace vfife
                                                      const StiffnessKind    kind,
                                                      const FrameKind        frame)
   {
+    // The strain at a point is that of the nodes and of the bubbles which they leave without force.
     const Vector24                    u       = compute_local_displacements(X, x, frame);
     const Eigen::Matrix<double, 6, 6> D       = compute_elasticity(material);
     const ElementStrains              strains = compute_element_strains(X, kind);
@@ -44,6 +45,7 @@ namespace vfife
                              const Material        &material,
                              const FrameKind        frame)
   {
+    // Bubbles and hourglass patterns have strains of mean zero.
     return compute_elasticity(material) * compute_strain_matrix(compute_mean_gradients(X)) *
            compute_local_displacements(X, x, frame);
   }
@@ -51,6 +53,7 @@ namespace vfife
 
   Stress turn_stress(const Stress &s, const Matrix3 &axes)
   {
+    // sigma' = A^T sigma A, A with the new axes as columns.
     Matrix3 tensor;
     tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
     const Matrix3 t = axes.transpose() * tensor * axes;
@@ -62,6 +65,7 @@ namespace vfife
 
   double von_mises(const Stress &stress)
   {
+    // s^2 = 1/2 ((xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2) + 3 (xy^2 + yz^2 + zx^2).
     const Vector3 difference(stress[0] - stress[1], stress[1] - stress[2], stress[2] - stress[0]);
     return std::sqrt(0.5 * difference.squaredNorm() + 3. * stress.tail<3>().squaredNorm());
   }

@@ -35,7 +35,9 @@ namespace vfife
         for (std::size_t n = 1; n <= N / 2; ++n)
           {
             // The highest harmonic of an even number of samples has a cosine only.
-            const bool   last  = 2 * n == N;
+            const bool last = 2 * n == N;
+            // c_n = 2/N sum_i f_i cos(2 pi n i/N), s_n alike; n i is taken modulo N, which keeps
+            // angles small and exact.
             const double angle = 2 * pi * ((n * i) % N) / N;
             cosines[n - 1] += (last ? 1. : 2.) * samples[i] * std::cos(angle) / N;
             sines[n - 1] += last ? 0. : 2. * samples[i] * std::sin(angle) / N;

@@ -19,6 +19,8 @@ namespace vfife
   {
     const unsigned int n_rotations = pair_.driver_is_free ? 2 : 1;
     const unsigned int n           = n_rotations + pair_.supports.size();
+    // Order: the gear's rotation, the pinion's where it is free, then the supports. Loads Q =
+    // (-T, i T, 0...).
     masses_ = levers_ = stiffness_ = damping_ = loads_ = Eigen::VectorXd::Zero(n);
     masses_[0]                                         = pair_.driven_inertia;
     levers_[0]                                         = -1;
@@ -38,8 +40,11 @@ namespace vfife
         damping_[n_rotations + j] =
           2 * support.damping_ratio * std::sqrt(support.stiffness * support.inertia);
       }
+    // On the gear's rotation over the kinematic one: 1/s times its inertia.
     damping_[0] = pair_.speed_damping * pair_.driven_inertia;
 
+    // Linear models use the tangent stiffness under the torque, in the mean over a mesh; the damper
+    // of the mesh is 2 zeta sqrt(k J) with it.
     for (unsigned int i = 0; i < n_positions; ++i)
       {
         const double x = static_cast<double>(i) / n_positions;
@@ -50,6 +55,7 @@ namespace vfife
 
   double LumpedModel::swing_inertia() const
   {
+    // 1/J = 1/J_g + i^2/J_p; a prescribed pinion is an infinite inertia.
     double sum = 1 / masses_[0];
     if (pair_.driver_is_free)
       sum += levers_[1] * levers_[1] / masses_[1];
@@ -68,12 +74,15 @@ namespace vfife
 
   double LumpedModel::transmission_error(const Eigen::VectorXd &q) const
   {
+    // q_g - i q_p: what both have on top of the kinematic motion.
     return q[0] - (pair_.driver_is_free ? pair_.ratio() * q[1] : 0.);
   }
 
   Eigen::VectorXd LumpedModel::find_equilibrium(const double x) const
   {
     Eigen::VectorXd q = Eigen::VectorXd::Zero(n());
+    // Supports give way to h_j M with M = T; the gear's rotation (lever -1) then sets the
+    // compression that carries T. The pinion's stays zero.
     for (unsigned int j = pair_.driver_is_free ? 2 : 1; j < n(); ++j)
       q[j] = -levers_[j] * pair_.torque / stiffness_[j];
     q[0] += compression(q, x) - pair_.law.compression(pair_.torque, x);
@@ -85,6 +94,7 @@ namespace vfife
                                                 const double           x,
                                                 const double           mesh_frequency) const
   {
+    // s = h . q + u(x), s' = h . q' + u'(x) x'
     const MeshLaw &law        = pair_.law;
     const double   s          = compression(q, x);
     const double   error_rate = law.unloaded_error.slope(x) * mesh_frequency;
@@ -93,9 +103,12 @@ namespace vfife
     const double   damping    = touches || pair_.damping_without_contact ? mesh_damping_ : 0.;
     Rates          rates;
     rates.mesh_torque = law.torque(s, x) + damping * s_rate;
+    // m q'' = Q - h (M + c s') - k q - c q'
     rates.acceleration =
       (loads_ - levers_ * rates.mesh_torque - stiffness_.cwiseProduct(q) - damping_.cwiseProduct(v))
         .cwiseQuotient(masses_);
+    // The time derivative of the energy of compute_energy() is the difference of these two: what
+    // torques and the change of u and of the law with x supply, less what dampers take.
     rates.supplied =
       loads_.dot(v) + rates.mesh_torque * error_rate + law.energy_slope(s, x) * mesh_frequency;
     rates.dissipated = damping * s_rate * s_rate + damping_.dot(v.cwiseAbs2());
@@ -106,12 +119,14 @@ namespace vfife
                                      const Eigen::VectorXd &v,
                                      const double           x) const
   {
+    // T + sum k q^2/2 + U(s, x), of the motion on top of the kinematic one.
     return 0.5 * masses_.dot(v.cwiseAbs2()) + 0.5 * stiffness_.dot(q.cwiseAbs2()) +
            pair_.law.energy(compression(q, x), x);
   }
 
   std::vector<LumpedMode> LumpedModel::find_modes() const
   {
+    // K = diag(k_j) + k h h^T, C = diag(c_j) + c h h^T
     Eigen::MatrixXd K = stiffness_.asDiagonal();
     K += mesh_stiffness_ * levers_ * levers_.transpose();
     Eigen::MatrixXd C = damping_.asDiagonal();
@@ -128,7 +143,8 @@ namespace vfife
         // Round-off of the pair that turns as a whole.
         if (value > 1e-12 * largest)
           {
-            mode.frequency     = std::sqrt(value) / (2 * pi);
+            mode.frequency = std::sqrt(value) / (2 * pi);
+            // Modal damping, couplings by C left out.
             mode.damping_ratio = mode.shape.dot(C * mode.shape) / (2 * std::sqrt(value));
           }
         modes.push_back(mode);

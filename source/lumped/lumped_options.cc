@@ -22,6 +22,10 @@ namespace vfife
                                             {"secant", LoadLaw::secant}};
     const Choices<bool>          drives  = {{"prescribed rotation", false}, {"free", true}};
 
+    /**
+     * Numbers of a list in internal units; bare ones are in @p unit. Throws
+     * InputError for the entry.
+     */
     std::vector<double> parse_list(const std::string              &entry,
                                    const std::vector<std::string> &texts,
                                    const std::string              &unit)
@@ -39,6 +43,7 @@ namespace vfife
       return values;
     }
 
+    /** Throws where an entry is neither given nor taken from a gear pair. */
     void need(const bool given, const std::string &entry)
     {
       if (!given)
@@ -169,6 +174,8 @@ namespace vfife
   void LumpedOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
     {
+      // The names of the supports decide which subsections there are: they are read first,
+      // everything else ignored.
       dealii::ParameterHandler first;
       {
         Subsection section(first, "Lumped");
@@ -231,6 +238,7 @@ namespace vfife
         }
     else
       {
+        // Given over the mean stiffness; their sum below one keeps k(x) positive.
         std::vector<double> cosines = parse_list("stiffness cosines", stiffness_cosines, "-");
         std::vector<double> sines   = parse_list("stiffness sines", stiffness_sines, "-");
         double              sum     = 0;
@@ -249,11 +257,16 @@ namespace vfife
           FourierSeries(0.,
                         parse_list("error cosines", error_cosines, "arcsec"),
                         parse_list("error sines", error_sines, "arcsec"));
+        // p = 1: any torque serves as T0.
         pair.law.reference_torque = torque;
       }
+    // [mm] along the normal to [rad] of the gear.
     pair.law.backlash = backlash / arm;
     for (const SupportOptions &support : supports)
       {
+        // The motion of the contact point P by a unit of the support: d, or d x (P - c). The gap
+        // closes by n . u of the gear, opens by that of the pinion; over the arm it is compression
+        // in rad of the gear.
         const Vector3 d      = support.direction.normalized();
         const Vector3 motion = support.tilts ? d.cross(contact_point - support.centre) : d;
         const double  sign   = support.member == SupportMember::gear ? 1. : -1.;

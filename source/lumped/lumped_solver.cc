@@ -28,6 +28,8 @@ namespace vfife
         , rate_(model.swing_rate())
         , lengths_(model.n())
       {
+        // Lengths: the motion that alone would compress the mesh by the static s. Energy: that of s
+        // under the full torque.
         const double s = model.pair().law.compression(model.pair().torque, 0.);
         energy_        = model.pair().torque * s;
         for (unsigned int i = 0; i < model.n(); ++i)
@@ -75,6 +77,7 @@ namespace vfife
         const Eigen::VectorXd    v = velocities(y);
         const LumpedModel::Rates rates =
           model_.compute_rates(displacements(y), v, position(time), frequency_);
+        // Derivatives to the scaled time rate * t.
         Eigen::Map<Eigen::VectorXd>(slope.data(), n) = v.cwiseQuotient(lengths_) / rate_;
         Eigen::Map<Eigen::VectorXd>(slope.data() + n, n) =
           rates.acceleration.cwiseQuotient(lengths_) / (rate_ * rate_);
@@ -99,6 +102,8 @@ namespace vfife
 
       void add(const LumpedSolver::Sample &sample, const double energy)
       {
+        // Apart: the drive flanks do not touch; a loss of contact is counted when they part. On the
+        // coast flanks: the backlash is used up.
         const double s     = model_.compression(sample.q, sample.position);
         const double error = model_.transmission_error(sample.q);
         const double force = sample.mesh_torque / model_.pair().arm;
@@ -199,7 +204,9 @@ namespace vfife
   {
     namespace odeint = boost::numeric::odeint;
     const ScaledMotion motion(model_, mesh_frequency);
-    const double       interval = motion.rate() / (mesh_frequency * options_.samples);
+    // All times here are scaled: a sample's interval, and a longest step of 1/4, a 25th of the
+    // swing's period.
+    const double interval = motion.rate() / (mesh_frequency * options_.samples);
     // No step passes over a short contact.
     const double longest = std::min(interval, 0.25);
     auto         stepper = odeint::make_dense_output(options_.tolerance,
@@ -209,6 +216,7 @@ namespace vfife
     Scaled       y       = motion.scale(q_, v_);
     stepper.initialize(y, 0., 1e-2 * longest);
 
+    // The energy balance is kept from the start of the run, settling included.
     const double       start_energy = model_.compute_energy(q_, v_, 0.);
     const unsigned int first        = options_.settling_meshes * options_.samples;
     const unsigned int last         = first + options_.measured_meshes * options_.samples;
@@ -216,6 +224,7 @@ namespace vfife
     for (unsigned int i = 0; i <= last; ++i)
       {
         const double time = i * interval;
+        // Steps choose their own length; samples are interpolated within the step that passes them.
         while (stepper.current_time() < time)
           stepper.do_step(std::cref(motion));
         if (i < first)
@@ -232,6 +241,7 @@ namespace vfife
           throw NumericalError("the motion of the lumped model is lost at the mesh frequency " +
                                std::to_string(mesh_frequency) + " Hz");
         sample.energy_error = energy - start_energy - motion.received(y);
+        // The last sample is the first of the next mesh: it only hands over the motion.
         if (i == last)
           set_motion(sample.q, sample.v);
         else

@@ -16,6 +16,9 @@ namespace vfife
       return s > 0 ? s : s < -backlash ? s + backlash : 0.;
     }
 
+    /**
+     * Throws unless they are 0, 1/N, 2/N...: only then the Fourier series meets the table at each.
+     */
     void check_positions(const std::vector<double> &positions, const std::string &path)
     {
       for (std::size_t i = 0; i < positions.size(); ++i)
@@ -38,6 +41,8 @@ namespace vfife
     std::vector<double> stiffness, exponent, error;
     for (std::size_t i = 0; i < loaded.size(); ++i)
       {
+        // At each position: s under T0, secant T0/s, tangent from the analysis, exponent p =
+        // tangent/secant.
         const double windup = (unloaded[i] - loaded[i]) * arcsecond;
         if (!(windup > 0) || !(tangent[i] > 0) ||
             std::abs(1e3 * std::abs(torque[i]) - T0) > 1e-3 * T0)
@@ -62,6 +67,7 @@ namespace vfife
     const double d = pressed(s, backlash);
     if (d == 0)
       return 0;
+    // M = k d (k |d|/T0)^(p - 1), odd in d
     const double linear = stiffness.value(x) * d;
     return linear * std::pow(std::abs(linear) / reference_torque, exponent.value(x) - 1);
   }
@@ -69,6 +75,7 @@ namespace vfife
   double MeshLaw::slope(const double s, const double x) const
   {
     const double d = pressed(s, backlash);
+    // A power law: dM/dd = p M/d, and the energy is M d/(p + 1).
     return d == 0 ? 0. : exponent.value(x) * torque(s, x) / d;
   }
 
@@ -91,6 +98,7 @@ namespace vfife
 
   double MeshLaw::compression(const double torque, const double x) const
   {
+    // s = T0/k (T/T0)^(1/p)
     return reference_torque / stiffness.value(x) *
            std::pow(torque / reference_torque, 1 / exponent.value(x));
   }

@@ -89,10 +89,13 @@ namespace vfife
   {
     if (options.kind == SweepKind::none)
       return;
+    // One solver for both passes: it keeps the motion from speed to speed, also where the
+    // sweep turns round.
     LumpedSolver solver(model, run);
     const auto   pass = [&](const std::string &direction) {
       for (unsigned int i = 0; i < options.n_speeds; ++i)
         {
+          // Both passes meet the same speeds, so that their rows can be compared.
           const unsigned int place = direction == "up" ? i : options.n_speeds - 1 - i;
           const double       speed =
             options.lowest_speed +

@@ -11,6 +11,8 @@ namespace vfife
     , mesh_(std::move(mesh))
     , material_(material)
   {
+    // Plain arrays for the kernels: places, elements and masses in the order of the triangulation's
+    // vertices and active cells. deal.II's order of a cell's vertices is that of HexahedronNodes.
     const auto &vertices = mesh_->triangulation.get_vertices();
     node_positions_.reserve(vertices.size());
     for (const auto &v : vertices)
@@ -29,6 +31,8 @@ namespace vfife
     for (unsigned int e = 0; e < n_elements(); ++e)
       {
         const HexahedronNodes nodes = element_nodes(e);
+        // Refused here, where element and place can be named, rather than by a kernel in the
+        // middle of a run.
         if (!(compute_least_jacobian(nodes) > 0))
           {
             const Vector3 c = nodes.rowwise().mean();
@@ -37,6 +41,7 @@ namespace vfife
                              std::to_string(c[2]) +
                              ") mm of the body frame is inverted; change the mesh or body sizes");
           }
+        // M_a = sum over elements of rho int N_a dV
         const auto masses = compute_lumped_mass(nodes, material_.density);
         for (unsigned int i = 0; i < 8; ++i)
           node_masses_[elements_[e][i]] += masses[i];
@@ -140,6 +145,7 @@ namespace vfife
 
   double Body::axial_inertia() const
   {
+    // sum m |a x (x - c)|^2, places at time zero in the fixed frame.
     double inertia = 0;
     for (unsigned int i = 0; i < n_nodes(); ++i)
       inertia += node_masses_[i] *

@@ -6,6 +6,7 @@ namespace vfife
 {
   Matrix3 compute_cylindrical_axes(const Body &body, const Vector3 &X)
   {
+    // The axis, given in the fixed frame, as it lies in the body frame.
     const Matrix3 back  = body.placement.rotation.transpose();
     const Vector3 z     = back * body.axis.direction;
     const Vector3 point = back * (body.axis.point - body.placement.translation);
@@ -24,6 +25,7 @@ namespace vfife
   {
     if (!body.turns_on_axis)
       return Matrix3::Identity();
+    // Both lead from the body frame to the fixed frame, now and at time zero.
     return now.rotation * body.placement.rotation.transpose();
   }
 

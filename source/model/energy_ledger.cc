@@ -5,6 +5,8 @@ namespace vfife
 {
   double EnergyLedger::residual() const
   {
+    // What is stored now, less what was at the start and what has been supplied,
+    // plus what was lost.
     return kinetic + strain + contact - start - drive_work - torque_work + damping_loss +
            mesh_damping_loss + contact_loss;
   }

@@ -20,6 +20,7 @@ namespace vfife
       }
     shares     = compute_nodal_areas(body, load.nodes);
     double sum = std::accumulate(shares.begin(), shares.end(), 0.);
+    // Single nodes or lines of nodes: equal shares, where the load has no need of a face.
     if (!(sum > 0))
       {
         if (load.kind == LoadKind::pressure)
@@ -79,6 +80,8 @@ namespace vfife
 
   void MomentSums::add(const double share, const Vector3 &place)
   {
+    // With A the share: [0] sum A, [1..3] sum A x, [4..12] sum A x x^T about the origin. No centre
+    // is needed while summing, so that ranks add up their sums in one reduction.
     const Matrix3 second = share * place * place.transpose();
     values[0] += share;
     for (unsigned int c = 0; c < 3; ++c)
@@ -90,6 +93,8 @@ namespace vfife
   std::pair<Vector3, Vector3> MomentSums::solve(const Vector3     &moment,
                                                 const std::string &load) const
   {
+    // About the centre (Steiner), r = x - centre: J = tr(S) I - S with S = sum A r r^T. The forces
+    // A w x r with J w = M have the moment sum A r x (w x r) = J w = M.
     const Vector3 centre = Vector3(values[1], values[2], values[3]) / values[0];
     const Matrix3 second =
       Eigen::Map<const Matrix3>(values.data() + 4) - values[0] * centre * centre.transpose();

@@ -8,6 +8,7 @@ namespace vfife
 {
   unsigned int Model::add_body(Body &&body)
   {
+    // Bodies lie behind each other in the model's numbering.
     body.first_node    = n_nodes();
     body.first_element = n_elements();
     bodies.push_back(std::move(body));
@@ -26,6 +27,7 @@ namespace vfife
 
   std::vector<double> compute_nodal_areas(const Body &body, const std::vector<unsigned int> &nodes)
   {
+    // Place of a node in the set.
     std::unordered_map<unsigned int, unsigned int> row;
     for (unsigned int i = 0; i < nodes.size(); ++i)
       row.emplace(nodes[i], i);

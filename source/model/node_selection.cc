@@ -31,6 +31,7 @@ namespace vfife
           return b;
         names.push_back(bodies[b].name());
       }
+    // With one body its name may be left out.
     if (body.empty() && bodies.size() == 1)
       return 0;
     throw InputError(section + "/body",
@@ -41,6 +42,7 @@ namespace vfife
   std::vector<unsigned int> NodeSelection::find_nodes(const Body        &selected_body,
                                                       const std::string &section) const
   {
+    // Sets are united first; "where" then takes nodes away.
     std::set<unsigned int> nodes;
     for (const std::string &set : sets)
       if (set == "all")

@@ -9,6 +9,13 @@ namespace vfife
   /**
    * One column a node [mm], in deal.II's lexicographic order: node a = i + 2 j + 4 k sits at
    * (xi, eta, zeta) = (2 i - 1, 2 j - 1, 2 k - 1) of the reference cube [-1, 1]^3.
+   *
+   *        6-------7
+   *       /|      /|
+   *      4-------5 |     zeta
+   *      | 2-----|-3      |  eta
+   *      |/      |/       | /
+   *      0-------1        |/___ xi
    */
   using HexahedronNodes = Eigen::Matrix<double, 3, 8>;
 

@@ -49,8 +49,7 @@ namespace vfife
      * the measure of itself. */
     static constexpr double scale_floor = 1e-10;
 
-    /** Residual of the ledger over the scale (CONVENTIONS: changes since the start, spin left out).
-     */
+    /** Residual over the scale: of changes since the start, with spin left out (doc/model.md). */
     double error() const;
     double residual() const;
   };

@@ -20,6 +20,7 @@ namespace vfife
                                   (node.contains("alias") && node["alias"].is_string()));
     }
 
+    /** The tree of one section; @p node holds entries and inner sections side by side. */
     DeclaredSection read_section(const std::string &name, const Json &node)
     {
       DeclaredSection section;

@@ -25,6 +25,7 @@ namespace vfife
     try
       {
         parser_->function.initialize("x,y,z,t", formula, {{"pi", pi}}, true);
+        // muParser understands a formula only when it is evaluated for the first time.
         (*this)(Vector3::Zero(), 0.);
       }
     catch (const dealii::ExceptionBase &)
@@ -35,6 +36,7 @@ namespace vfife
     if (understood)
       return;
 
+    // What stands behind "Message:" in deal.II's text is the parser's own sentence.
     std::string       reason = "it cannot be understood";
     const std::string mark   = "Message:";
     const std::size_t begin  = said.str().find(mark);
@@ -53,6 +55,7 @@ namespace vfife
 
   double Expression::operator()(const Vector3 &x, const double t) const
   {
+    // The fourth variable of the formula is deal.II's time, not a coordinate.
     parser_->function.set_time(t);
     return parser_->function.value(dealii::Point<3>(x[0], x[1], x[2]));
   }

@@ -11,6 +11,9 @@
 #include <list>
 #include <ostream>
 
+// From text to values: read_statements() splits the file into statements with their places,
+// find_declared() lists what a handler expects, each statement is looked up there and set by the
+// handler. So a message can name file and line, what is allowed, and what was meant.
 namespace vfife
 {
   namespace
@@ -35,6 +38,9 @@ namespace vfife
       throw InputError(message);
     }
 
+    /**
+     * Throws for an entry that is not declared in @p section, with the most helpful hint there is.
+     */
     [[noreturn]] void refuse_entry(const ParameterStatement &statement,
                                    const DeclaredSection    &section,
                                    const DeclaredSection    &top)
@@ -43,6 +49,8 @@ namespace vfife
       const std::string              hint  = did_you_mean(statement.name, known);
       std::string message = statement.place + ": \"" + statement.name + "\" is not an entry of " +
                             quoted_section(statement.section_path()) + hint;
+      // Beside a name spelt alike: a section of that name; without any hint so far the only section
+      // elsewhere that has this entry, or else all entries of this section.
       const std::vector<std::string> others = top.sections_with_entry(statement.name);
       if (section.find_section(statement.name) != nullptr)
         message += "; it is a section: subsection " + statement.name + " ... end";
@@ -80,10 +88,13 @@ namespace vfife
     : path_(path)
     , statements_(read_statements(path))
   {
+    // Behind those of the file, so that they win.
     for (const std::string &text : overrides)
       statements_.push_back(read_override(text));
   }
 
+  // Both readers match statements with what is declared instead of handing the text to deal.II:
+  // only so each keeps its place, and what is not declared yet can wait for a later pass.
   void ParameterFile::read_known(dealii::ParameterHandler &prm) const
   {
     const DeclaredSection top = find_declared(prm);
@@ -117,6 +128,7 @@ namespace vfife
   void ParameterFile::apply(const ParameterStatement &statement,
                             dealii::ParameterHandler &prm) const
   {
+    // A list, since a Subsection can be neither copied nor moved.
     std::list<Subsection> sections;
     for (const std::string &name : statement.sections)
       sections.emplace_back(prm, name);
@@ -181,6 +193,8 @@ namespace vfife
       return error.what();
 
     const ParameterStatement *found = find(error.entry());
+    // By the end of the path: code that reads one section does not
+    // know where in the file it stands.
     if (found == nullptr)
       {
         const std::string end = "/" + error.entry();

@@ -11,6 +11,7 @@ namespace vfife
 {
   namespace
   {
+    /** Whether the text is a file: no formula ends in these letters. */
     bool names_a_file(const std::string &text)
     {
       const auto ends_in = [&](const std::string &end) {
@@ -20,6 +21,7 @@ namespace vfife
       return ends_in(".csv") || ends_in(".txt");
     }
 
+    /** Time and factor of each row, times increasing. */
     std::vector<std::pair<double, double>> read_rows(const std::string &path)
     {
       std::ifstream file(path);
@@ -31,6 +33,7 @@ namespace vfife
           std::replace(line.begin(), line.end(), ',', ' ');
           std::istringstream        numbers(line);
           std::pair<double, double> row;
+          // Headings and empty lines.
           if (!(numbers >> row.first))
             continue;
           if (!(numbers >> row.second))
@@ -78,6 +81,7 @@ namespace vfife
       return (*formula_)(Vector3::Zero(), time);
     if (rows_.empty())
       return 1.;
+    // The first row at or behind this time: linear from the one before, constant outside the table.
     const auto next =
       std::lower_bound(rows_.begin(), rows_.end(), time, [](const auto &row, const double t) {
         return row.first < t;

@@ -38,10 +38,10 @@ namespace vfife
       std::string place() const;
 
       std::string                     file_name_;
-      std::vector<std::string>        sections_;
-      std::vector<std::string>        open_files_;
-      std::vector<std::string>        section_places_;
-      std::map<std::string, unsigned> line_of_entry_;
+      std::vector<std::string>        sections_;   ///< open ones, those of including files first
+      std::vector<std::string>        open_files_; ///< this file and those that include it
+      std::vector<std::string>        section_places_; ///< where this file has opened sections
+      std::map<std::string, unsigned> line_of_entry_;  ///< by path: what this file has set so far
       std::vector<ParameterStatement> statements_;
       unsigned int                    line_number_ = 0; ///< first line of the present statement
     };
@@ -51,6 +51,8 @@ namespace vfife
       return file_name_ + ":" + std::to_string(line_number_);
     }
 
+    // Lines are joined to statements, statements are put to read_line(); @p included_from begins
+    // the message where the file cannot be read.
     std::vector<ParameterStatement> StatementReader::read(const std::string &included_from)
     {
       const std::string prefix = included_from.empty() ? "" : included_from + ": ";
@@ -74,6 +76,8 @@ namespace vfife
               line_number_ = n_lines;
               statement.clear();
             }
+          // A statement over several lines has the number of its first one, and
+          // ends with the file at the latest.
           continued = !line.empty() && line.back() == '\\';
           statement += continued ? line.substr(0, line.size() - 1) : line;
           if (!continued)
@@ -121,6 +125,8 @@ namespace vfife
                          did_you_mean(word, {"set", "subsection", "end", "include"}));
     }
 
+    // The statement says that the section exists and where: a section without entries can
+    // be refused too.
     void StatementReader::open_section(const std::string &name)
     {
       if (name.empty())
@@ -148,6 +154,7 @@ namespace vfife
       if (statement.name.empty())
         throw InputError(place() + ": the name before '=' is missing in \"set " + rest + "\"");
 
+      // Twice in one file is a slip; the command line and an including file may set it again.
       const auto [earlier, is_new] = line_of_entry_.insert({statement.path(), line_number_});
       if (!is_new)
         throw InputError(place() + ": \"" + statement.path() + "\" is set already in line " +
@@ -196,6 +203,7 @@ namespace vfife
     statement.place             = "--set \"" + text + "\"";
     statement.from_command_line = true;
 
+    // The first '=' ends the name: values may have more of them, names have none.
     const std::size_t equal_sign = text.find('=');
     if (equal_sign == std::string::npos)
       throw InputError(statement.place +

@@ -77,11 +77,15 @@ namespace vfife
         {
           throw InputError("default " + default_text + " of \"" + name + "\": " + error.what());
         }
+      // Called at once with the default, and again whenever the entry is set.
       prm.add_action(name, [read, store, default_text, default_value](const std::string &text) {
         store(text == default_text ? default_value : read(text));
       });
     }
 
+    /**
+     * As a message ends with it: "positive", "at least 2", "between 0 and 1"; "" without a limit.
+     */
     std::string range_words(const Range &range)
     {
       const bool        below = std::isfinite(range.lowest), above = std::isfinite(range.highest);
@@ -96,6 +100,7 @@ namespace vfife
       return above ? "at most " + high : "";
     }
 
+    /** Throws unless the quantity is in @p range, which is stated in @p unit. */
     void check_range(const Quantity &quantity, const Unit &unit, const Range &range)
     {
       const double number = quantity.in(unit);
@@ -125,6 +130,7 @@ namespace vfife
     /** The three parts between two commas. */
     std::array<std::string, 3> split_three(const std::string &text)
     {
+      // Two commas, no less and no more.
       const std::size_t first = text.find(','), second = text.find(',', first + 1);
       if (first == std::string::npos || second == std::string::npos ||
           text.find(',', second + 1) != std::string::npos)
@@ -134,6 +140,7 @@ namespace vfife
                trimmed(text.substr(second + 1))}};
     }
 
+    /** The names of "a, b, c". Throws InputError for empty and repeated ones. */
     std::vector<std::string> split_names(const std::string &text)
     {
       std::vector<std::string> names;
@@ -236,6 +243,7 @@ namespace vfife
                        const unsigned int        lowest,
                        const unsigned int        highest)
   {
+    // The largest int stands for no limit, and is not shown.
     const bool unlimited = highest == static_cast<unsigned int>(std::numeric_limits<int>::max());
     const std::string words =
       unlimited ? (lowest == 0 ? "" : "at least " + std::to_string(lowest))

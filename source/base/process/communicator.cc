@@ -117,6 +117,7 @@ namespace vfife
     if (total > std::numeric_limits<int>::max())
       throw NumericalError("more than 2 GB are to be gathered from all ranks");
 
+    // Where the bytes of each rank begin: the lengths before it, summed.
     const int        n_mine = static_cast<int>(n_bytes);
     std::vector<int> counts(size_), offsets(size_, 0);
     MPI_Allgather(&n_mine, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);

@@ -11,6 +11,7 @@ namespace vfife
 {
   namespace
   {
+    /** The words of @p text with single blanks between them. */
     std::string on_one_line(const std::string &text)
     {
       std::istringstream words(text);
@@ -41,6 +42,7 @@ namespace vfife
 
   Failure describe_failure(const std::exception_ptr &exception)
   {
+    // The order is from the special to the general, for all are std::exceptions.
     if (!exception)
       return {};
     try

@@ -43,6 +43,8 @@ namespace vfife
     if (level <= verbosity_)
       screen_ << text << std::endl;
     // every line is flushed: the last one before a crash is the one that is needed
+    // The folder of results is known only after some lines have been
+    // said: they are kept for the file.
     if (file_ == nullptr)
       {
         lines_before_file_.push_back(text);
@@ -59,6 +61,7 @@ namespace vfife
 
   void Log::add_warning(const std::string &text)
   {
+    // A run of a million steps may warn at each: the first is written, all are counted.
     for (Warning &warning : warnings_)
       if (warning.text == text)
         {
@@ -71,6 +74,7 @@ namespace vfife
 
   void Log::take_warnings(std::vector<Warning> earlier)
   {
+    // The earlier ones come first, with their counts; of the present ones what they do not have.
     std::swap(warnings_, earlier);
     for (const Warning &warning : earlier)
       {

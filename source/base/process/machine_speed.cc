@@ -21,6 +21,7 @@ namespace vfife
     constexpr unsigned int n_chains       = 12; // more than latency times throughput of any core
     constexpr unsigned int n_measurements = 3;
 
+    /** Processor time of the loop [s]. */
     template <typename Loop>
     double seconds(const Loop &loop)
     {
@@ -32,8 +33,9 @@ namespace vfife
     /** What the loops leave behind, so that they are not optimized away. */
     volatile double kept = 0.;
 
-    // The same loop for each register, as a macro: target attributes are not inherited by templates
-    // that a function calls.
+    // x <- f x + f in independent chains; f just below 1 keeps the numbers between 0 and 1e6, so
+    // none is slow for being denormal or infinite. The same loop for each register, as a macro:
+    // target attributes are not inherited by templates that a function calls.
 #define VFIFE_MULTIPLY_ADD_LOOP(name, lanes_attribute, target)                                     \
   target void name()                                                                               \
   {                                                                                                \
@@ -93,7 +95,8 @@ namespace vfife
                       : lanes == 4 ? &multiply_add_4
                       : lanes == 2 ? &multiply_add_2
                                    : &multiply_add_1;
-    double     time = seconds(loop);
+    // The best of some: other programs only ever make it slower.
+    double time = seconds(loop);
     for (unsigned int i = 1; i < n_measurements; ++i)
       time = std::min(time, seconds(loop));
     return 2e-9 * n_rounds * n_chains * lanes / time;

@@ -34,6 +34,7 @@ namespace vfife
 
   namespace
   {
+    /** One write for the whole line: those of several ranks do not mix. */
     void write_message(const Failure &failure)
     {
       std::cout.flush();
@@ -71,6 +72,10 @@ namespace vfife
 
   int MpiSession::finish(const Failure &failure, const double patience)
   {
+    // A rank that failed alone must not wait for the others for ever, and they may be stuck in
+    // a collective call that it will never join. So all who get here take part in one
+    // reduction that does not block: if it ends in time, all are here and agree on the exit
+    // code; if not, the failing rank stops them.
     const Communicator &world  = implementation_->world;
     const bool          failed = failure.exit_code != 0;
     if (world.size() == 1)

@@ -14,6 +14,7 @@ namespace vfife
 
     constexpr std::array<int, 4> caught = {{SIGTERM, SIGINT, SIGUSR2, SIGUSR1}};
 
+    /** The handler: nothing but setting flags is safe inside one. The loop asks for them. */
     void remember(const int signal)
     {
       if (signal == SIGUSR1)
@@ -36,7 +37,9 @@ namespace vfife
       {
         struct sigaction action = {};
         action.sa_handler       = &remember;
-        action.sa_flags         = SA_RESTART;
+        // SA_RESTART: reading and writing go on after the signal. SA_RESETHAND: the second
+        // one of its kind ends the program.
+        action.sa_flags = SA_RESTART;
         if (caught[i] == SIGTERM || caught[i] == SIGINT)
           action.sa_flags |= static_cast<int>(SA_RESETHAND);
         sigemptyset(&action.sa_mask);

@@ -10,6 +10,7 @@ namespace vfife
     , last_(start_)
   {
     sections_.push_back({"other", Clock::duration::zero(), 0});
+    // Deep enough for all nested sections, so that entering one never allocates.
     open_.reserve(32);
     open_.push_back(0);
   }
@@ -26,6 +27,7 @@ namespace vfife
   double Timers::seconds(const unsigned int section) const
   {
     Clock::duration time = sections_.at(section).time;
+    // The open section has not been charged since the clock was last read.
     if (section == open_.back())
       time += Clock::now() - last_;
     return std::chrono::duration<double>(time).count();
@@ -42,6 +44,7 @@ namespace vfife
     if (communicator.min(n) != communicator.max(n))
       throw NumericalError("the ranks time different sections");
 
+    // Time and calls of each section and the total, reduced over the ranks at once.
     std::vector<double> figures;
     for (unsigned int i = 0; i < n; ++i)
       {

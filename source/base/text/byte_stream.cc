@@ -20,6 +20,7 @@ namespace vfife
 
   void ByteStream::check_room(const std::size_t n, const std::size_t least) const
   {
+    // Asked before a vector is resized: a wrong count must not ask for all memory.
     if (n > (bytes_.size() - next_) / least)
       throw InputError("stored data end too early: they are of another version of vfife");
   }

@@ -9,6 +9,9 @@ namespace vfife
 {
   namespace
   {
+    /**
+     * The cells of a line. Inside quotes a comma is text, and "" is one quotation mark (RFC 4180).
+     */
     std::vector<std::string> split(const std::string &line)
     {
       std::vector<std::string> cells(1);
@@ -30,6 +33,7 @@ namespace vfife
       return cells;
     }
 
+    /** "name [unit]", or a name alone. */
     CsvText::Heading make_heading(const std::string &text)
     {
       const std::size_t open = text.rfind(" [");
@@ -41,6 +45,7 @@ namespace vfife
 
   CsvText read_csv(std::istream &in, const std::string &name)
   {
+    // The first line has the headings; places count from 1, as editors do.
     CsvText     text;
     std::string line;
     if (!in || !std::getline(in, line))

@@ -22,6 +22,8 @@ namespace vfife
 
     // rows of the table of distances between the beginnings of both words
     std::vector<unsigned int> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    // row[j] in turn i: distance between the first i letters of a and the
+    // first j of b. For i = 0 it is j.
     for (unsigned int j = 0; j <= b.size(); ++j)
       row[j] = j;
     for (unsigned int i = 1; i <= a.size(); ++i)
@@ -31,6 +33,8 @@ namespace vfife
         row[0] = i;
         for (unsigned int j = 1; j <= b.size(); ++j)
           {
+            // A letter of a too much, one of b too much, or the last letters replaced (free if they
+            // are equal); then neighbours swapped.
             row[j] = std::min(
               {last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0u : 1u)});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
@@ -42,7 +46,8 @@ namespace vfife
 
   std::string nearest_name(const std::string &word, const std::vector<std::string> &candidates)
   {
-    std::string  nearest;
+    std::string nearest;
+    // One more than the most letters that may differ.
     unsigned int smallest = std::max<unsigned int>(1, word.size() / 3) + 1;
     for (const std::string &candidate : candidates)
       {

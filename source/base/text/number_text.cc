@@ -18,6 +18,7 @@ namespace vfife
 
   std::string number_text(const double value)
   {
+    // to_chars() writes the shortest text that reads back exactly, whatever the locale.
     char       text[32];
     const auto result = std::to_chars(text, text + sizeof(text), value);
     return std::string(text, result.ptr);

@@ -12,6 +12,7 @@ namespace vfife
 {
   namespace
   {
+    /** "N  m" and "N m" are one unit. */
     std::string single_blanks(const std::string &text)
     {
       std::string result;
@@ -23,6 +24,7 @@ namespace vfife
       return result;
     }
 
+    /** nullptr if it is not known. */
     const Unit *find_known(const std::string &name)
     {
       const std::string wanted = single_blanks(name);
@@ -140,6 +142,7 @@ namespace vfife
     if (name.empty())
       return {number, &expected};
 
+    // "0,5": what follows the number is no unit but a decimal comma.
     if (name[0] == ',')
       throw InputError("the decimal sign is a point, not a comma");
 

@@ -14,6 +14,7 @@ namespace vfife
 {
   namespace
   {
+    /** In quotes where the text would break the row, quotation marks doubled. */
     std::string csv_text(const std::string &text)
     {
       if (text.find_first_of(",\"\r\n") == std::string::npos)
@@ -24,6 +25,7 @@ namespace vfife
       return quoted + "\"";
     }
 
+    /** The cell; null for a number that is not finite, for which JSON has no text. */
     Json json_value(const Table::Column &column, const std::size_t row)
     {
       if (column.is_text)
@@ -77,6 +79,7 @@ namespace vfife
 
   void Table::add_row(const std::vector<Cell> &cells)
   {
+    // Everything is checked before anything is added: a row that is refused leaves no half behind.
     if (cells.size() != columns_.size())
       throw std::logic_error("a row of " + std::to_string(cells.size()) + " cells for a table of " +
                              std::to_string(columns_.size()) + " columns");
@@ -99,6 +102,7 @@ namespace vfife
 
   void Table::exchange_rows(ByteStream &stream)
   {
+    // Names and units first: rows of a run with other columns must not be mixed in.
     std::string columns = csv_header();
     stream.pass(columns, n_rows_);
     if (columns != csv_header())
@@ -174,6 +178,8 @@ namespace vfife
 
   void Table::write_json(std::ostream &out) const
   {
+    // Row by row instead of json().dump(): a line a row is readable and
+    // needs no second copy in memory.
     out << "{\"columns\": " << json_columns(*this).dump() << ",\n \"rows\": [";
     for (std::size_t row = 0; row < n_rows_; ++row)
       out << (row == 0 ? "\n  " : ",\n  ") << json_row(*this, row).dump();

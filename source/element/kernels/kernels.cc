@@ -96,6 +96,7 @@ namespace vfife
   {
     const char *const wanted = std::getenv("VFIFE_INSTRUCTION_SET");
     for (const InstructionSet instruction_set : instruction_sets)
+      // Without a wish the fastest set is taken: the list runs from fast to slow.
       if (wanted == nullptr || *wanted == '\0')
         {
           if (is_available(instruction_set))

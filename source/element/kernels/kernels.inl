@@ -30,6 +30,7 @@ namespace vfife
     /** Sums sum_a h_k(a) d(a) of one component of d over the nodes, k = 0..3. */
     VFIFE_INLINE void compute_hourglass_sums(const V (&d)[8][3], const unsigned int i, V *sums)
     {
+      // Sums and differences along xi of the four edges (named by eta, zeta) serve all patterns.
       const V sum00 = d[0][i] + d[1][i], dif00 = d[1][i] - d[0][i];
       const V sum10 = d[2][i] + d[3][i], dif10 = d[3][i] - d[2][i];
       const V sum01 = d[4][i] + d[5][i], dif01 = d[5][i] - d[4][i];
@@ -44,6 +45,8 @@ namespace vfife
     /** out(a) = sum_k h_k(a) p_k of one component. */
     VFIFE_INLINE void spread_hourglass(const V &p0, const V &p1, const V &p2, const V &p3, V *out)
     {
+      // At the edge (eta, zeta) the pattern p0 eta zeta is the same at both ends, that of the
+      // others, xi (p1 zeta + p2 eta + p3 eta zeta), has both signs: odd.
       const V sum = p1 + p2, difference = p1 - p2;
       const V odd00 = p3 - sum, odd10 = -p3 - difference, odd01 = difference - p3, odd11 = sum + p3;
       out[0] = p0 - odd00;
@@ -64,6 +67,7 @@ namespace vfife
     VFIFE_INLINE void
     compute_frame_moment(const V (&strain)[6], const V *q, const V *hourglass, V (&t)[3])
     {
+      // sum_k q_k x (H q)_k
       V moment[3];
       for (unsigned int i = 0; i < 3; ++i)
         {
@@ -73,6 +77,7 @@ namespace vfife
             moment[i] += q[3 * pattern + j] * hourglass[3 * pattern + k] -
                          q[3 * pattern + k] * hourglass[3 * pattern + j];
         }
+      // tr U I - U with U = I + strain, inverted by its cofactors.
       const V xx = 2. + strain[1] + strain[2], yy = 2. + strain[2] + strain[0],
               zz = 2. + strain[0] + strain[1];
       const V xy = -strain[3], yz = -strain[4], zx = -strain[5];
@@ -201,10 +206,12 @@ namespace vfife
     template <FrameKind frame_kind, bool measures, typename Constants>
     VFIFE_INLINE V compute_element(const Constants &constants, V (&d)[8][3])
     {
+      // F = sum_a d(a) b(a)^T and g_k = sum_a h_k(a) d(a) - F c_k, in the axes of space.
       V F[3][3], g[12];
       compute_deformation_gradient(constants, d, F);
       compute_hourglass_amplitudes(constants, d, F, g);
 
+      // Only now the rotation: F gives it, and the strain e = sym(R^T F) - I in the frame.
       Frame<width> frame;
       if constexpr (frame_kind == FrameKind::polar)
         frame = compute_polar_frame<width>(F);
@@ -218,6 +225,7 @@ namespace vfife
       const V(&R)[3][3]   = frame.R;
       const V(&strain)[6] = frame.strain;
 
+      // q_k = R^T g_k and H q, the forces of the patterns in the frame.
       V q[12], hourglass[12];
       for (unsigned int k = 0; k < 4; ++k)
         for (unsigned int i = 0; i < 3; ++i)
@@ -227,9 +235,11 @@ namespace vfife
           }
       add_hourglass_product<0, 0, 0>(constants, q, hourglass);
 
+      // S = V (lambda tr e I + 2 mu e)
       V stress[6];
       compute_stress(constants, strain, stress);
 
+      // 2 W = S : e + q . H q; shears of a symmetric matrix count twice.
       V twice_energy = 0.;
       if constexpr (measures)
         {
@@ -239,6 +249,8 @@ namespace vfife
             twice_energy += q[m] * hourglass[m];
         }
 
+      // Nodal forces follow from R S; in the polar frame from R (S - [t]), what
+      // turns with the nodes included.
       V local[3][3] = {{stress[0], stress[3], stress[5]},
                        {stress[3], stress[1], stress[4]},
                        {stress[5], stress[4], stress[2]}};
@@ -267,6 +279,8 @@ namespace vfife
                                 double              *energies,
                                 double              *jacobians)
     {
+      // d(a) = x(a) - x(0): differences before products, so that nothing
+      // depends on the place in space.
       V d[8][3];
       for (unsigned int a = 0; a < 8; ++a)
         load_records<width>(positions, nodes + n_lanes * a, d[a]);
@@ -276,6 +290,7 @@ namespace vfife
       for (unsigned int i = 0; i < 3; ++i)
         d[0][i] = 0.;
 
+      // The least Jacobian first, for the forces take the place of d.
       if constexpr (measures)
         compute_least_corner(d).store(jacobians);
       const V twice_energy = compute_element<frame_kind, measures>(constants, d);
@@ -295,6 +310,8 @@ namespace vfife
                                 double             *energies,
                                 double             *jacobians)
     {
+      // A pack is worked on in 8 / width turns. Which constants it has is asked once
+      // a turn, outside all arithmetic.
       for (std::size_t pack = first; pack < last; ++pack)
         for (unsigned int lane = 0; lane < n_lanes; lane += width)
           {

@@ -125,13 +125,15 @@ namespace vfife
                        xy * zx + yy * yz + yz * zz,
                        xx * zx + xy * yz + zx * zz};
 
+      // I1, I2, I3: trace, sum of principal minors and determinant of E.
       const V minor_x = yy * zz - yz * yz, minor_xy = yz * zx - xy * zz,
               minor_zx = xy * yz - yy * zx;
       const V I1       = xx + yy + zz;
       const V I2       = minor_x + (xx * zz - zx * zx) + (xx * yy - xy * xy);
       const V I3       = xx * minor_x + xy * minor_xy + zx * minor_zx;
 
-      // p = p0 + p1 E + p2 E^2, Horner's scheme for (I + 2 E)^-1/2 - I.
+      // p = p0 + p1 E + p2 E^2, Horner's scheme for (I + 2 E)^-1/2 - I = sum_n c_n E^n: begins with
+      // c_6, c_7, c_8, each further step is p <- E p + c_n.
       V          p0 = 231. / 16., p1 = -429. / 16., p2 = 6435. / 128.;
       const auto multiply_and_add = [&](const double coefficient) {
         const V q0 = p2 * I3 + coefficient;
@@ -205,6 +207,7 @@ namespace vfife
     {
       using V = Vec<double, N>;
 
+      // The present triad: e1 along a-b, e3 normal to a-b-d, e2 = e3 x e1.
       V axis[3][3]; // [axis][component]
       V normal[3];
       for (unsigned int i = 0; i < 3; ++i)
@@ -221,6 +224,7 @@ namespace vfife
         axis[1][i] =
           axis[2][(i + 1) % 3] * axis[0][(i + 2) % 3] - axis[2][(i + 2) % 3] * axis[0][(i + 1) % 3];
 
+      // R = triad(x) triad(X)^T, then the strain sym(R^T F) - I.
       Frame<N> frame;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)

@@ -38,6 +38,8 @@ namespace vfife
         }
       else if constexpr (N == 4)
         {
+          // A 4 x 4 transpose without its last row: first pairs of lanes
+          // [x x z z] and [y y * *], then halves.
           const auto row = [&](const unsigned int lane) { return Record::load(address(lane)).v; };
           const auto r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
           const auto xz01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
@@ -97,6 +99,7 @@ namespace vfife
         }
       else if constexpr (N == 4)
         {
+          // The transpose back; from the fourth number of a record zero is subtracted.
           const typename Vec<double, 4>::Storage zero{};
           const auto                             x = xyz[0].v, y = xyz[1].v, z = xyz[2].v;
           const auto                             xy02 = __builtin_shufflevector(x, y, 0, 4, 2, 6);

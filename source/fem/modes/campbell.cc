@@ -70,6 +70,8 @@ namespace vfife
 
   std::vector<CampbellBranch> make_branches(const std::vector<ModesAtSpeed> &speeds)
   {
+    // Whether Coriolis forces split pairs at any speed. If so, a pair at rest is where two
+    // branches begin.
     bool travelling = false;
     for (const ModesAtSpeed &at_speed : speeds)
       for (const RotatingMode &mode : at_speed.modes)
@@ -89,6 +91,7 @@ namespace vfife
             branch.rates.push_back(at_speed.rate);
             branch.frequencies.push_back(mode.frequency);
           };
+        // Modes ascend: the n-th of its diameter and direction belongs to branch n.
         std::map<std::pair<int, std::string>, unsigned int> counts;
         for (const RotatingMode &mode : at_speed.modes)
           {
@@ -167,9 +170,13 @@ namespace vfife
                                        : sign > 0 || orders < 0   ? "backward"
                                                                   : "forward";
             const bool        same_again = sign < 0 && (branch.nodal_diameter == 0 || m == 0);
+            // Without diameters, or under the constant load, both waves are one; a travelling
+            // branch answers to the wave of its own direction alone.
             if (orders == 0 || same_again ||
                 (branch.direction != "standing" && branch.direction != wave))
               continue;
+            // Frequency of the branch less that of the force; between two speeds with opposite
+            // signs they meet.
             const auto excess = [&](const std::size_t i) {
               return branch.frequencies[i] -
                      std::abs(orders) * std::abs(branch.rates[i]) / (2. * pi);

@@ -30,6 +30,9 @@ namespace vfife
     std::vector<OwnedVector> orthonormal_basis(const SparseMatrix             &mass,
                                                const std::vector<OwnedVector> &vectors)
     {
+      // With G = V^T M V = Y diag(g) Y^T, the columns of V Y diag(g)^-1/2 are orthonormal.
+      // All vectors have length one before; parts below 1e-4 of that (1e-8 of g) are taken
+      // for dependence.
       Eigen::MatrixXd       gram  = mass.project(vectors, vectors);
       const Eigen::VectorXd scale = gram.diagonal().cwiseSqrt().cwiseInverse();
       gram                        = scale.asDiagonal() * gram * scale.asDiagonal();
@@ -53,6 +56,8 @@ namespace vfife
                                                     const double                    rigid_rate,
                                                     const unsigned int              n)
   {
+    // A small basis first: the modes x, and K^-1 C x, which a wave begins to take up when
+    // Coriolis forces set in.
     const SparseMatrix       K(assembly, stiffness), M(assembly, mass), C(assembly, coriolis);
     std::vector<OwnedVector> vectors = modes;
     for (const OwnedVector &mode : modes)
@@ -65,13 +70,16 @@ namespace vfife
     // States (q, q'/scale): all blocks are then of the size of the largest frequency.
     const int             size = basis.size();
     const Eigen::MatrixXd k = K.project(basis, basis), c = C.project(basis, basis);
-    const double          scale          = std::sqrt(k.diagonal().cwiseAbs().maxCoeff());
-    Eigen::MatrixXd       linear         = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+    const double          scale  = std::sqrt(k.diagonal().cwiseAbs().maxCoeff());
+    Eigen::MatrixXd       linear = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+    // q'' = -k q - 2 c q' with M = 1 in this basis; k is made symmetric and c skew exactly.
     linear.topRightCorner(size, size)    = scale * Eigen::MatrixXd::Identity(size, size);
     linear.bottomLeftCorner(size, size)  = -.5 / scale * (k + k.transpose());
     linear.bottomRightCorner(size, size) = c.transpose() - c;
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(linear);
 
+    // Eigenvalues come in pairs i omega, -i omega of one wave, and with a growing motion comes its
+    // decaying mirror image: only the growing one is looked for.
     std::vector<std::pair<double, int>> order;
     for (int k = 0; k < 2 * size; ++k)
       {
@@ -87,6 +95,8 @@ namespace vfife
     std::sort(order.begin(), order.end());
     order.resize(std::min<std::size_t>(order.size(), n));
 
+    // Back to all unknowns; the residual is that of the full problem, so it shows what
+    // the basis misses.
     std::vector<GyroscopicMode> waves;
     for (const auto &entry : order)
       {
@@ -98,6 +108,8 @@ namespace vfife
         const OwnedVector Kr = K.apply(wave.real), Ki = K.apply(wave.imaginary),
                           Mr = M.apply(wave.real), Mi = M.apply(wave.imaginary),
                           Cr = C.apply(wave.real), Ci = C.apply(wave.imaginary);
+        // (K - w^2 M + 2 i w C)(r + i s): real part K r - w^2 M r - 2 w C s, imaginary part K s -
+        // w^2 M s + 2 w C r.
         const double w = wave.rate;
         OwnedVector  rest_real(Kr), rest_imaginary(Ki);
         for (std::size_t i = 0; i < Kr.size(); ++i)

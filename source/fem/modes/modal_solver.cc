@@ -57,6 +57,7 @@ namespace vfife
   double
   choose_shift(const Assembly &assembly, const SparseValues &stiffness, const SparseValues &mass)
   {
+    // Padding has no mass and does not count.
     const OwnedVector k = assembly.diagonal(stiffness), m = assembly.diagonal(mass);
     double            largest = 0;
     for (std::size_t i = 0; i < k.size(); ++i)
@@ -69,11 +70,13 @@ namespace vfife
                                  const SparseValues &mass,
                                  const double        lowest) const
   {
+    // Below zero and below what spin may make of rigid motions: K - shift M is positive definite.
     const double base  = choose_shift(assembly_, stiffness, mass);
     const double shift = base + 1.2 * std::min(lowest, 0.);
     Found        found = options_.eigen_solver == EigenSolverKind::lobpcg
                            ? find_by_lobpcg(stiffness, mass, shift)
                            : find_by_factorization(stiffness, mass, shift);
+    // Guards have served for the gap and for double modes; from here on only what was asked for.
     found.pairs.values.resize(options_.n_modes);
     found.pairs.vectors.resize(options_.n_modes);
     const std::vector<double> residuals =
@@ -121,6 +124,7 @@ namespace vfife
     for (unsigned int attempt = 0; attempt < 3; ++attempt)
       {
         {
+          // In a scope of its own: these factors are given back before those for counting are made.
           const DirectSolver factors(assembly_.pattern(),
                                      shifted(stiffness, mass, shift),
                                      assembly_.communicator());
@@ -189,6 +193,7 @@ namespace vfife
     const Discretization &d = assembly_.discretization();
     for (const Discretization::Part &part : d.parts())
       {
+        // Bodies of one discretization add up: the base moves all of them.
         const auto rigid = make_rigid_motions(d, part, d.model().bodies[part.body].axis.point);
         for (unsigned int r = 0; r < 6; ++r)
           {

@@ -70,6 +70,7 @@ namespace vfife
     Vector3    energy = Vector3::Zero();
     for (unsigned int i = 0; i < body_.n_nodes(); ++i)
       {
+        // In r, theta, z of each node, where the copies of a node in all sectors can be compared.
         const Vector3 a = components(i, real), b = components(i, imaginary);
         energy += body_.node_masses()[i] * (a.cwiseAbs2() + b.cwiseAbs2());
         for (unsigned int c = 0; c < 3; ++c)
@@ -82,6 +83,8 @@ namespace vfife
     if (n_sectors_ == 0)
       return description;
 
+    // By Parseval: sums over the sectors, squared and divided by their number, add up over all
+    // harmonics -N/2 < h <= N/2 to the energy of the body.
     const auto energy_of = [&](const Amplitudes &amplitudes) {
       double sum = 0;
       for (std::size_t i = 0; i < amplitudes.size(); ++i)
@@ -91,6 +94,7 @@ namespace vfife
     double largest = 0, positive = 0;
     for (unsigned int h = 0; h <= n_sectors_ / 2; ++h)
       {
+        // h = 0 and h = N/2 are their own counterparts.
         const bool   both  = h > 0 && 2 * h < n_sectors_;
         const double plus  = energy_of(harmonic(values, h)),
                      minus = both ? energy_of(harmonic(values, -static_cast<int>(h))) : 0.;
@@ -115,7 +119,8 @@ namespace vfife
   ModeDescriber::Amplitudes ModeDescriber::harmonic(const Amplitudes &values, const int h) const
   {
     const std::size_t per_sector = values.size() / n_sectors_;
-    Amplitudes        sums(per_sector);
+    // A_h = sum_k a_k exp(-2 pi i h k / N), a_k the amplitudes of sector k.
+    Amplitudes sums(per_sector);
     for (unsigned int k = 0; k < n_sectors_; ++k)
       {
         const std::complex<double> phase =
@@ -140,6 +145,7 @@ namespace vfife
     std::vector<double>    sum(n_rings, 0.), mass(n_rings, 0.);
     for (std::size_t i = 0; i < radii_.size(); ++i)
       {
+        // Rings of equal width; what they move is the mean of their nodes, weighted with mass.
         const double       part = (radii_[i] - *range.first) / (*range.second - *range.first);
         const unsigned int ring = std::min<unsigned int>(n_rings * part, n_rings - 1);
         sum[ring] += body_.node_masses()[i] * (phase * amplitudes[3 * i + component]).real();
@@ -149,6 +155,7 @@ namespace vfife
     for (unsigned int ring = 0; ring < n_rings; ++ring)
       if (mass[ring] > 0)
         largest = std::max(largest, std::abs(sum[ring] /= mass[ring]));
+    // A ring that hardly moves has no sign.
     int    circles = 0;
     double before  = 0;
     for (const double value : sum)

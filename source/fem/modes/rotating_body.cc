@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+// For one speed: the equilibrium under centrifugal force; stiffness and mass about it, for the
+// whole body or for each harmonic of a sector; their modes; and, with Coriolis forces, waves in the
+// space of these modes.
 namespace vfife
 {
   namespace
@@ -18,6 +21,7 @@ namespace vfife
       return [rate](unsigned int) { return rate; };
     }
 
+    /** Both parts by one factor: the largest component of the complex shape becomes one. */
     void scale_to_one(std::vector<double> &shape, std::vector<double> &imaginary)
     {
       double largest = 0;
@@ -65,6 +69,7 @@ namespace vfife
     options.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::pinned;
     const Assembly       assembly(discretization_, options, communicator_);
     const SystemMatrices matrices(assembly, options_.mass);
+    // (K - Omega^2 S) u = Omega^2 S X
     SparseValues K = add_scaled(matrices.stiffness(), -1., matrices.spin_mass(constant(rate)));
     OwnedVector  q = matrices.centrifugal_load(constant(rate));
     const unsigned int n_free = count_free_motions();
@@ -100,7 +105,8 @@ namespace vfife
       solve_harmonic(rate, equilibrium, 0, result);
     else
       {
-        result.counted          = true;
+        result.counted = true;
+        // More diameters than half the sectors cannot be told apart from fewer.
         const unsigned int half = model_.bodies[body_].mesh().n_sectors / 2;
         const unsigned int last = std::min(half, options_.largest_diameter);
         for (unsigned int h = 0; h <= last; ++h)
@@ -126,8 +132,10 @@ namespace vfife
     const Assembly        assembly(discretization_, unknowns, communicator_);
     const ModalSolver     solver(assembly, options_);
     const SystemMatrices &matrices = solver.matrices();
-    SparseValues          K = matrices.stiffness(), M = matrices.mass();
-    double                lowest = 0;
+    // K + K_sigma(u) - Omega^2 S + hub curvature, u the equilibrium. Hubs that turn freely are not
+    // pinned: their rotation is a rigid mode, which is told apart by its frequency.
+    SparseValues K = matrices.stiffness(), M = matrices.mass();
+    double       lowest = 0;
     if (rate != 0)
       {
         K = add_scaled(std::move(K), 1., matrices.geometric(equilibrium));
@@ -156,6 +164,7 @@ namespace vfife
     for (const Mode &mode : found.modes)
       {
         RotatingMode entry;
+        // Round-off and softening give rigid motions small frequencies or imaginary ones.
         entry.frequency = found.is_rigid(mode) ? 0. : mode.frequency();
         entry.residual  = mode.residual;
         if (!options_.cyclic_symmetry)
@@ -196,6 +205,7 @@ namespace vfife
         std::vector<double> imaginary = node_shape(assembly.expand(wave.imaginary), harmonic);
         scale_to_one(entry.shape, imaginary);
         entry.description = describer_.describe(entry.shape, imaginary);
+        // Waves are named by the sense of the spin, descriptions by that of the axis.
         if (rate < 0)
           entry.description.forward = 1. - entry.description.forward;
         result.modes.push_back(std::move(entry));
@@ -221,6 +231,8 @@ namespace vfife
         const Matrix3 turn = rotation_about(body.axis.direction, angle);
         for (std::size_t i = 0; i < n_nodes; ++i)
           {
+            // u_k = Re(R^k (a + i b) exp(i h k angle)), a and b the two copies of the
+            // sector's points.
             Vector3 u = std::cos(phase) * Eigen::Map<const Vector3>(shape.data() + 3 * i);
             if (shape.size() > copy)
               u -= std::sin(phase) * Eigen::Map<const Vector3>(shape.data() + copy + 3 * i);

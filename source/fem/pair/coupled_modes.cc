@@ -31,6 +31,7 @@ namespace vfife
       return links;
     }
 
+    /** sum k d d^T over the points under pressure. */
     SparseValues make_contact(const Assembly &assembly, const std::vector<ContactTie> &ties)
     {
       return assembly.link_matrix([&](const unsigned int l) {
@@ -76,6 +77,7 @@ namespace vfife
         mode.frequency = frequency;
         mode.driven    = describer_.describe(real, imaginary);
         double all = 0, driven = 0, largest = 0;
+        // Kinetic energies up to a common factor, with the row sums of mass.
         for (const Discretization::Part &part : discretization_.parts())
           {
             const Body &body = discretization_.model().bodies[part.body];
@@ -103,6 +105,7 @@ namespace vfife
       ModeDescriber               describer_;
     };
 
+    /** Displacements of all points, sum of the modes' shapes times coefficients. */
     std::vector<double> combine(const std::vector<Mode> &modes, const Eigen::VectorXd &coefficients)
     {
       std::vector<double> sum(modes.front().shape.size(), 0.);
@@ -119,6 +122,7 @@ namespace vfife
       Eigen::VectorXd load; ///< of a unit torque
     };
 
+    /** The problem of standing shapes on the span of all modes found. Collective. */
     Reduced reduce(const Assembly       &assembly,
                    const SystemMatrices &matrices,
                    const SparseValues   &mass,
@@ -126,11 +130,15 @@ namespace vfife
     {
       const Model &model = assembly.discretization().model();
       const auto   rate  = [&model](const unsigned int body) { return model.bodies[body].rate; };
-      const SparseMatrix       M(assembly, mass), G(assembly, matrices.gyroscopic(rate));
+      const SparseMatrix M(assembly, mass), G(assembly, matrices.gyroscopic(rate));
+      // P x of each mode x; P and G carry the rates of their bodies.
       std::vector<OwnedVector> turned;
       for (const Mode &mode : found.modes)
         turned.push_back(assembly.restrict_field(
           apply_standing_derivative(assembly.discretization(), mode.shape)));
+      // In the basis x, M = 1 and x^T (K) x = diag(omega^2):
+      //     q'' + skew q' + stiffness q = 0,   skew = 2 x^T (M P + G) x,
+      //     stiffness = diag(omega^2) + x^T (M P^2 + 2 G P) x
       const auto     &x = found.vectors;
       Reduced         r;
       Eigen::MatrixXd skew = 2 * (M.project(x, turned) + G.project(x, x));
@@ -155,11 +163,12 @@ namespace vfife
                                            const unsigned int       n,
                                            const ShapeReader       &reader)
     {
-      const int       size                = basis.size();
-      const double    scale               = std::sqrt(r.stiffness.diagonal().cwiseAbs().maxCoeff());
-      Eigen::MatrixXd linear              = Eigen::MatrixXd::Zero(2 * size, 2 * size);
-      linear.topRightCorner(size, size)   = scale * Eigen::MatrixXd::Identity(size, size);
-      linear.bottomLeftCorner(size, size) = -r.stiffness / scale;
+      const int       size   = basis.size();
+      const double    scale  = std::sqrt(r.stiffness.diagonal().cwiseAbs().maxCoeff());
+      Eigen::MatrixXd linear = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+      // States (q, q'/scale), as for waves of one body.
+      linear.topRightCorner(size, size)    = scale * Eigen::MatrixXd::Identity(size, size);
+      linear.bottomLeftCorner(size, size)  = -r.stiffness / scale;
       linear.bottomRightCorner(size, size) = -r.skew;
       const Eigen::EigenSolver<Eigen::MatrixXd> solver(linear);
       std::vector<std::pair<double, int>>       order;
@@ -184,6 +193,7 @@ namespace vfife
           const Eigen::VectorXcd x = solver.eigenvectors().col(entry.second).head(size);
           CoupledMode            mode =
             reader.read(entry.first / (2 * pi), combine(basis, x.real()), combine(basis, x.imag()));
+          // x^H K x + omega^2 x^H M x
           const double energy =
             entry.first * entry.first * x.squaredNorm() + x.dot(r.stiffness * x).real();
           mode.share_of_turn =
@@ -225,6 +235,8 @@ namespace vfife
     CoupledModes result;
     OwnedVector  turn = make_unit_torque(assembly);
     {
+      // K u = f with the traction f of a unit torque: f . u is the turn of its points, the tangent
+      // mesh stiffness its inverse. The driven hub is free here, the contact carries the torque.
       const OwnedVector  torque = turn;
       const DirectSolver factors(assembly.pattern(), K, communicator);
       factors.solve(turn.data(), 1);
@@ -240,6 +252,7 @@ namespace vfife
       {
         const Mode &mode = found.modes[k];
         result.turning.push_back(reader.read(mode.frequency(), mode.shape, none));
+        // f . K^-1 f = sum over modes of (x . f)^2 / omega^2
         result.turning.back().share_of_turn =
           reduced.load[k] * reduced.load[k] / mode.eigenvalue * result.stiffness;
       }

@@ -8,6 +8,9 @@
 #include <set>
 #include <sstream>
 
+// Displacements, forces and springs are in the axes of time zero, with three entries for each
+// watched point in the order of Compliance::watched(). Positions and all that the contact module
+// sees are in the fixed frame, the bodies turned by rotations_.
 namespace vfife
 {
   namespace
@@ -32,6 +35,8 @@ namespace vfife
     for (std::size_t i = 0; i < model.contacts.size(); ++i)
       pairs_.push_back(std::make_unique<Pair>(model.contacts[i], model, d, penalties[i]));
 
+    // The nodes that may touch at any position asked for: only at them displacements by unit
+    // forces are kept.
     std::set<unsigned int> points;
     for (const double turn : driver_turns)
       {
@@ -155,6 +160,9 @@ namespace vfife
     trial.force = Eigen::VectorXd::Zero(u.size());
     for (const auto &pair : pairs_)
       {
+        // x = c + R (X + u - c) of both flanks; the contact module works in the fixed frame,
+        // and its forces are turned back into the axes of time zero. At rest: velocities and
+        // time step are zero.
         move(*pair, u);
         Side &s = pair->slave, &m = pair->master;
         pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion(s.body)},
@@ -182,6 +190,8 @@ namespace vfife
 
   double PairEquilibrium::find_touch(const Eigen::VectorXd &base)
   {
+    // The load turns the driven body towards the driver: a turn d closes the gap by arm d, nearly,
+    // whatever the flanks are. Steps with this slope end at the touch.
     const double sense = load(1.) < 0 ? -1. : 1.;
     Pair        &pair  = *pairs_.front();
     double       turn  = 0;

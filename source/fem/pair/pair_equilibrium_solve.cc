@@ -22,8 +22,11 @@ namespace vfife
 
   PairEquilibrium::Tangent PairEquilibrium::linearize()
   {
-    const unsigned int  driven = model_.transmission->driven;
-    const Axis         &axis   = model_.bodies[driven].axis;
+    const unsigned int driven = model_.transmission->driven;
+    const Axis        &axis   = model_.bodies[driven].axis;
+    // Of each point under pressure: h changes by d . (dx_s - dy), d on the slave's node weights and
+    // -d on the master's (at most 4 + 4 nodes), turned back into the axes of time zero; and by the
+    // turn of the driven body by b = sum of weight d . (a x (x - c)) over its nodes.
     Tangent             tangent;
     std::vector<double> inverse, by_turn;
     tangent.arm = model_.transmission->arm;
@@ -86,6 +89,7 @@ namespace vfife
     Iterate next;
     for (unsigned int i = 0;; ++i, part *= 0.5)
       {
+        // Deflections belong to forces linearly, so that both are cut by the same part.
         next.force         = now.force + part * (full.force - now.force);
         next.deflection    = now.deflection + part * (full.deflection - now.deflection);
         next.turn          = now.turn + part * (full.turn - now.turn);
@@ -106,6 +110,8 @@ namespace vfife
     std::ostringstream history;
     for (;; ++result.iterations)
       {
+        // Done when the forces that the bodies were bent by are those that the contact then exerts,
+        // and its torque is the load.
         const double torque = now.trial.torque + load;
         result.residual = std::max((now.trial.force - now.force).norm() / now.trial.force.norm(),
                                    std::abs(torque / load));
@@ -116,6 +122,8 @@ namespace vfife
             !std::isfinite(result.residual))
           fail("Newton's method does not converge", history.str());
 
+        // Springs answer with y = D (B^T dv + b dpsi), dv = A F~ - v, F~ = F - B y; b^T y = M + T
+        // balances the torque. Eliminating dv gives the system of linearize().
         const Tangent         tangent   = linearize();
         const Eigen::VectorXd imbalance = apply_compliance(now.trial.force) - now.deflection;
         const auto            change    = tangent.solve(imbalance, torque);
@@ -133,6 +141,7 @@ namespace vfife
     result.driver_turn = driver_turn;
     result.touch_turn  = find_touch(driver_turn);
 
+    // What the bodies do without contact; Newton's method adds the deflection by contact forces.
     const Eigen::VectorXd base =
       at_watched(compliance_.spun()) + part * at_watched(compliance_.twisted());
     Iterate now = press_rigid(base, load(part));
@@ -152,6 +161,7 @@ namespace vfife
     const Eigen::VectorXd base = at_watched(free);
     if (pressed_ != nullptr)
       pressed_->trial = evaluate(base + pressed_->deflection, pressed_->turn);
+    // The last equilibrium is the start while it still presses, else rigid flanks are pressed anew.
     if (pressed_ == nullptr || !(pressed_->trial.energy > 0))
       pressed_ = std::make_unique<Iterate>(press_rigid(base, torque));
     balance(base, torque, *pressed_, result);
@@ -184,6 +194,7 @@ namespace vfife
         result.ties.push_back(tie);
       }
 
+    // Two solutions for the fields of all points, not only the watched ones.
     result.displacements      = compliance_.solve(spread(now.force));
     result.displacement_slope = compliance_.solve(spread(slope));
     for (std::size_t i = 0; i < result.displacements.size(); ++i)
@@ -206,6 +217,7 @@ namespace vfife
         const Vector3 arm =
           b.axis.direction.cross(discretization.points()[first + node] - b.axis.point);
         const Eigen::Map<const Vector3> u(displacements.data() + 3 * std::size_t(first + node));
+        // u_theta / r of each node; "arm" is a x (x - c), of length r.
         sum += b.node_masses()[node] * u.dot(arm) / arm.squaredNorm();
         mass += b.node_masses()[node];
       }

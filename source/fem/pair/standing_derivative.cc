@@ -17,12 +17,14 @@ namespace vfife
           continue;
         const unsigned int per_sector = part.n_points / n;
         const double       angle      = 2 * pi / n;
-        const auto         seen = [&](const unsigned int k, const unsigned int i, const int away) {
+        // What lies "away" sectors further along, its vector turned back into this sector.
+        const auto seen = [&](const unsigned int k, const unsigned int i, const int away) {
           const unsigned int sector = (k + n + away) % n;
-          const std::size_t  point = part.first_point + std::size_t(sector) * per_sector + i;
+          const std::size_t  point  = part.first_point + std::size_t(sector) * per_sector + i;
           return Vector3(rotation_about(body.axis.direction, -away * angle) *
                          Eigen::Map<const Vector3>(u.data() + 3 * point));
         };
+        // f' = (8 (f_1 - f_-1) - (f_2 - f_-2)) / 12 per sector
         for (unsigned int k = 0; k < n; ++k)
           for (unsigned int i = 0; i < per_sector; ++i)
             Eigen::Map<Vector3>(result.data() +

@@ -21,6 +21,7 @@ namespace vfife
       return mumps.icntl[i - 1];
     }
 
+    /** MUMPS' jobs: -1 begins, 4 analyses and factorizes, 2 factorizes, 3 solves, -2 ends. */
     void run(const int job)
     {
       mumps.job = job;
@@ -57,12 +58,14 @@ namespace vfife
     Instance &it = *instance_;
     for (int i = 0; i < pattern.n_rows(); ++i)
       for (std::size_t k = pattern.begin[i]; k < pattern.begin[i + 1]; ++k)
+        // The lower triangle, numbered from 1.
         if (pattern.columns[k] <= pattern.first_row + i && values[k] != 0)
           {
             it.rows.push_back(pattern.first_row + i + 1);
             it.columns.push_back(pattern.columns[k] + 1);
             it.values.push_back(values[k]);
           }
+    // par = 1: the root works as well; sym = 2: symmetric, not necessarily positive definite.
     it.mumps.comm_fortran = MPI_Comm_c2f(communicator.mpi());
     it.mumps.par          = 1;
     it.mumps.sym          = 2;
@@ -94,6 +97,7 @@ namespace vfife
         it.run(-2);
         throw NumericalError(message);
       }
+    // The factors do not refer to the entries any more.
     std::vector<int>().swap(it.rows);
     std::vector<int>().swap(it.columns);
     SparseValues().swap(it.values);
@@ -113,6 +117,7 @@ namespace vfife
     std::vector<int> starts(counts_.size(), 0);
     std::partial_sum(counts_.begin(), counts_.end() - 1, starts.begin() + 1);
 
+    // MUMPS takes right sides on the root and leaves the solutions there.
     std::vector<double> all(communicator_.is_root() ? std::size_t(n) * n_right_sides : 0);
     for (unsigned int k = 0; k < n_right_sides; ++k)
       MPI_Gatherv(x + std::size_t(k) * n_own,

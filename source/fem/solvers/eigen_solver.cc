@@ -47,6 +47,7 @@ namespace vfife
         return 0;
       }
 
+      // What else the interface asks for; Anasazi calls Apply() only.
       int SetUseTranspose(bool) override
       {
         return 0;
@@ -97,6 +98,8 @@ namespace vfife
       for (unsigned int k = 0; k < n; ++k)
         for (int i = 0; i < map.NumMyElements(); ++i)
           {
+            // The finalizer of splitmix64 (Steele, Lea & Flood 2014) on number and column; its
+            // upper 53 bits become a number in [-1, 1).
             const unsigned int global = map.GID(i);
             std::uint64_t      bits =
               (global + 1ull) * 0x9E3779B97F4A7C15ull + k * 0xBF58476D1CE4E5B9ull;
@@ -120,6 +123,7 @@ namespace vfife
       return list;
     }
 
+    /** The first @p n pairs that Anasazi has found; throws NumericalError if there are fewer. */
     EigenPairs take_pairs(const Problem &problem, const unsigned int n, const int n_iterations)
     {
       const auto &solution = problem.getSolution();
@@ -145,6 +149,7 @@ namespace vfife
                         const Assembly         &assembly,
                         EigenPairs             &pairs)
     {
+      // A = x^T M (K - s M)^-1 M x and B = x^T M x; both are sums over the ranks.
       const Epetra_MultiVector x = make_multi_vector(mass.RowMap(), pairs.vectors);
       Epetra_MultiVector       Mx(x), Ax(x);
       mass.Multiply(false, x, Mx);
@@ -234,6 +239,7 @@ namespace vfife
     solver.solve();
     EigenPairs pairs = take_pairs(*problem, n, solver.getNumIters());
     make_symmetric(*M, *inverse, assembly, pairs);
+    // The operator's eigenvalues are mu = 1/(lambda - shift).
     for (double &value : pairs.values)
       value = shift + 1. / value;
     normalize(*M, assembly, pairs);
@@ -258,16 +264,21 @@ namespace vfife
     // Anasazi applies the inverse of a preconditioner by Apply().
     auto inverse = Teuchos::rcp(new Epetra_InvOperator(multigrid.operators.get()));
 
+    // Some vectors beyond those asked for: how fast the last one converges depends on the gap
+    // behind the block.
     const unsigned int block = n + 4;
     auto problem = Teuchos::rcp(new Problem(Teuchos::rcp<Epetra_Operator>(K.get(), false),
                                             Teuchos::rcp<Epetra_Operator>(M.get(), false),
                                             make_start(map, assembly.unknowns(), block)));
     problem->setPrec(inverse);
+    // Here K - shift M and M are both symmetric, and all steps are Rayleigh and Ritz.
     problem->setHermitian(true);
     problem->setNEV(n);
     problem->setProblem();
     Teuchos::ParameterList list = make_list("SR", block, tolerance);
     list.set("Maximum Iterations", 500);
+    // Converged pairs are locked; full orthogonalization is slower, but does not break down
+    // near convergence.
     list.set("Full Ortho", true);
     list.set("Use Locking", true);
     Anasazi::LOBPCGSolMgr<double, Epetra_MultiVector, Epetra_Operator> solver(problem, list);
@@ -295,6 +306,7 @@ namespace vfife
     std::vector<double> residuals;
     for (std::size_t k = 0; k < pairs.values.size(); ++k)
       {
+        // |K x - lambda M x|^2 and |M x|^2
         double rest = 0, size = 0;
         for (int i = 0; i < x.MyLength(); ++i)
           {

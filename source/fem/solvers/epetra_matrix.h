@@ -29,6 +29,9 @@ namespace vfife
                                                               const SparsePattern &pattern,
                                                               const SparseValues  &values)
   {
+    // Rows are counted before they are filled: memory is taken once. The pattern is that of
+    // all matrices of an assembly, so that each has zeros of its own; multigrid would take
+    // them for couplings.
     std::vector<int> lengths(pattern.n_rows(), 0);
     const auto       is_kept = [&](const int row, const std::size_t k) {
       return values[k] != 0 || pattern.columns[k] == pattern.first_row + row;

@@ -22,13 +22,18 @@ namespace vfife
       Teuchos::ParameterList list;
       ML_Epetra::SetDefaults("SA", list);
       list.set("ML output", 0);
+      // Padded unknowns: the three of a point go to one aggregate. Couplings below the threshold do
+      // not join points.
       list.set("PDE equations", 3);
       list.set("aggregation: threshold", 1e-3);
+      // A polynomial of degree three on the upper nine tenths of the spectrum, symmetric as
+      // conjugate gradients ask for.
       list.set("smoother: type", "Chebyshev");
       list.set("smoother: sweeps", 3);
       list.set("smoother: Chebyshev alpha", 10.);
       list.set("coarse: type", "Amesos-KLU");
       list.set("coarse: max size", 1000);
+      // The coarse spaces hold what is given here, and nothing else.
       list.set("null space: type", "pre-computed");
       list.set("null space: dimension", kernel.NumVectors());
       list.set("null space: vectors", kernel.Values());

@@ -51,6 +51,7 @@ namespace vfife
     solver.SetPrecOperator(operators_->multigrid.operators.get());
     solver.SetAztecOption(AZ_solver, AZ_cg);
     solver.SetAztecOption(AZ_output, AZ_none);
+    // AZ_rhs: the residual is measured by the load.
     solver.SetAztecOption(AZ_conv, AZ_rhs);
     solver.Iterate(1000, tolerance);
     n_iterations_ = solver.NumIters();

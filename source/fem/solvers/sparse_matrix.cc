@@ -35,6 +35,7 @@ namespace vfife
   Eigen::MatrixXd SparseMatrix::project(const std::vector<OwnedVector> &x,
                                         const std::vector<OwnedVector> &y) const
   {
+    // Column by column, as Eigen stores them; one reduction for all.
     std::vector<double> products;
     for (const OwnedVector &column : y)
       {

@@ -54,8 +54,11 @@ namespace vfife
     unknowns.rotation = HubRotation::pinned;
     assembly_         = std::make_unique<Assembly>(discretization_, unknowns, communicator);
     const SystemMatrices matrices(*assembly_, options.mass);
-    const auto   rate = [&model](const unsigned int body) { return model.bodies[body].rate; };
-    SparseValues K    = matrices.stiffness();
+    const auto rate = [&model](const unsigned int body) { return model.bodies[body].rate; };
+    // K0 - Omega^2 S. Stresses and curvature of the hub depend on the state of spin, which is
+    // looked for with them: a fixed point, begun without stresses. The factors stay those of the
+    // last round but one, which are the same to the tolerance.
+    SparseValues K = matrices.stiffness();
     spun_.assign(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
     if (centrifugal)
       K = add_scaled(std::move(K), -1., matrices.spin_mass(rate));
@@ -73,6 +76,8 @@ namespace vfife
         factorize(spinning);
       }
 
+    // The traction of the torque bends the bodies at every position alike; contact is
+    // added by who asks.
     std::vector<double> forces(spun_.size(), 0.);
     for (const Torque &torque : model.torques)
       if (const auto *part = discretization_.find_part(torque.body))
@@ -127,6 +132,7 @@ namespace vfife
     missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
     n_prepared_ += missing.size();
 
+    // In blocks: MUMPS reads its factors once for each, and right sides stay few in memory.
     std::vector<double> force(spun_.size(), 0.);
     for (std::size_t first = 0; first < missing.size(); first += block)
       {

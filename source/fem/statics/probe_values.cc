@@ -23,6 +23,7 @@ namespace vfife
     value.von_mises    = von_mises(local);
     value.displacement = moved;
     stress             = turn_stress(local, frame);
+    // From the fixed frame into the body frame, then into r, theta, z there.
     if (!probe.fixed_axes)
       {
         value.displacement = axes.transpose() * (frame.transpose() * moved);

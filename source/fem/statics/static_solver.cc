@@ -16,11 +16,13 @@ namespace vfife
 {
   namespace
   {
+    /** Nodal forces [N] of a force per volume [N/mm^3], 3 a point of the element. */
     Eigen::VectorXd integrate_body_force(const ElementNodes                            &X,
                                          const std::function<Vector3(const Vector3 &)> &force)
     {
       ElementNodes forces = ElementNodes::Zero(3, X.cols());
       for (const ElementPoint &point : compute_element_points(X))
+        // f_a = sum_q w N_a force(x_q)
         forces += point.weight * force(X * point.N) * point.N.transpose();
       return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
     }
@@ -39,6 +41,7 @@ namespace vfife
       return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
     }
 
+    /** Of a load: its history at the time asked for, or the part of all loads. */
     double factor_of(const ParameterHistory &history, const StaticLoads &loads)
     {
       return loads.time ? history.value(*loads.time) : loads.part_of_loads;
@@ -56,6 +59,8 @@ namespace vfife
       std::vector<double> points = {-outer, outer};
       if (n == 3)
         points = {-outer, 0., outer};
+      // One at Gauss point i of a line, zero at the others; the field through all n^3 values is
+      // evaluated at the corners, which lie outside of them.
       const auto lagrange = [&](const unsigned int i, const double x) {
         double value = 1.;
         for (unsigned int j = 0; j < n; ++j)
@@ -96,6 +101,7 @@ namespace vfife
                                (constraint.kind == ConstraintKind::free_rotation ||
                                 constraint.kind == ConstraintKind::rigid_hub);
                       });
+        // Of a hub that is pinned or held, the rotation about the axis is not missing.
         const std::size_t n       = find_free_motions(discretization_, part).size();
         const std::size_t allowed = has_hub && rotation != HubRotation::free ? 1 : 0;
         if (n > allowed)
@@ -134,6 +140,9 @@ namespace vfife
                                             const std::vector<double> &spun,
                                             double                    &strain_energy) const
   {
+    // g(u) = (K + K_sigma) u - what acts: forces of the model and springs on one rank, the
+    // rest element by element. Without constraints it is zero in equilibrium; with them it is
+    // what they exert.
     const Discretization &d       = discretization_;
     const bool            is_root = communicator_.is_root();
     const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; });
@@ -197,6 +206,7 @@ namespace vfife
     const double    size     = assembly.dot(f, f);
     if (!std::isfinite(size))
       throw NumericalError("the loads of the static solution are not finite");
+    // Nothing acts: conjugate gradients could not measure their residual by it.
     if (size == 0)
       return assembly.expand(q);
     bool stable = true;
@@ -213,6 +223,7 @@ namespace vfife
         q            = solver.solve(f, options_.linear_tolerance);
         n_iterations = solver.n_iterations();
       }
+    // Conjugate gradients count no pivots, but an indefinite matrix shows in negative work.
     const double work = assembly.dot(f, q);
     if (!std::isfinite(work))
       throw NumericalError("the static solution is not finite");
@@ -228,6 +239,8 @@ namespace vfife
     std::vector<double> stressed(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
     if (!loads.centrifugal || !loads.stress_stiffness)
       return stressed;
+    // The fixed point of u = (K + K_sigma(u) + hub curvature(u))^-1 Omega^2 S X. K becomes the
+    // matrix it ends with, so that everything else is linear about the state of spin.
     const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
     // Softened bodies may be stable under their stresses only: the first round is not softened.
     SparseValues now          = matrices.stiffness();
@@ -258,6 +271,7 @@ namespace vfife
 
   StaticResult StaticSolver::solve(const StaticLoads &loads) const
   {
+    // u = T q + u_c: unknowns are what is not prescribed.
     Unknowns::Options unknowns;
     unknowns.padded       = options_.linear_solver == LinearSolverKind::multigrid;
     unknowns.rotation     = rotation_;
@@ -265,10 +279,12 @@ namespace vfife
     const Assembly       assembly(discretization_, unknowns, communicator_);
     const SystemMatrices matrices(assembly, options_.mass);
     SparseValues         K = matrices.stiffness();
+    // K - Omega^2 S: the displaced mass is thrown outwards too.
     if (loads.centrifugal && loads.spin_softening)
       K = add_scaled(std::move(K), -1., matrices.spin_mass([this](const unsigned int body) {
         return model_.bodies[body].rate;
       }));
+    // First the state of spin, which stiffens and softens K.
     const std::vector<double> spun = find_spun(loads, matrices, K);
 
     // K T q = -(K u - f) at the prescribed displacements u alone.
@@ -288,6 +304,7 @@ namespace vfife
                    result.displacements.begin(),
                    result.displacements.begin(),
                    std::plus<double>());
+    // What is left of all forces at the solution is what the constraints exert.
     result.reactions = balance(loads, result.displacements, spun, result.strain_energy);
     return result;
   }
@@ -300,7 +317,8 @@ namespace vfife
   std::vector<Stress> compute_node_stresses(const Discretization      &discretization,
                                             const std::vector<double> &displacements)
   {
-    const Model              &model = discretization.model();
+    const Model &model = discretization.model();
+    // The plain mean of the elements that meet at a node.
     std::vector<Stress>       stresses(model.n_nodes(), Stress::Zero());
     std::vector<unsigned int> counts(model.n_nodes(), 0);
     const Eigen::MatrixXd     corners =

@@ -17,6 +17,9 @@ namespace vfife
     , last_(unknowns_.first(communicator.rank() + 1))
     , links_(std::move(links))
   {
+    // Every rank knows all points and numbers all unknowns alike; it sums only the
+    // rows that it owns. So no matrix entries are sent: elements at the border
+    // between ranks are computed on both.
     find_elements();
     make_pattern();
   }
@@ -43,8 +46,9 @@ namespace vfife
 
   void Assembly::make_pattern()
   {
-    const unsigned int            n_local = discretization_.points_per_element();
-    const std::size_t             copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    const unsigned int n_local = discretization_.points_per_element();
+    const std::size_t  copy    = 3 * static_cast<std::size_t>(discretization_.n_points());
+    // First the columns of each own row in a list of their own, then all lists behind each other.
     std::vector<std::vector<int>> rows(last_ - first_);
     std::vector<std::size_t>      compressed(rows.size(), 0);
     const auto                    compress = [](std::vector<int> &row) {
@@ -54,6 +58,8 @@ namespace vfife
     const auto couple = [&](const unsigned int *points, const unsigned int n) {
       for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
         {
+          // All unknowns that the three components of these points depend on: terms of rows row ...
+          // row + 2 lie behind each other.
           std::vector<int> touched;
           for (unsigned int a = 0; a < n; ++a)
             {
@@ -95,6 +101,7 @@ namespace vfife
 
   std::size_t Assembly::find_entry(const unsigned int row, const unsigned int column) const
   {
+    // Columns of a row ascend.
     const auto from = pattern_.columns.begin() + pattern_.begin[row - first_];
     const auto to   = pattern_.columns.begin() + pattern_.begin[row - first_ + 1];
     return std::lower_bound(from, to, static_cast<int>(column)) - pattern_.columns.begin();
@@ -105,6 +112,7 @@ namespace vfife
                      const Eigen::MatrixXd &A,
                      SparseValues          &values) const
   {
+    // (T^T A T)_st = sum_ij T_is A_ij T_jt; rows of T are the terms of the displacements.
     const auto row_of = [&](const int i) {
       return row_offset + 3 * static_cast<std::size_t>(points[i / 3]) + i % 3;
     };
@@ -114,6 +122,7 @@ namespace vfife
           if (!is_mine(s->unknown))
             continue;
           for (int j = 0; j < A.cols(); ++j)
+            // Consistent masses and all that is "times identity" are two thirds zeros.
             if (A(i, j) != 0)
               for (const auto *t = unknowns_.begin(row_of(j)); t != unknowns_.end(row_of(j)); ++t)
                 values[find_entry(s->unknown, t->unknown)] +=
@@ -220,6 +229,7 @@ namespace vfife
   {
     double       sum = 0;
     unsigned int n   = 0;
+    // Padding has zero there and does not count.
     for (const double d : diagonal(values))
       if (d > 0)
         {

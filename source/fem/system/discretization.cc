@@ -22,6 +22,12 @@ namespace vfife
     void
     add_face_middles(const unsigned int *points, const unsigned int f, std::vector<bool> &inside)
     {
+      // Point i, j, k (0..2) of a cell has the number i + 3 j + 9 k; corners are
+      // where all three are 0 or 2. The face is the plane where coordinate "normal"
+      // is 0 or 2, spanned by the two others:
+      //     6 7 8     as i + 3 j: corners 0 2 6 8, middles of edges 1 3 5 7,
+      //     3 4 5     middle of the face 4
+      //     0 1 2
       const unsigned int step[3] = {1, 3, 9};
       const unsigned int normal = f / 2, base = (f % 2) * 2 * step[normal],
                          s = step[(normal + 1) % 3], t = step[(normal + 2) % 3];
@@ -85,6 +91,8 @@ namespace vfife
     for (const auto &nodes : body.elements())
       for (unsigned int a = 0; a < 27; ++a)
         {
+          // Corner v of the cell has coordinates 0 or 2 by its bits; it spans point a where they
+          // agree or a lies in the middle of that direction.
           const unsigned int        at[3] = {a % 3, a / 3 % 3, a / 9};
           std::vector<unsigned int> corners;
           for (unsigned int v = 0; v < 8; ++v)
@@ -104,6 +112,7 @@ namespace vfife
           for (const unsigned int corner : corners)
             mean += points_[corner] / corners.size();
           std::sort(corners.begin(), corners.end());
+          // Seen from the next cell the middle has the same corners, and so the same number.
           const auto found = middles.emplace(corners, n_points());
           if (found.second)
             points_.push_back(mean);
@@ -124,9 +133,11 @@ namespace vfife
     Discretization     sector(model, element);
     const unsigned int n_nodes = body.n_nodes() / n, n_elements = body.n_elements() / n;
     sector.sector_angle_ = 2. * pi / n;
-    const auto   &X      = body.node_positions();
-    const Matrix3 turn   = rotation_about(Vector3::UnitZ(), sector.sector_angle_);
-    double        size   = 0;
+    // Nodes and elements are numbered sector by sector: node i of sector s is s n_nodes + i. Sector
+    // 1 must be sector 0 turned; the others are made in the same way.
+    const auto   &X    = body.node_positions();
+    const Matrix3 turn = rotation_about(Vector3::UnitZ(), sector.sector_angle_);
+    double        size = 0;
     for (unsigned int i = 0; i < n_nodes; ++i)
       size = std::max(size, X[i].norm());
     for (unsigned int i = 0; i < n_nodes; ++i)
@@ -135,10 +146,13 @@ namespace vfife
           throw InputError("body \"" + body.name() + "\": its sectors are not turned copies");
         sector.points_.push_back(body.placement(X[i]));
       }
+    // Of nodes of sector 1: their points here.
     std::map<unsigned int, unsigned int> copies;
     for (unsigned int e = 0; e < n_elements; ++e)
       for (const std::uint32_t node : body.elements()[e])
         {
+          // Elements of sector 0 reach into sector 1 at most, whose nodes
+          // become images of those of sector 0.
           if (node < n_nodes)
             {
               sector.element_points_.push_back(node);
@@ -194,6 +208,7 @@ namespace vfife
   std::vector<unsigned int> Discretization::points_of(const Part                      &part,
                                                       const std::vector<unsigned int> &nodes) const
   {
+    // Images are no own points: what holds or loads them, does so at their originals.
     const unsigned int n_own = part.n_points - images_.size();
     std::vector<bool>  inside(n_points(), false);
     for (const unsigned int node : nodes)

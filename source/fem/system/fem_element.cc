@@ -27,6 +27,7 @@ namespace vfife
     {
       if (degree == 1)
         return {{.5 * (1. - x), .5 * (1. + x)}, {-.5, .5}};
+      // Places -1, 0, 1.
       return {{.5 * x * (x - 1.), 1. - x * x, .5 * x * (x + 1.)}, {x - .5, -2. * x, x + .5}};
     }
 
@@ -50,6 +51,8 @@ namespace vfife
       std::vector<ReferencePoint> points;
       for (unsigned int q = 0; q < n * n * n; ++q)
         {
+          // Points and nodes alike are numbered with x fastest; functions, gradients and weights
+          // are products of those of three lines.
           const std::array<unsigned int, 3> at = {{q % n, q / n % n, q / (n * n)}};
           std::array<Polynomials, 3>        p;
           for (unsigned int d = 0; d < 3; ++d)
@@ -77,6 +80,7 @@ namespace vfife
       return n_nodes == 8 ? linear : quadratic;
     }
 
+    /** From xx yy zz xy yz zx. */
     Matrix3 stress_tensor(const Eigen::Matrix<double, 6, 1> &s)
     {
       Matrix3 tensor;
@@ -106,6 +110,7 @@ namespace vfife
     std::vector<ElementPoint> points;
     for (const ReferencePoint &reference : reference_points(X.cols()))
       {
+        // J = dX/dxi; gradients to X are J^-T times those to xi.
         const Matrix3 jacobian    = X * reference.gradients.transpose();
         const double  determinant = jacobian.determinant();
         if (!(determinant > 0.))
@@ -143,9 +148,11 @@ namespace vfife
     if (kind == MassKind::consistent)
       return m;
 
+    // sum_b m_ab = rho int N_a dV, since the functions sum to one.
     const Eigen::VectorXd rows = m.rowwise().sum();
     if (X.cols() == 8)
       return rows.asDiagonal();
+    // Some of the 27 row sums are not positive; the diagonal is, and gets the element's mass.
     const Eigen::VectorXd scaled = m.diagonal() * (rows.sum() / m.diagonal().sum());
     return scaled.asDiagonal();
   }
@@ -164,6 +171,7 @@ namespace vfife
           stresses.col(q) = D * compute_strain_matrix(points[q].gradients) * u;
         return stresses;
       }
+    // The same points in the same order as compute_element_points().
     const ElementStrains              strains = compute_element_strains(X, stiffness_of(element));
     const Eigen::Matrix<double, 9, 1> bubbles = compute_bubble_recovery(strains, material) * u;
     Eigen::Matrix<double, 6, Eigen::Dynamic> stresses(6, 8);
@@ -177,6 +185,8 @@ namespace vfife
                                                  const FemElement       element,
                                                  const Eigen::VectorXd &u)
   {
+    // g_ab = sum_q w grad N_a . sigma grad N_b, with the trilinear gradients also where
+    // bubbles have taken part in sigma.
     const auto      stresses = compute_point_stresses(X, material, element, u);
     const auto      points   = compute_element_points(X);
     Eigen::MatrixXd g        = Eigen::MatrixXd::Zero(X.cols(), X.cols());

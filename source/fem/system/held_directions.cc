@@ -12,11 +12,13 @@ namespace vfife
       {
       case ConstraintKind::free_rotation:
       case ConstraintKind::rigid_hub:
+        // On the axis there is no tangent, and nothing is left free.
         return Matrix3::Identity() - tangent * tangent.transpose();
       case ConstraintKind::directions:
         {
           Matrix3 axes = Matrix3::Identity(), held = Matrix3::Zero();
           if (constraint.cylindrical)
+            // r, theta, z. On the axis r and theta are zero, what is held of them is added below.
             axes << tangent.cross(axis.direction), tangent, axis.direction;
           for (unsigned int c = 0; c < 3; ++c)
             if (constraint.prescribed[c])

@@ -18,6 +18,9 @@ namespace vfife
                             const Discretization::Part &part,
                             const BoundaryFace         &face)
     {
+      // Along a line the functions integrate to 1/2, 1/2 or, with the middle, to
+      // 1/6, 4/6, 1/6 (Simpson): products are 1/4 of a face, or 1/36, 4/36, 16/36 of
+      // it at corners, edges and middle.
       const unsigned int  n         = discretization.element() == FemElement::quadratic ? 3 : 2;
       const double        line[][3] = {{.5, .5, 0.}, {1. / 6, 4. / 6, 1. / 6}};
       const double *const weights   = line[n - 2];
@@ -36,6 +39,7 @@ namespace vfife
       return shares;
     }
 
+    /** Of a face at its undeformed place, out of the body [mm^2]. */
     Vector3 vector_area(const BoundaryFace         &face,
                         const Discretization       &discretization,
                         const Discretization::Part &part)
@@ -63,6 +67,7 @@ namespace vfife
             shares.emplace_back(part.first_point + load.nodes[i], nodal[i]);
           return shares;
         }
+      // Each face by its part of the whole area, then by its points.
       double sum = 0;
       for (const BoundaryFace &face : faces)
         sum += vector_area(face, discretization, part).norm();
@@ -99,6 +104,7 @@ namespace vfife
           MomentSums sums;
           for (const auto &share : shares)
             sums.add(share.second, places[share.first]);
+          // f_i = A_i (J^-1 M) x r_i about the centre of the set.
           const auto [centre, turn] = sums.solve(load.vector, load.name);
           for (const auto &share : shares)
             add(share.first, share.second * turn.cross(places[share.first] - centre));

@@ -30,6 +30,8 @@ namespace vfife
     Vector3      centre = Vector3::Zero();
     for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
       centre += discretization.points()[p] / part.n_points;
+    // Rotations are divided by the largest distance from the centre:
+    // all six have the same magnitude.
     double size = 0;
     for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
       size = std::max(size, (discretization.points()[p] - centre).norm());
@@ -58,6 +60,7 @@ namespace vfife
       if (load.kind == LoadKind::spring && load.body == part.body)
         for (const unsigned int p : discretization.points_of(part, load.nodes))
           forbid(p, Matrix3(load.vector.cwiseSign().asDiagonal()));
+    // Motions that nothing forbids are its kernel.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(forbidden);
     const auto                       rigid = make_rigid_motions(discretization, part, centre);
     std::vector<std::vector<double>> motions;

@@ -17,6 +17,7 @@ namespace vfife
       return m;
     }
 
+    /** Projects on the plane across the axis. */
     Matrix3 across(const Vector3 &a)
     {
       return Matrix3::Identity() - a * a.transpose();
@@ -92,8 +93,9 @@ namespace vfife
   {
     const Discretization &d = assembly_.discretization();
     return assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
-      const Axis        &line  = axis(e);
-      const double       omega = rate(body(e));
+      const Axis  &line  = axis(e);
+      const double omega = rate(body(e));
+      // Omega^2 m_ab (1 - a a^T) X_b, the columns of X being the element's points.
       const ElementNodes arms =
         across(line.direction) * (d.element_nodes(e).colwise() - line.point);
       const ElementNodes forces = omega * omega * arms * mass_coefficients(e);
@@ -103,7 +105,9 @@ namespace vfife
 
   SparseValues SystemMatrices::hub_curvature(const std::vector<double> &u, const Rate &rate) const
   {
-    const Discretization           &d = assembly_.discretization();
+    const Discretization &d = assembly_.discretization();
+    // The force F of the constraint stays radial. When the point moves by u_t along the circle of
+    // radius r, F turns by u_t/r, which is a force F/r u_t along the tangent: a stiffness of -F/r.
     std::map<unsigned int, Vector3> reactions;
     for (const Constraint &constraint : d.model().constraints)
       if (const Discretization::Part *part = d.find_part(constraint.body))
@@ -111,6 +115,8 @@ namespace vfife
             constraint.kind == ConstraintKind::rigid_hub)
           for (const unsigned int p : d.points_of(*part, constraint.nodes))
             reactions.emplace(p, Vector3::Zero());
+    // At the border of a sector a point gets part of its force from the elements at its images, and
+    // the curvature of the image turns up in the row of its original.
     for (const auto &image : d.images())
       if (reactions.count(image.second) != 0)
         reactions.emplace(image.first, Vector3::Zero());

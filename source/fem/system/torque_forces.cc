@@ -9,6 +9,8 @@ namespace vfife
                          const double                value,
                          std::vector<double>        &forces)
   {
+    // Corner nodes come first in a body's points, so that their numbers
+    // serve for quadratic elements too.
     const Body          &body = discretization.model().bodies[torque.body];
     std::vector<Vector3> tangents;
     double               moment = 0;

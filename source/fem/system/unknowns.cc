@@ -33,6 +33,7 @@ namespace vfife
     Vector3
     prescribed_displacement(const Constraint &constraint, const Axis &axis, const Vector3 &point)
     {
+      // A small rotation: angle times a x (X - c).
       if (constraint.kind == ConstraintKind::prescribed_rotation)
         return constraint.angle.value_or(0.) * axis.direction.cross(point - axis.point);
       Vector3 led = Vector3::Zero();
@@ -42,6 +43,7 @@ namespace vfife
             led[c] = constraint.displacement[c];
       if (!constraint.cylindrical)
         return led;
+      // Prescribed is an angle.
       led[1] *= distance_from(axis, point);
       return cylindrical_axes(axis, point) * led;
     }
@@ -82,8 +84,11 @@ namespace vfife
     if (options.harmonic > n / 2)
       throw InputError("a body of " + std::to_string(n) + " sectors has harmonics 0 to " +
                        std::to_string(n / 2) + ", not " + std::to_string(options.harmonic));
+    // One copy is enough for h = 0 and h = N/2, where exp(i h angle) is 1 or -1.
     n_copies_ = options.harmonic > 0 && 2 * options.harmonic < n ? 2 : 1;
 
+    // Three passes: what is free at each point, who owns it and which
+    // number it gets, then the rows of T.
     std::vector<LocalAxes> axes = make_axes(discretization, options);
     number(discretization, options.padded, n_ranks, axes);
     fill_terms(discretization, options, axes);
@@ -115,6 +120,7 @@ namespace vfife
                 local.hold(constraint, axis, discretization.points()[p]);
                 continue;
               }
+            // All other kinds hold what is not given back below.
             local.active = {{false, false, false}};
             if (constraint.kind == ConstraintKind::held ||
                 constraint.kind == ConstraintKind::prescribed_rotation)
@@ -126,7 +132,10 @@ namespace vfife
             local.columns.col(0) = -axis.direction.cross(tangent.normalized());
             local.columns.col(1) = tangent.normalized();
             local.columns.col(2) = axis.direction;
-            const bool hub       = constraint.kind == ConstraintKind::rigid_hub;
+            // The tangent turns freely unless hubs are held. Pinned: the first point of a hub whose
+            // points turn freely, or the one angle of a rigid hub. That angle is the same in all
+            // sectors, so waves (h > 0) have none.
+            const bool hub = constraint.kind == ConstraintKind::rigid_hub;
             const bool turns =
               options.rotation == HubRotation::free ||
               (options.rotation == HubRotation::pinned && !hub && p != points.front());
@@ -134,6 +143,7 @@ namespace vfife
             if (hub)
               {
                 local.hub = c;
+                // u_t = r phi
                 local.columns.col(1) *= tangent.norm();
               }
           }
@@ -175,6 +185,8 @@ namespace vfife
               continue;
             for (unsigned int k = 0; k < 3; ++k)
               {
+                // A rigid hub's angle gets its number at the hub's first
+                // point; later points refer to it.
                 const bool shared = local.hub != none && hubs.count(local.hub) != 0;
                 const bool acts   = local.active[k] && !local.is_image;
                 if (acts && shared)
@@ -185,6 +197,7 @@ namespace vfife
                     if (local.hub != none)
                       hubs.emplace(local.hub, local.unknown[k]);
                   }
+                // Padding: three numbers a point, whatever acts.
                 if (padded || (acts && !shared))
                   padding_.push_back(!acts || shared);
               }
@@ -197,7 +210,8 @@ namespace vfife
                             const Options                &options,
                             const std::vector<LocalAxes> &axes)
   {
-    const unsigned int                   n_points = discretization.n_points();
+    const unsigned int n_points = discretization.n_points();
+    // By copy: which point it is the image of.
     std::map<unsigned int, unsigned int> original;
     for (const auto &image : discretization.images())
       original.insert(image);
@@ -212,6 +226,7 @@ namespace vfife
     const auto add = [&](const LocalAxes &local, const Matrix3 &factor, const unsigned int c) {
       for (unsigned int k = 0; k < 3; ++k)
         if (local.unknown[k] != none)
+          // u_c = sum_k columns(c, k) q_k; an image takes those of its original, turned.
           terms_.push_back({local.unknown[k], factor.row(c).dot(local.columns.col(k))});
     };
     start_.push_back(0);
@@ -251,6 +266,7 @@ namespace vfife
     for (std::size_t row = 0; row < u.size(); ++row)
       for (const Term *t = begin(row); t != end(row); ++t)
         {
+          // q_i = (sum of T_ri u_r) / (sum of T_ri^2), T having orthogonal columns.
           q[t->unknown] += t->coefficient * u[row];
           weight[t->unknown] += t->coefficient * t->coefficient;
         }

@@ -18,6 +18,8 @@ namespace vfife
 
   void BodyOptions::declare_kind(dealii::ParameterHandler &prm)
   {
+    // Names of shapes, and one more for the file; the word is stored itself, since the list
+    // belongs to mesh.
     auto shapes = PrimitiveOptions::shapes();
     shapes.push_back(from_file);
     declare_choice(
@@ -33,6 +35,7 @@ namespace vfife
   void BodyOptions::declare(dealii::ParameterHandler &prm, const std::string &section)
   {
     declare_kind(prm);
+    // A file brings its own sizes; a shape declares those that it has.
     if (mesh == from_file)
       declare_text(prm,
                    "file",
@@ -93,6 +96,8 @@ namespace vfife
       throw InputError(section + "/rotation axis", "a direction of length zero");
     if (axis_direction.norm() == 0)
       throw InputError(section + "/axis direction", "a direction of length zero");
+    // Two ways to say how a body moves; one given beside the other kind of body would be
+    // ignored silently.
     if (bearing && (!velocity.isZero(0.) || !angular_velocity.isZero(0.)))
       throw InputError(section + "/" + (velocity.isZero(0.) ? "angular velocity" : "velocity"),
                        "a body with a bearing moves by its speed about the axis only");
@@ -121,6 +126,7 @@ namespace vfife
                          const std::string &section) const
   {
     Body body(name, make_mesh(section), of_material);
+    // x = R X + position: turned about the body frame's origin, then moved.
     body.placement.rotation    = rotation_about(rotation_axis.normalized(), rotation_angle);
     body.placement.translation = position;
     if (bearing)
@@ -131,6 +137,8 @@ namespace vfife
       }
     else
       {
+        // A body that flies freely turns about its centre of mass: that is the point of its axis at
+        // time zero, and the direction of its angular velocity the axis.
         Vector3 centre = Vector3::Zero();
         for (unsigned int i = 0; i < body.n_nodes(); ++i)
           centre += body.node_masses()[i] / body.mass() * body.placement(body.node_positions()[i]);
@@ -141,6 +149,8 @@ namespace vfife
         body.velocity = velocity;
       }
 
+    // All three are parsed even if none is set: a mistake in one is found. Without any the body
+    // stores nothing.
     std::vector<Expression> formulas;
     bool                    moves = false;
     for (unsigned int c = 0; c < 3; ++c)

@@ -28,6 +28,7 @@ namespace vfife
       });
     }
 
+    /** What a solver knows; springs become loads. */
     ConstraintKind constraint_kind(const SupportKind kind)
     {
       switch (kind)
@@ -121,11 +122,14 @@ namespace vfife
       constraint.angle = angle;
     if (kind == SupportKind::displacement)
       {
+        // z alone is of both lists and taken as that of the fixed frame.
         constraint.cylindrical = !are_all_in(directions, fixed_directions);
         const auto &words      = constraint.cylindrical ? cylindrical_directions : fixed_directions;
         for (unsigned int c = 0; c < 3; ++c)
           constraint.prescribed[c] =
             std::find(directions.begin(), directions.end(), words[c]) != directions.end();
+        // Along r, theta, z the second entry is the angle, which has an entry (and a
+        // unit) of its own.
         constraint.displacement = displacement;
         if (constraint.cylindrical)
           constraint.displacement[1] = angle;

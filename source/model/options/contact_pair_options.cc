@@ -77,6 +77,7 @@ namespace vfife
         model.walls.push_back(added);
         return;
       }
+    // Only for its finding of a body by name, with the message for a wrong one.
     NodeSelection slave, master;
     slave.body  = slave_body;
     master.body = master_body;

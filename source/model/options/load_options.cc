@@ -53,6 +53,7 @@ namespace vfife
     load.vector   = vector;
     load.pressure = pressure;
     load.history  = history;
+    // Formula or file are read now, so that a mistake is found before anything is computed.
     load.history.check(section);
     model.loads.push_back(load);
   }

@@ -20,6 +20,10 @@ namespace vfife
     }
 
     template <typename Options>
+    /**
+     * Default options for each name. All are made before anything is declared: entries are
+     * bound by address.
+     */
     void make_named(const std::vector<std::string>               &names,
                     std::vector<std::pair<std::string, Options>> &options)
     {
@@ -70,6 +74,7 @@ namespace vfife
     double      least  = std::numeric_limits<double>::infinity();
     const auto &places = model.bodies[probe.body].node_positions();
     for (unsigned int i = 0; i < places.size(); ++i)
+      // The first of several nodes that are equally near.
       if ((places[i] - point).norm() < least)
         {
           least      = (places[i] - point).norm();
@@ -108,6 +113,7 @@ namespace vfife
     materials_.clear();
     materials_.reserve(bodies_.size()); // entries are bound by address
     for (const auto &body : bodies_)
+      // One section for all bodies of that material.
       if (std::none_of(materials_.begin(), materials_.end(), [&](const Material &m) {
             return m.name == body.second.material;
           }))
@@ -122,6 +128,7 @@ namespace vfife
   void ModelOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
     {
+      // First pass: which parts there are.
       dealii::ParameterHandler first;
       declare_names_of_parts(first);
       file.read_known(first);
@@ -132,11 +139,13 @@ namespace vfife
     make_named(contact_names_, contacts_);
     make_named(probe_names_, probes_);
     {
+      // Second pass: mesh and kinds, which decide what entries the parts have.
       dealii::ParameterHandler second;
       declare_kinds(second);
       file.read_known(second);
     }
 
+    // Third: everything, in the handler with which the whole file is read strictly.
     declare_names_of_parts(prm);
     {
       Subsection        section(prm, "Model");
@@ -179,6 +188,7 @@ namespace vfife
   {
     Model model;
     for (const auto &body : bodies_)
+      // Bodies first: the other parts look up bodies and their nodes.
       model.add_body(body.second.make(body.first,
                                       material(body.second.material),
                                       section_of("Body", body.first)));

@@ -43,6 +43,7 @@ namespace vfife
       return crc.checksum();
     }
 
+    /** One order for writing and reading; what changes it raises Header::format_version. */
     void exchange(ByteStream &stream, Checkpoint &checkpoint)
     {
       stream.pass(checkpoint.version, checkpoint.parameters, checkpoint.log_size);
@@ -60,6 +61,7 @@ namespace vfife
       bytes = content.str();
       Header       header;
       const Header known;
+      // From the cheap to the dear: length, mark, version, length behind the header, checksum.
       if (bytes.size() < sizeof(header))
         return "\"" + path + "\" is damaged: it has " + std::to_string(bytes.size()) + " bytes";
       std::memcpy(&header, bytes.data(), sizeof(header));
@@ -117,6 +119,8 @@ namespace vfife
                         const bool          keeps_previous)
   {
     Checkpoint checkpoint;
+    // What only a rank knows, in the order of the ranks: it serves as many ranks again,
+    // "common" any number.
     checkpoint.own = folder.communicator().all_gather(own);
     if (!folder.is_writer())
       return;
@@ -149,6 +153,7 @@ namespace vfife
 
   Checkpoint read_checkpoint(const std::string &folder, const Communicator &communicator, Log &log)
   {
+    // One rank reads; all get the same bytes or the same complaint, so that all throw.
     std::string file, bytes, complaint;
     if (communicator.is_root())
       {
@@ -183,6 +188,7 @@ namespace vfife
     same = n == model.bodies.size();
     for (std::size_t b = 0; same && b < n; ++b)
       {
+        // When reading, "mark" becomes what is stored; when writing it stays what is now.
         const BodyMark now(model.bodies[b]);
         BodyMark       mark = now;
         mark.exchange(stream);
@@ -192,6 +198,7 @@ namespace vfife
       throw InputError(
         "the checkpoint is of another model: bodies, mesh and material must be those "
         "of the run that wrote it");
+    // Probes "that pass the mesh at 75 % of the run" depend on its length, which may have changed.
     for (Probe &probe : model.probes)
       stream.pass(probe.node);
   }

@@ -54,8 +54,10 @@ namespace vfife
       throw std::runtime_error("cannot write \"" + path + "\": " + std::strerror(errno));
     }
 
+    /** Makes a folder on one rank and throws on all ranks what went wrong there. */
     void create_on_root(const std::string &path, const Communicator &communicator)
     {
+      // What a user can set right is told from what the disk refuses; either way on all ranks.
       std::string reason = communicator.broadcast(communicator.is_root() ? judge(path) : "");
       if (!reason.empty())
         throw InputError("Study/output folder", reason);
@@ -106,6 +108,7 @@ namespace vfife
   void OutputFolder::write_file(const std::string                         &name,
                                 const std::function<void(std::ostream &)> &write) const
   {
+    // Closed before it is renamed: a full disk shows at the latest when the last bytes go out.
     const std::string path      = file(name);
     const std::string temporary = path + ".part";
     {
@@ -162,6 +165,7 @@ namespace vfife
     log_file_ = std::make_unique<std::ofstream>(path, kept ? std::ios::app : std::ios::trunc);
     if (!*log_file_)
       refuse(path);
+    // Only then tellp() says how long the file is (log_size()).
     log_file_->seekp(0, std::ios::end);
     log.write_to(*log_file_);
   }

@@ -36,6 +36,7 @@ namespace vfife
       {"centrifugal shift", "arcsec", "/transmission error/centrifugal shift/value"},
       {"swing frequency", "Hz", "/figures/swing frequency, estimated/value"}};
 
+    /** Numbers, and yes or no as 1 or 0; NaN for what is missing or null. */
     double read_number(const Json &json, const std::string &pointer)
     {
       const Json::json_pointer place(pointer);

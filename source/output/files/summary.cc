@@ -13,6 +13,7 @@ namespace vfife
 {
   namespace
   {
+    /** Sizes of the model and of each body, in the units of a reader: kg, kg m^2, rpm. */
     Json mesh(const RunSummary &summary)
     {
       std::uint64_t cells = 0, nodes = 0;
@@ -64,6 +65,7 @@ namespace vfife
       return json;
     }
 
+    /** Where figures are from, why, and what each column of the history does there. */
     Json steady_part(const SteadyPart &part)
     {
       Json json;
@@ -85,6 +87,7 @@ namespace vfife
       return json;
     }
 
+    /** Entry for entry the sums of the ledger, so that the residual can be checked by hand. */
     Json energy(const EnergyLedger &ledger)
     {
       Json json;
@@ -137,6 +140,7 @@ namespace vfife
     json["revision"]       = summary.revision;
     json["mesh"]           = mesh(summary);
     json["run"]            = run(summary);
+    // Sections without content are left out; who reads takes a missing one for "not known".
     if (!summary.figures.empty())
       json["figures"] = figures_json(summary.figures);
     if (summary.steady)

@@ -21,12 +21,16 @@ namespace vfife
       n_sums
     };
 
+    /** From the axis to the point, across the axis [mm]. */
     Vector3 off_axis(const Vector3 &x, const Axis &axis)
     {
       const Vector3 r = x - axis.point;
       return r - r.dot(axis.direction) * axis.direction;
     }
 
+    /**
+     * n_sums numbers a body over the nodes that this rank owns; zeros for bodies without bearings.
+     */
     std::vector<double> compute_sums(const Model &model, const State &state)
     {
       std::vector<double> sums(n_sums * model.bodies.size(), 0.);
@@ -70,6 +74,8 @@ namespace vfife
         if (!body.turns_on_axis)
           continue;
         const double *sum = &sums[n_sums * b];
+        // Without a body_motion the angle that brings r0 nearest to r in the mean over the mass:
+        // its tangent is sum m a.(r0 x r) / sum m r0.r.
         motions[b].rotation =
           state.body_motion.size() == model.bodies.size()
             ? compute_turn(body, state.body_motion[b])

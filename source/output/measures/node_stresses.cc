@@ -13,6 +13,10 @@ namespace vfife
     /** Six sums of stresses and the number of elements in them. */
     constexpr unsigned int n_records = 7;
 
+    /**
+     * Adds the element's nodal stresses [MPa], in the axes of the body frame, to the
+     * records of its nodes.
+     */
     void add_element_stresses(const Body          &body,
                               const unsigned int   element,
                               const State         &state,
@@ -46,6 +50,7 @@ namespace vfife
     std::size_t         b = 0;
     for (const std::uint32_t e : state.partition.elements)
       {
+        // The partition's elements ascend, and so do their bodies.
         while (e >= model.bodies[b].first_element + model.bodies[b].n_elements())
           ++b;
         add_element_stresses(
@@ -60,6 +65,7 @@ namespace vfife
           const double *record = &records[n_records * (body.first_node + i)];
           if (record[6] == 0)
             continue;
+          // Averaged along the axes of the body frame, then turned once for each node.
           const Stress turned =
             turn_stress(Eigen::Map<const Stress>(record) / record[6],
                         compute_cylindrical_axes(body, body.node_positions()[i]));

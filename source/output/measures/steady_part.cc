@@ -34,7 +34,8 @@ namespace vfife
       double integral(const double row) const
       {
         const std::size_t i = std::min(static_cast<std::size_t>(row), samples_.size() - 2);
-        const double      s = row - static_cast<double>(i);
+        // The trapezoidal rule up to a place between two samples.
+        const double s = row - static_cast<double>(i);
         return sums_[i] + s * (samples_[i] + 0.5 * s * (samples_[i + 1] - samples_[i]));
       }
 
@@ -54,6 +55,9 @@ namespace vfife
                          [&name](const Table::Column &c) { return c.name == name && !c.is_text; });
     }
 
+    /**
+     * Mean and standard deviation as integrals over the window, peak to peak of the samples in it.
+     */
     ColumnStatistics compute_statistics(const Table::Column &column, const Window &window)
     {
       const std::vector<double> &values = column.numbers;
@@ -69,6 +73,7 @@ namespace vfife
       statistics.standard_deviation =
         std::sqrt(SampleIntegral(std::move(squares)).mean(window.begin, window.end));
 
+      // Of peaks only whole samples count: those in the window, its ends included to round-off.
       const auto first =
         values.begin() + static_cast<std::ptrdiff_t>(std::ceil(window.begin - 1e-6));
       const auto last =
@@ -159,6 +164,8 @@ namespace vfife
     if (judged.empty())
       throw InputError("the history has none of the columns by which a steady part is judged");
 
+    // Two swing periods are compared with each other, or, where there is only one,
+    // its single cycles.
     part.judged_cycles = n_cycles - first_cycle;
     part.by_cycles     = part.judged_cycles >= part.period && part.judged_cycles < 2 * part.period;
     const int span     = (part.by_cycles ? 1 : 2) * static_cast<int>(part.period);
@@ -179,6 +186,7 @@ namespace vfife
         part.largest_change = std::max(part.largest_change, change);
         start               = k;
       }
+    // The last third in whole cycles; a history shorter than one cycle has rows only.
     if (!part.found && n_cycles > 0)
       start = n_cycles - std::max(1U, n_cycles / 3);
 

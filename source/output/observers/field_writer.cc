@@ -41,6 +41,7 @@ namespace vfife
       n_rows       = 16
     };
 
+    /** In the order of Row; components of a vector share its name. */
     const std::vector<std::string> &row_names()
     {
       static const std::vector<std::string> names = {"displacement",
@@ -94,10 +95,13 @@ namespace vfife
                                    const Vector3               &v,
                                    const std::array<double, 6> &node_stress)
     {
+      // Drawn along the turned axes, R times what is left in the body: the mesh is shown
+      // where it is now.
       NodeRecord    record;
       const Vector3 now = x - body.axis.point;
       const Vector3 u   = motion.rotation * compute_displacement(body, node, x, motion.rotation);
-      const Vector3 w   = 1e-3 * (v - motion.rate.cross(now)); // mm/s to m/s
+      // v - omega x (x - c): what is left when the body's turning is taken out.
+      const Vector3 w = 1e-3 * (v - motion.rate.cross(now)); // mm/s to m/s
       for (unsigned int c = 0; c < 3; ++c)
         {
           record[displacement + c] = static_cast<float>(u[c]);
@@ -111,6 +115,7 @@ namespace vfife
       return record;
     }
 
+    /** Of all local nodes; @p stresses and @p contact_areas are those of the model's nodes. */
     std::vector<NodeRecord> compute_node_records(const Model                              &model,
                                                  const State                              &state,
                                                  const std::vector<BodyMotion>            &motions,
@@ -130,6 +135,7 @@ namespace vfife
                                              state.node_position(i),
                                              state.node_velocity(i),
                                              stresses[node]);
+            // The nodal force over the node's area: a mean pressure, without regard to the normal.
             if (contact_areas[node] > 0 && !state.contact_force.empty())
               records[i][pressure] =
                 static_cast<float>(Eigen::Map<const Vector3>(&state.contact_force[4 * i]).norm() /
@@ -152,9 +158,11 @@ namespace vfife
           const Body        &body    = model.bodies[b];
           const unsigned int element = partition.elements[p] - body.first_element;
           const auto        &sector  = body.mesh().sector;
-          Patch             &patch   = patches[p];
-          patch.patch_index          = p;
-          patch.reference_cell       = dealii::ReferenceCells::Hexahedron;
+          // A patch is one element with its eight corners, in deal.II's order as the body's
+          // elements have them.
+          Patch &patch         = patches[p];
+          patch.patch_index    = p;
+          patch.reference_cell = dealii::ReferenceCells::Hexahedron;
           patch.data.reinit(n_rows, 8);
           for (unsigned int i = 0; i < 8; ++i)
             {
@@ -172,10 +180,12 @@ namespace vfife
       return patches;
     }
 
+    /** By node of the model, zero off the surfaces of contact pairs [mm^2]. */
     std::vector<double> compute_contact_areas(const Model &model)
     {
       std::vector<double> areas(model.n_nodes(), 0.);
-      const auto          add_surface = [&](const unsigned int b, const std::string &name) {
+      // Areas by node of the model; a node of two surfaces has that of the last one.
+      const auto add_surface = [&](const unsigned int b, const std::string &name) {
         const Body &body    = model.bodies[b];
         const auto  surface = body.mesh().surfaces.find(name);
         if (surface == body.mesh().surfaces.end())
@@ -219,6 +229,8 @@ namespace vfife
 
   void FieldWriter::exchange(ByteStream &stream)
   {
+    // A resumed run goes on with the numbering, and its list names no file written after
+    // the checkpoint.
     stream.pass(instants_);
     if (stream.reads() && !instants_.empty())
       write_pvd();
@@ -253,6 +265,8 @@ namespace vfife
       return instant.str() + (communicator.size() > 1 ? "." + std::to_string(rank) : "") + ".vtu";
     };
 
+    // Every rank writes its own piece; the first joins them by a .pvtu and lists the
+    // instant in fields.pvd.
     folder_.write_file("fields/" + piece(communicator.rank()), [&](std::ostream &out) {
       dealii::DataOutBase::write_vtu(patches, row_names(), vector_rows(), flags, out);
     });

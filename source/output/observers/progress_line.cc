@@ -67,6 +67,7 @@ namespace vfife
     if (model.transmission)
       text << std::fixed << std::setprecision(2) << "  DTE "
            << state.measured.transmission_error / arcsecond << " arcsec";
+    // By what this process has done: a resumed run does not count the part before.
     if (done > first_fraction_ && done < 1)
       text << "  " << duration_text(seconds_since(begin_) * (1 - done) / (done - first_fraction_))
            << " left";
@@ -75,6 +76,7 @@ namespace vfife
 
   void ProgressLine::say_expected_time(const State &state)
   {
+    // Enough for caches, contact and the first output to be in the mean.
     constexpr std::uint64_t enough = 200;
     const std::uint64_t     steps  = state.step - first_step_;
     if (said_expected_ || steps < enough)
@@ -100,6 +102,7 @@ namespace vfife
 
   void ProgressLine::observe(const Model &model, const State &state)
   {
+    // The clock starts with the first state, after meshing and preload.
     if (!has_begun_)
       {
         begin_ = last_line_ = WallClock::now();
@@ -118,12 +121,14 @@ namespace vfife
       {
         const std::string text = compose(model, state);
         const std::size_t rest = shown_ > text.size() ? shown_ - text.size() : 0;
+        // The line is overwritten; blanks cover what was longer before.
         std::cout << '\r' << text << std::string(rest, ' ') << std::flush;
         shown_ = text.size();
       }
     else if (done >= last_fraction_ + 0.05 - 1e-9 || waited >= 60)
       {
         log_.line(compose(model, state));
+        // The next line comes at the next whole 5 %, also if this one was late.
         last_fraction_ = std::floor(20 * done + 1e-9) / 20;
       }
     else

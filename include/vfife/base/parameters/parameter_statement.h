@@ -25,11 +25,10 @@ namespace vfife
   };
 
   /**
-   * The statements of a file in deal.II's parameter syntax: `subsection NAME`, `end`, `set NAME =
-   * VALUE`, `include FILE` (relative to the including file; its statements stand in the section of
-   * the include),
-   * `#` begins a comment, `\` at the end continues the line. A place is that of the first line of a
-   * statement.
+   * The statements of a file in deal.II's parameter syntax: `subsection NAME`, `end`,
+   * `set NAME = VALUE`, `include FILE` (relative to the including file; its statements stand in the
+   * section of the include), `#` begins a comment, `\` at the end continues the line. A place is
+   * that of the first line of a statement.
    * @throws InputError with file and line: unreadable file, missing '=', unknown word, sections
    * that are not closed or closed once too often, an entry set twice in one file (deal.II would
    * silently take the last).
