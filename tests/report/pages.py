@@ -3,7 +3,10 @@
 """Reports of made-up runs: one page that needs nothing else, with what the folder has."""
 import csv
 import json
+import os
 import re
+import subprocess
+import sys
 import tempfile
 import unittest
 from html.parser import HTMLParser
@@ -12,6 +15,7 @@ from pathlib import Path
 from made_up_run import (  # first: ends the test without the libraries
     make_parameters, make_summary, quantity, write_parameters, write_run)
 
+import vfife_report
 from vfife_report.command import main
 from vfife_report.page.page import Page
 from vfife_report.page.parts import Cells, Paragraph, format_number
@@ -63,6 +67,27 @@ class Pages(unittest.TestCase):
             self.assertEqual(text.count("<img "), 11)
             for data in re.findall("Data: <code>(.*?)</code>", text):
                 self.assertTrue((Path(name) / data).is_file(), data)
+
+    def test_killed(self):
+        """A run without summary: histories over time, nothing over tooth meshes."""
+        with tempfile.TemporaryDirectory() as name:
+            write_run(Path(name), fields=False)
+            (Path(name) / "summary.json").unlink()
+            main([name])
+            chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(name))
+            self.assertEqual(chapters, ["The case", "Key figures", "Transmission error", "Contact",
+                                        "Stress at the probes", "Motion of the rim",
+                                        "Energy and damping", "Checks"])
+
+    def test_missing_library(self):
+        """One line, and the exit code that asks for another Python."""
+        script = Path(vfife_report.__file__).parents[1] / "make_report.py"
+        for library in ("numpy", "matplotlib", "jinja2", "meshio"):
+            with tempfile.TemporaryDirectory() as name:
+                (Path(name) / f"{library}.py").write_text(f"raise ImportError('no {library}')\n")
+                ended = subprocess.run([sys.executable, "-B", script, name], capture_output=True, text=True,
+                                       check=False, env={**os.environ, "PYTHONPATH": name})
+                self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (77, f"no {library}\n", ""))
 
     def test_study(self):
         with tempfile.TemporaryDirectory() as name:
@@ -143,8 +168,9 @@ class Pages(unittest.TestCase):
         parameters = {name: (value + self.MARKUP, unit)
                       for name, (value, unit) in make_parameters(thickness).items()}
         parameters["Gear pair/Gear/Body/web"] = ("conical", "")
-        write_parameters(folder, {**parameters, **{f"Material {self.MARKUP}/{what}": (self.MARKUP, "")
-                                                   for what in ("Young's modulus", "Poisson's ratio", "density")}})
+        for what in ("Young's modulus", "Poisson's ratio", "density"):
+            parameters[f"Material {self.MARKUP}/{what}"] = (self.MARKUP, "")
+        write_parameters(folder, parameters)
         with open(folder / "probes.csv", "w", encoding="utf-8", newline="") as file:
             csv.writer(file).writerows([["time [s]", "probe", "von mises [MPa]"]] + [
                 [1e-5 * k, self.MARKUP, 10 * (k == 5)] for k in range(20)])

@@ -72,7 +72,8 @@ class Geometry(unittest.TestCase):
 
 
 class PiecesOfRanks(unittest.TestCase):
-    EMPTY = '<VTKFile><UnstructuredGrid><Piece NumberOfPoints="0" NumberOfCells="0"/></UnstructuredGrid></VTKFile>'
+    EMPTY = ('<VTKFile><UnstructuredGrid><Piece NumberOfPoints="0" NumberOfCells="0"/>'
+             '</UnstructuredGrid></VTKFile>')
 
     def test_pieces(self):
         """Two ranks with halves of the cells, one without any."""
