@@ -14,9 +14,13 @@ install(FILES ${PROJECT_BINARY_DIR}/include/vfife/revision.h
 install(
   DIRECTORY source/report/
   DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife/report
+  COMPONENT report
   USE_SOURCE_PERMISSIONS
   FILES_MATCHING
-  PATTERN *.py)
+  PATTERN *.py
+  PATTERN *.html
+  PATTERN *.css
+  PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife)
 install(EXPORT vfifeTargets NAMESPACE vfife:: DESTINATION ${package_folder})
 

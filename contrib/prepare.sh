@@ -6,8 +6,9 @@
 build=build/release
 required_packages=(g++ cmake make perl git python3 ninja-build libdeal.ii-dev libeigen3-dev
   libboost-program-options-dev libboost-serialization-dev nlohmann-json3-dev openmpi-bin numdiff)
-# Faster BLAS, compiling and linking, the plots, the check of docstrings: done without where they cannot be had.
-wanted_packages=(libopenblas0-pthread ccache mold python3-numpy python3-matplotlib doxygen)
+# Faster BLAS, compiling and linking, the report, the check of docstrings: done without where they cannot be had.
+wanted_packages=(libopenblas0-pthread ccache mold python3-numpy python3-matplotlib python3-jinja2
+  python3-meshio doxygen)
 
 say() {
   printf '%s\n' "$*" >&2

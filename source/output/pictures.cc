@@ -98,7 +98,7 @@ namespace vfife
     if (outcome.exit_code == 0)
       log.line(last_line(outcome.text));
     else if (lacks_something(outcome))
-      log.line("no pictures: they need python3 with numpy and matplotlib (",
+      log.line("no pictures: they need python3 with numpy, matplotlib, Jinja2 and meshio (",
                last_line(outcome.text),
                ")");
     else

@@ -3,6 +3,7 @@
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/mpi_session.h>
@@ -16,6 +17,8 @@
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/output/output_options.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 #include <nlohmann/json.hpp>
 
@@ -142,6 +145,30 @@ namespace
         }
   }
 
+  void check_parameters(OutputFolder &folder)
+  {
+    dealii::ParameterHandler prm;
+    double                   speed = 0, factor = 2;
+    std::string              remark = "a \"word\" [mm] or two";
+    declare_text(prm, "remark", remark, "What is seen");
+    prm.enter_subsection("Operation");
+    declare_quantity(prm, "speed", speed, "rpm", "Speed of the pinion");
+    declare_number(prm, "factor", factor, "Of the load");
+    prm.set("speed", "20000 rpm");
+    prm.leave_subsection();
+    folder.write_parameters(prm);
+
+    const auto json = nlohmann::ordered_json::parse(read(folder.file("parameters.json")));
+    check("parameters by path", json.size() == 3 && json.items().begin().key() == "remark");
+    check("value, unit and default",
+          json["Operation/speed"].dump() == R"({"value":"20000 rpm","unit":"rpm","default":"0"})");
+    check("a number without dimension", json["Operation/factor"]["unit"] == "-");
+    check("a text has no unit", json["remark"]["value"] == remark && json["remark"]["unit"] == "");
+    check("the same parameters, readable again",
+          read(folder.file("parameters.prm")).find("20000 rpm") != std::string::npos &&
+            folder.parameters().size() == 3);
+  }
+
   void check_log(const Communicator &communicator)
   {
     std::ostringstream screen;
@@ -247,9 +274,10 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   std::filesystem::remove_all(folder_name);
   {
-    const OutputFolder folder(folder_name, session.world());
+    OutputFolder folder(folder_name, session.world());
     check_histories(folder);
     check_folder(session.world(), folder);
+    check_parameters(folder);
     check_summary(folder);
   }
   check_log(session.world());

@@ -1,6 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""A made-up run of two rings that pass for a gear pair: the files of its folder. Makes the scripts of
-source/report importable; ends with 77 (skipped) without numpy or matplotlib."""
+"""A made-up run of two rings that pass for a gear pair: the files of its folder. Makes the package of
+source/report importable; ends with 77 (skipped) without the libraries that it needs."""
 import json
 import sys
 from pathlib import Path
@@ -8,13 +8,15 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "source" / "report"))
 sys.dont_write_bytecode = True
 try:
+    import jinja2  # noqa: F401
+    import matplotlib  # noqa: F401
+    import meshio
     import numpy as np
-    import style  # noqa: F401
 except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
 
-from fields import Fields  # noqa: E402
+from vfife_report.data.fields import Fields  # noqa: E402
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0],
                     [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
@@ -31,20 +33,11 @@ def make_ring(inner, outer, length, teeth):
 
 
 def write_vtu(path, fields):
-    def array(name, values, kind="Float32"):
-        components = values.shape[1] if values.ndim > 1 else 1
-        text = " ".join(f"{v:g}" for v in values.ravel())
-        return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" '
-                f'format="ascii">{text}</DataArray>')
-
+    """Each cell with its own eight points, as the program does."""
     n = len(fields)
-    data = [array(name, values.reshape((8 * n,) + values.shape[2:]))
-            for name, values in fields.data.items()]
-    path.write_text(
-        f'<VTKFile><UnstructuredGrid><Piece NumberOfPoints="{8 * n}" NumberOfCells="{n}"><Points>'
-        + array("points", fields.points.reshape(-1, 3)) + "</Points><Cells>"
-        + array("connectivity", np.arange(8 * n), "Int32") + array("types", np.full(n, 12), "UInt8")
-        + "</Cells><PointData>" + "".join(data) + "</PointData></Piece></UnstructuredGrid></VTKFile>")
+    data = {name: values.reshape((8 * n,) + values.shape[2:]) for name, values in fields.data.items()}
+    meshio.Mesh(fields.points.reshape(-1, 3), [("hexahedron", np.arange(8 * n).reshape(n, 8))],
+                data).write(path)
 
 
 def make_pair():
@@ -56,7 +49,7 @@ def make_pair():
     pressure = np.where(np.linalg.norm(points - [70, 0, 40], axis=-1) < 12, 500.0, 0.0)
     data = {"body": body, "contact pressure": pressure, "von mises": 1.0 + points[..., 2] ** 2,
             "displacement": 1e-3 * points}
-    return Fields([(points, data)], 1e-3)
+    return Fields(points, data, 1e-3)
 
 
 def write_rim(folder, time):
@@ -75,7 +68,7 @@ def write_rim(folder, time):
         [",".join(columns)] + [",".join(f"{v:.12g}" for v in row) for row in rows]) + "\n")
 
 
-def figure(value, unit="-"):
+def quantity(value, unit="-"):
     return {"value": value, "unit": unit}
 
 
@@ -84,55 +77,41 @@ def make_summary():
                for name in ("dte", "rim dte")}
     return {
         "status": "finished", "version": "0", "revision": "made up",
-        "figures": {"mesh frequency": figure(9000, "Hz"), "gear torque": figure(800, "N m")},
+        "figures": {"mesh frequency": quantity(9000, "Hz"), "gear torque": quantity(800, "N m")},
         "mesh": {"cells": 36, "bodies": [
-            {"name": name, "cells": 12, "nodes": 48, "mass": figure(1, "kg"),
-             "speed at the start": figure(speed, "rpm")}
+            {"name": name, "cells": 12, "nodes": 48, "mass": quantity(1, "kg"),
+             "speed at the start": quantity(speed, "rpm")}
             for name, speed in (("pinion", 20000), ("gear", -6000))]},
-        "run": {"time": figure(1e-3, "s"), "steps": 100, "run time": figure(1, "s"), "ranks": 1,
-                "element-steps per second": figure(3600, "1/s"), "timers": {"total": figure(1, "s")}},
-        "steady part": {"start": figure(2e-4, "s"), "end": figure(1e-3, "s"), "found": True,
+        "run": {"time": quantity(1e-3, "s"), "steps": 100, "run time": quantity(1, "s"), "ranks": 1,
+                "element-steps per second": quantity(3600, "1/s"), "timers": {"total": quantity(1, "s")}},
+        "steady part": {"start": quantity(2e-4, "s"), "end": quantity(1e-3, "s"), "found": True,
                         "mesh cycles": 7, "explanation": "steady from 0.2 ms", "columns": columns},
-        "energy": {"strain": figure(1200, "mJ")}, "contradictions": ["<one> & another"],
+        "energy": {"strain": quantity(1200, "mJ")}, "contradictions": ["<one> & another"],
         "warnings": [], "contact losses": {"count": 0}}
 
 
-def make_parameters(web_thickness):
-    return f"""# Listing of Parameters
-subsection Study
-  set kind          = run
-end
-subsection Gear pair
-  subsection Pinion
-    subsection Blank
-      # Number of teeth [-]
-      set number of teeth = 27 # default: 0
-    end
-  end
-  subsection Gear
-    subsection Blank
-      set number of teeth = 79 # default: 0
-    end
-    subsection Body
-      set web             = conical
-      # Thickness of the web, normal
-      # to it (not negative) [mm]
-      set web thickness   = {web_thickness}
-      set web angle       = 70 deg
-      set web direction   = towards back
-      set web attachment  = toe
-      set rim thickness   = 8.5 mm
-    end
-  end
-end
-subsection Operation
-  set speed  = 20000 rpm # default: 0
-  set torque = 800 N m   # default: 0
-end
-subsection Dynamics
-  set start = static preload
-end
-"""
+def make_parameters(web_thickness="5"):
+    """Values and units by path."""
+    body = "Gear pair/Gear/Body/"
+    return {"Study/kind": ("run", ""),
+            "Gear pair/Pinion/Blank/number of teeth": ("27", "-"),
+            "Gear pair/Gear/Blank/number of teeth": ("79", "-"),
+            body + "web": ("conical", ""),
+            body + "web thickness": (web_thickness, "mm"),
+            body + "web angle": ("70 deg", "deg"),
+            body + "web direction": ("towards back", ""),
+            body + "web attachment": ("toe", ""),
+            body + "rim thickness": ("8.5 mm", "mm"),
+            "Operation/speed": ("20000 rpm", "rpm"),
+            "Operation/torque": ("800 N m", "N m"),
+            "Dynamics/start": ("static preload", "")}
+
+
+def write_parameters(folder, parameters):
+    """parameters.json as the program writes it."""
+    (folder / "parameters.json").write_text(json.dumps(
+        {name: {"value": value, "unit": unit, "default": ""}
+         for name, (value, unit) in parameters.items()}))
 
 
 def write_run(folder, web_thickness="5", fields=True):
@@ -157,7 +136,7 @@ def write_run(folder, web_thickness="5", fields=True):
         "time [s],probe,von mises [MPa]\n0,a,1\n0,b,2\n0.001,a,3\n0.001,b,3\n")
     write_rim(folder, time)
     (folder / "summary.json").write_text(json.dumps(make_summary()))
-    (folder / "parameters.prm").write_text(make_parameters(web_thickness))
+    write_parameters(folder, make_parameters(web_thickness))
     if not fields:
         return
     (folder / "fields.pvd").write_text('<VTKFile><Collection><DataSet timestep="0.001" '

@@ -6,19 +6,45 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from made_up_run import make_parameters, write_run  # first: ends the test without numpy
+from made_up_run import (  # first: ends the test without the libraries
+    make_parameters, write_parameters, write_run)
 
 import numpy as np
 
-from ledger import list_ledger_rows, read_ledger
-from lines import find_harmonics, find_lines
-from parameters import read_parameters
-from passages import find_engagement, find_passage
-from periodicity import fold_meshes, measure_periodicity
-from run_folder import RunFolder, Table
-from waves import compute_wave_spectrum, list_wave_lines, read_wave, split_wave
-from words import make_title, name_variants
+from vfife_report.data.naming import name_variants
+from vfife_report.data.parameters import read_parameters
+from vfife_report.data.run_folder import RunFolder
+from vfife_report.data.table import Table
+from vfife_report.measures.ledger import list_ledger_rows, read_ledger
+from vfife_report.measures.lines import find_harmonics, find_lines
+from vfife_report.measures.passages import find_engagement, find_passage
+from vfife_report.measures.periodicity import fold_meshes, measure_periodicity
+from vfife_report.measures.spectrum import compute_directed_spectrum
+from vfife_report.measures.waves import list_wave_lines, read_wave, split_wave
+from vfife_report.page.words import make_title
 
+# As the program wrote it before there was a parameters.json.
+EARLIER_PARAMETERS = """# Listing of Parameters
+subsection Gear pair
+  subsection Pinion
+    subsection Blank
+      # Number of teeth [-]
+      set number of teeth = 27 # default: 0
+    end
+  end
+  subsection Gear
+    subsection Body
+      # Thickness of the web, normal
+      # to it (not negative) [mm]
+      set web thickness   = 5.0
+      set web angle       = 70 deg
+    end
+  end
+end
+subsection Operation
+  set speed  = 20000 rpm # default: 0
+end
+"""
 SAMPLES = 50.0
 MESHES = np.arange(26 * 50 + 1) / SAMPLES
 
@@ -124,7 +150,7 @@ class Waves(unittest.TestCase):
             self.assertLess(np.abs(rest).max(), 1e-6)
             rows = rim["time"] < 0.9999e-3  # nine periods of 9 kHz
             wave = read_wave(rim, "z", 3)[rows]
-            frequency, amplitude = compute_wave_spectrum(wave, 1e-5)
+            frequency, amplitude = compute_directed_spectrum(wave, 1e-5)
             top = np.argmax(amplitude)
             self.assertAlmostEqual(frequency[top], 9000, places=3)
             self.assertAlmostEqual(amplitude[top], 0.1, places=6)
@@ -137,15 +163,21 @@ class Waves(unittest.TestCase):
 
 
 class Texts(unittest.TestCase):
+    def check_parameters(self, folder):
+        found = read_parameters(folder)
+        self.assertEqual(found["Gear pair/Gear/Body/web thickness"], "5.0 mm")
+        self.assertEqual(found["Gear pair/Gear/Body/web angle"], "70 deg")
+        self.assertEqual(found["Gear pair/Pinion/Blank/number of teeth"], "27")
+        self.assertEqual(found["Operation/speed"], "20000 rpm")
+
     def test_parameters(self):
         with tempfile.TemporaryDirectory() as name:
-            path = Path(name) / "parameters.prm"
-            path.write_text(make_parameters("5.0"))
-            found = read_parameters(path)
-            self.assertEqual(found["Gear pair/Gear/Body/web thickness"], "5.0 mm")
-            self.assertEqual(found["Gear pair/Gear/Body/web angle"], "70 deg")
-            self.assertEqual(found["Gear pair/Pinion/Blank/number of teeth"], "27")
-            self.assertEqual(found["Operation/speed"], "20000 rpm")
+            self.assertEqual(read_parameters(Path(name)), {})
+            (Path(name) / "parameters.prm").write_text(EARLIER_PARAMETERS)
+            self.check_parameters(Path(name))
+            (Path(name) / "parameters.prm").write_text("not looked at")
+            write_parameters(Path(name), make_parameters("5.0"))
+            self.check_parameters(Path(name))
 
     def test_names(self):
         with tempfile.TemporaryDirectory() as name:

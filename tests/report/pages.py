@@ -1,17 +1,24 @@
 #!/usr/bin/env python3
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Reports of made-up runs: one page that needs nothing else, with what the folder has."""
+import csv
 import json
+import os
 import re
+import subprocess
+import sys
 import tempfile
 import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
-from made_up_run import write_run  # first: ends the test without numpy
+from made_up_run import (  # first: ends the test without the libraries
+    make_parameters, make_summary, quantity, write_parameters, write_run)
 
-import make_report
-from page import Page, format_number
+import vfife_report
+from vfife_report.command import main
+from vfife_report.page.page import Page
+from vfife_report.page.parts import Cells, Paragraph, format_number
 
 VOID = {"meta", "img", "br", "input"}
 
@@ -21,12 +28,13 @@ class Reader(HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.open, self.addresses, self.words = [], [], []
+        self.open, self.addresses, self.words, self.names = [], [], [], set()
         self.feed(text)
 
     def handle_starttag(self, tag, attributes):
         if tag not in VOID:
             self.open.append(tag)
+        self.names |= {tag} | {f"{tag} {name}" for name, _ in attributes}
         self.addresses += [value for name, value in attributes if name in ("src", "href")]
 
     def handle_endtag(self, tag):
@@ -50,7 +58,7 @@ class Pages(unittest.TestCase):
     def test_run(self):
         with tempfile.TemporaryDirectory() as name:
             write_run(Path(name), fields=False)
-            make_report.main([name])
+            main([name])
             text = self.read(name)
             for words in ("Spiral bevel gear pair 27/79, web 5 mm", "Transmission error",
                           "Motion of the rim", "Key figures", "dte, mean", "Energy and damping",
@@ -59,6 +67,27 @@ class Pages(unittest.TestCase):
             self.assertEqual(text.count("<img "), 11)
             for data in re.findall("Data: <code>(.*?)</code>", text):
                 self.assertTrue((Path(name) / data).is_file(), data)
+
+    def test_killed(self):
+        """A run without summary: histories over time, nothing over tooth meshes."""
+        with tempfile.TemporaryDirectory() as name:
+            write_run(Path(name), fields=False)
+            (Path(name) / "summary.json").unlink()
+            main([name])
+            chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(name))
+            self.assertEqual(chapters, ["The case", "Key figures", "Transmission error", "Contact",
+                                        "Stress at the probes", "Motion of the rim",
+                                        "Energy and damping", "Checks"])
+
+    def test_missing_library(self):
+        """One line, and the exit code that asks for another Python."""
+        script = Path(vfife_report.__file__).parents[1] / "make_report.py"
+        for library in ("numpy", "matplotlib", "jinja2", "meshio"):
+            with tempfile.TemporaryDirectory() as name:
+                (Path(name) / f"{library}.py").write_text(f"raise ImportError('no {library}')\n")
+                ended = subprocess.run([sys.executable, "-B", script, name], capture_output=True, text=True,
+                                       check=False, env={**os.environ, "PYTHONPATH": name})
+                self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (77, f"no {library}\n", ""))
 
     def test_study(self):
         with tempfile.TemporaryDirectory() as name:
@@ -71,7 +100,7 @@ class Pages(unittest.TestCase):
             (failed / "summary.json").write_text('{"status": "failed", "failure": "it <exploded>"}')
             # The order is the list's, whatever its columns are.
             (Path(name) / "sweep.csv").write_text("a,b\n1,web_5\n2,web_3.5\n3,failed\n")
-            make_report.main([name])
+            main([name])
             text = self.read(name)
             self.assertIn("3 variants", text)
             self.assertIn("it &lt;exploded&gt;", text)
@@ -86,14 +115,14 @@ class Pages(unittest.TestCase):
                    "reference kind": "FEM", "difference": -4.0, "tolerance": 1.0,
                    "verdict": "differs", "reason": "coarse"}
             (Path(name) / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row]}))
-            make_report.main([name])
+            main([name])
             self.assertIn("1 comparisons, 1 differ", self.read(name))
 
     def test_nothing(self):
         with tempfile.TemporaryDirectory() as name:
             for folder, words in ((name, "neither results"), (name + "/a", "no folder")):
                 with self.assertRaisesRegex(SystemExit, words):
-                    make_report.main([folder])
+                    main([folder])
 
     def test_numbers(self):
         for value, text in ((1234567, "1\u202f234\u202f567"), (-83.92, "\u221283.92"), (0.0, "0"),
@@ -103,11 +132,73 @@ class Pages(unittest.TestCase):
 
     def test_escape(self):
         page = Page("a < b", "c & d")
-        page.section("<x>")
-        page.table(["<h>"], [["<cell>"]], "<caption>")
-        page.paragraph("<p>")
+        page.section("<x>", [Cells(["<h>"], [["<cell>"]], "<caption>"), Paragraph("<p>")])
         Reader(page.text())
         self.assertEqual(page.text().count("&lt;"), 8)
+
+    # What would open a tag, close an attribute or begin an entity.
+    MARKUP = 'a"\'><x y="1">&lt;'
+    KNOWN = {"html", "html lang", "head", "meta", "meta charset", "meta name", "meta content", "title",
+             "style", "body", "main", "h1", "h2", "h2 id", "p", "p class", "nav", "a", "a href", "div",
+             "div class", "table", "thead", "tbody", "tr", "th", "th class", "td", "td class", "figure",
+             "label", "input", "input type", "input aria-label", "img", "img alt", "img src",
+             "figcaption", "code"}
+
+    def spoil(self, value):
+        """The same with markup in all its texts, and in one more entry of what lists quantities."""
+        if isinstance(value, dict):
+            spoilt = {key: self.spoil(one) for key, one in value.items()}
+            listed = [one for one in value.values() if isinstance(one, dict) and "unit" in one]
+            return {**spoilt, self.MARKUP: self.spoil(listed[0])} if listed else spoilt
+        if isinstance(value, list):
+            return [self.spoil(one) for one in value]
+        return value + self.MARKUP if isinstance(value, str) else value
+
+    def write_spoilt_run(self, folder, thickness):
+        folder.mkdir(parents=True, exist_ok=True)
+        write_run(folder, fields=False)
+        columns = make_summary()["steady part"]["columns"]
+        summary = self.spoil({**make_summary(), "failure": "failed", "warnings": ["warning"],
+                              "damping audit": [{"body": "gear", "net torque": quantity(1),
+                                                 "power": quantity(1), "spin drift": quantity(1)}],
+                              "transmission error": {"rim": quantity(1, "arcsec")}})
+        summary["steady part"]["columns"] = {
+            name: {**one, "unit": self.MARKUP} for name, one in columns.items()}
+        (folder / "summary.json").write_text(json.dumps(summary))
+        parameters = {name: (value + self.MARKUP, unit)
+                      for name, (value, unit) in make_parameters(thickness).items()}
+        parameters["Gear pair/Gear/Body/web"] = ("conical", "")
+        for what in ("Young's modulus", "Poisson's ratio", "density"):
+            parameters[f"Material {self.MARKUP}/{what}"] = (self.MARKUP, "")
+        write_parameters(folder, parameters)
+        with open(folder / "probes.csv", "w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows([["time [s]", "probe", "von mises [MPa]"]] + [
+                [1e-5 * k, self.MARKUP, 10 * (k == 5)] for k in range(20)])
+
+    def check_escaped(self, folder):
+        row = {name: self.MARKUP for name in ("quantity", "unit", "reference kind", "reason")}
+        (folder / "comparison.json").write_text(json.dumps({"title": self.MARKUP, "rows": [
+            {**row, "value": 1, "reference": None, "difference": None, "tolerance": None,
+             "verdict": "not judged"}]}))
+        main([str(folder)])
+        reader = Reader(self.read(folder))
+        self.assertEqual(reader.names - self.KNOWN, set())
+        shown = sum(text.count(self.MARKUP) for text in reader.words)
+        return shown, "".join(reader.words)
+
+    def test_texts_of_files(self):
+        """Whatever the files and the folder are called and say is text, not markup."""
+        with tempfile.TemporaryDirectory() as name:
+            study = Path(name) / self.MARKUP
+            for thickness in ("5", "3.5"):
+                self.write_spoilt_run(study / f"{thickness} {self.MARKUP}", thickness)
+            shown, words = self.check_escaped(study / f"5 {self.MARKUP}")
+            self.assertGreater(shown, 60)
+            for before in ("failed", "warning", "pinion", "Steady from 0.2 ms", "made up", "mJ"):
+                self.assertIn(before + self.MARKUP, words)
+            shown, words = self.check_escaped(study)
+            self.assertGreater(shown, 40)
+            self.assertIn(f"5 {self.MARKUP}", words)
 
 
 if __name__ == "__main__":

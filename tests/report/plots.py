@@ -6,17 +6,18 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from made_up_run import CORNERS, make_ring, write_run  # first: ends the test without numpy
+from made_up_run import (  # first: ends the test without the libraries
+    CORNERS, make_pair, make_ring, write_run, write_vtu)
 
 import numpy as np
 
-import plot_run
-from canvas import Camera, Canvas
-from fields import Fields
-from hexahedra import Section, find_axis, find_outer_faces
-from histories import compute_mesh_average
-from run_folder import Table
-from spectra import compute_spectrum
+from vfife_report.command import main
+from vfife_report.data.fields import Fields, read_last_fields
+from vfife_report.data.table import Table
+from vfife_report.measures.periodicity import compute_mesh_average
+from vfife_report.measures.spectrum import compute_spectrum
+from vfife_report.pictures.canvas import Camera, Canvas
+from vfife_report.pictures.hexahedra import Section, find_axis, find_outer_faces
 
 
 def make_block(cells):
@@ -26,7 +27,7 @@ def make_block(cells):
 
 
 def make_fields(points, body=0.0):
-    return Fields([(points, {"body": np.full(points.shape[:2], body)})], 0.0)
+    return Fields(points, {"body": np.full(points.shape[:2], body)}, 0.0)
 
 
 class Geometry(unittest.TestCase):
@@ -70,6 +71,36 @@ class Geometry(unittest.TestCase):
             self.assertLess(np.abs(canvas.value[drawn] - 3).max(), 1e-6)  # single precision
 
 
+class PiecesOfRanks(unittest.TestCase):
+    EMPTY = ('<VTKFile><UnstructuredGrid><Piece NumberOfPoints="0" NumberOfCells="0"/>'
+             '</UnstructuredGrid></VTKFile>')
+
+    def test_pieces(self):
+        """Two ranks with halves of the cells, one without any."""
+        with tempfile.TemporaryDirectory() as name:
+            folder, fields = Path(name), make_pair()
+            half = len(fields) // 2
+            write_vtu(folder / "0.vtu", fields.take(slice(half)))
+            write_vtu(folder / "1.vtu", fields.take(slice(half, None)))
+            (folder / "2.vtu").write_text(self.EMPTY)
+            (folder / "all.pvtu").write_text("<VTKFile><PUnstructuredGrid>" + "".join(
+                f'<Piece Source="{k}.vtu"/>' for k in range(3)) + "</PUnstructuredGrid></VTKFile>")
+            instants = "".join(f'<DataSet timestep="{time}" file="{file}"/>' for time, file in (
+                ("0.001", "all.pvtu"), ("0.0005", "nothing.vtu")))
+            pvd = folder / "fields.pvd"
+            pvd.write_text(f"<VTKFile><Collection>{instants}</Collection></VTKFile>")
+            read = read_last_fields(pvd)
+            self.assertEqual(read.time, 1e-3)
+            self.assertTrue(np.array_equal(read.points, fields.points))
+            for key, values in fields.data.items():
+                self.assertTrue(np.array_equal(read[key], values), key)
+            (folder / "1.vtu").write_text((folder / "1.vtu").read_text()[:500])
+            with self.assertRaisesRegex(ValueError, "damaged"):
+                read_last_fields(pvd)
+            pvd.write_text("<VTKFile><Collection/></VTKFile>")
+            self.assertIsNone(read_last_fields(pvd))
+
+
 class Histories(unittest.TestCase):
     def test_mesh_average(self):
         """Harmonics of the mesh vanish, a line stays, also with 12.5 samples a mesh."""
@@ -95,7 +126,7 @@ class WholeRun(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             write_run(folder)
-            plot_run.main([name])
+            main(["plots", name])
             drawn = {path.name for path in (folder / "pictures").iterdir() if path.suffix != ".csv"}
             self.assertEqual(drawn, {
                 "dte.svg", "contact_force.svg", "load_sharing.svg", "contact_pattern.svg",
@@ -113,7 +144,7 @@ class WholeRun(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             for folder, words in ((name, "neither histories nor fields"), (name + "/a", "no folder")):
                 with self.assertRaisesRegex(SystemExit, words):
-                    plot_run.main([folder])
+                    main(["plots", folder])
 
 
 if __name__ == "__main__":

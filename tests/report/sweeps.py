@@ -7,18 +7,23 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from made_up_run import figure, make_parameters, make_summary, write_run  # first: ends without numpy
+from made_up_run import (  # first: ends the test without the libraries
+    make_parameters, make_summary, quantity, write_parameters, write_run)
 
 import numpy as np
 
-import make_report
-from curves import draw_curves
-from line_tables import describe_resolution, list_other_lines
-from run_folder import RunFolder
-from sidebands import draw_sidebands, list_sidebands
-from swept import choose_modes, find_axis, find_speeds, list_critical_speeds, read_beside
-from variants import find_variants
-from waterfalls import draw_waterfall
+from vfife_report.command import main
+from vfife_report.data.beside import read_beside
+from vfife_report.data.run_folder import RunFolder
+from vfife_report.data.study import Study
+from vfife_report.data.swept import find_axis, find_speeds
+from vfife_report.data.variants import find_variants
+from vfife_report.measures.critical_speeds import choose_modes, list_critical_speeds
+from vfife_report.measures.run_lines import describe_resolution, list_other_lines
+from vfife_report.measures.sidebands import list_sidebands
+from vfife_report.plots.curves import draw_curves
+from vfife_report.plots.spectra import draw_sidebands
+from vfife_report.plots.waterfalls import draw_waterfall
 
 SAMPLES = 50
 FREE_LINE = 1100.0  # Hz
@@ -33,17 +38,17 @@ def write_pair(folder, speed, meshes, make_dte):
     (folder / "history.csv").write_text("time [s],dte [arcsec],contact force total [N]\n" + "".join(
         f"{t!r},{x!r},{9000 + 10 * x!r}\n" for t, x in zip(time.tolist(), dte.tolist())))
     summary = make_summary()
-    summary["figures"]["mesh frequency"] = figure(frequency, "Hz")
+    summary["figures"]["mesh frequency"] = quantity(frequency, "Hz")
     for body, turn in zip(summary["mesh"]["bodies"], (speed, -speed * 27 / 79)):
-        body["speed at the start"] = figure(turn, "rpm")
+        body["speed at the start"] = quantity(turn, "rpm")
     statistics = {"mean": dte.mean(), "peak to peak": np.ptp(dte), "standard deviation": dte.std(),
                   "unit": "arcsec"}
     summary["steady part"].update(
-        {"start": figure(0, "s"), "end": figure(time[-1], "s"), "mesh cycles": meshes,
+        {"start": quantity(0, "s"), "end": quantity(time[-1], "s"), "mesh cycles": meshes,
          "columns": {"dte": statistics, "contact force total": dict(statistics, unit="N")}})
     (folder / "summary.json").write_text(json.dumps(summary))
-    (folder / "parameters.prm").write_text(make_parameters("5").replace(
-        "20000 rpm", f"{speed} rpm").replace("set torque", f"set tooth meshes = {meshes}\n  set torque"))
+    write_parameters(folder, {**make_parameters(), "Operation/speed": (f"{speed} rpm", "rpm"),
+                              "Operation/tooth meshes": (str(meshes), "-")})
 
 
 def write_sweep(folder, speeds):
@@ -54,8 +59,7 @@ def write_sweep(folder, speeds):
     (folder / "beside" / "1" / "coupled_modes.csv").write_text(
         "axes,frequency [Hz],share of the static turn [-]\nturning,1000,0.5\n"
         "standing,900,0.1\nstanding,1800,0.3\nstanding,1500,0.001\n")
-    (folder / "beside" / "1" / "parameters.prm").write_text(
-        "subsection Operation\n  set speed = 20000 rpm\nend\n")
+    write_parameters(folder / "beside" / "1", {"Operation/speed": ("20000 rpm", "rpm")})
 
 
 class Speeds(unittest.TestCase):
@@ -83,7 +87,7 @@ class Speeds(unittest.TestCase):
     def test_waterfall(self):
         """Mesh and free line with their amplitudes; between two bins of four a line loses 1 % at most (Hann)."""
         axis = find_axis(find_variants(self.path))
-        header, rows = draw_waterfall(find_speeds(axis), read_beside(self.path), "dte").vfife_numbers
+        header, rows = draw_waterfall(Study(self.path), "dte").vfife_numbers
         self.assertEqual(header[0], "speed [rpm]")
         rows = np.array(rows, dtype=float)
         for speed in axis.values:
@@ -95,7 +99,7 @@ class Speeds(unittest.TestCase):
             self.assertAlmostEqual(of_speed[at_mesh, 3], 2, delta=0.02)
 
     def test_report(self):
-        make_report.main([str(self.path)])
+        main([str(self.path)])
         text = (self.path / "report.html").read_text()
         for words in ("Over speed", "Spectra of the transmission error at each",
                       "computed at 20000 rpm", "Speeds at which mesh orders 1 to 3"):
@@ -121,10 +125,9 @@ class Axes(unittest.TestCase):
             self.assertEqual(axis.label, "web thickness [mm]")
             self.assertEqual(list(axis.values), [3.5, 5, 6.5])
             self.assertIsNone(find_speeds(axis))
-            labels = [axes.get_xlabel() for axes in draw_curves(axis).axes]
+            labels = [axes.get_xlabel() for axes in draw_curves(Study(Path(name))).axes]
             self.assertEqual(set(labels), {"web thickness [mm]"})
-            changed = Path(name) / "run_3" / "parameters.prm"
-            changed.write_text(changed.read_text().replace("6.5 mm", "thick"))
+            write_parameters(Path(name) / "run_3", make_parameters("thick"))
             self.assertIsNone(find_axis(find_variants(Path(name))))
 
 
@@ -137,10 +140,10 @@ class Axes(unittest.TestCase):
                 (folder / "history.csv").write_text(
                     "time [s],contact force total [N],tip displacement x [mm],tip displacement y [mm]\n"
                     f"0,0,0,0\n1,0,{-count},0\n2,0,{0.5 * count},0\n")
-                (folder / "parameters.prm").write_text(f"subsection Dynamics\n  set damping = {count} 1/s\nend\n")
+                write_parameters(folder, {"Dynamics/damping": (f"{count} 1/s", "1/s")})
             axis = find_axis(find_variants(Path(name)))
             self.assertEqual(axis.label, "damping [1/s]")
-            (panel,) = draw_curves(axis).axes
+            (panel,) = draw_curves(Study(Path(name))).axes
             self.assertEqual(panel.get_title(loc="left"), "tip displacement, largest x")
             self.assertEqual(list(panel.lines[0].get_ydata()), [1, 2, 3])
 

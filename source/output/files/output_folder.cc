@@ -4,7 +4,10 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/json.h>
 #include <vfife/output/files/output_folder.h>
+
+#include <nlohmann/json.hpp>
 
 #include <cerrno>
 #include <cstring>
@@ -64,6 +67,26 @@ namespace vfife
       reason = communicator.broadcast(communicator.is_root() ? create(path) : "");
       if (!reason.empty())
         throw std::runtime_error(reason);
+    }
+
+    /** The unit that ends a description, "meaning [unit]"; empty where it states none. */
+    std::string unit_of(const std::string &description)
+    {
+      const std::size_t start = description.rfind('[');
+      if (start == std::string::npos || description.back() != ']')
+        return "";
+      return description.substr(start + 1, description.size() - start - 2);
+    }
+
+    /** All entries at or below @p section by path, "A/B/name"; @p before leads here, "A/". */
+    void add_entries(const DeclaredSection &section, const std::string &before, Json &entries)
+    {
+      for (const DeclaredSection::Entry &entry : section.entries)
+        entries[before + entry.name] = Json{{"value", entry.value},
+                                            {"unit", unit_of(entry.description)},
+                                            {"default", entry.default_value}};
+      for (const DeclaredSection &below : section.sections)
+        add_entries(below, before + below.name + "/", entries);
     }
   } // namespace
 
@@ -146,9 +169,15 @@ namespace vfife
 
   void OutputFolder::write_parameters(dealii::ParameterHandler &prm)
   {
-    parameters_ = find_declared(prm).list_values();
-    if (is_writer())
-      write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });
+    const DeclaredSection declared = find_declared(prm);
+    parameters_                    = declared.list_values();
+    if (!is_writer())
+      return;
+    write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });
+    Json entries = Json::object();
+    add_entries(declared, "", entries);
+    write_file("parameters.json",
+               [&entries](std::ostream &out) { out << entries.dump(2) << '\n'; });
   }
 
   void OutputFolder::attach_log(Log &log, const std::optional<std::size_t> kept)

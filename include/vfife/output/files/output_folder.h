@@ -64,7 +64,11 @@ namespace vfife
     /** Removes a file of the folder if it is there; only the writing rank does. */
     void remove_file(const std::string &name) const;
 
-    /** parameters.prm: the parameters in force, readable again. Only the writing rank writes. */
+    /**
+     * parameters.prm: the parameters in force, readable again; parameters.json: the same for other
+     * programs, by path ("A/B/name") value and default as texts and the unit in which a bare number
+     * is meant ("" for words). Only the writing rank writes.
+     */
     void write_parameters(dealii::ParameterHandler &prm);
 
     /** What write_parameters() has written: paths ("A/B/name") and values. */

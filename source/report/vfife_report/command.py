@@ -1,0 +1,91 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reports, plots and pictures of folders of results.
+
+make_report.py DIR                  writes DIR/report.html, one file that needs nothing else, with the
+                                    pictures in DIR/pictures and their data beside them
+make_report.py plots DIR [NAME...]  draws the pictures alone, those of the given names or all
+make_report.py meridian [--body NAME] PICTURE DIR[=TITLE]...
+                                    draws meridian sections from studies of kind `mesh`, a panel each
+
+DIR is the folder of one run or study, or a folder of such folders, whose variants are compared. Needs
+numpy, matplotlib, Jinja2 and meshio, no display. Exit codes: 0; 1 if not all could be done; 77 if one
+of these is missing.
+"""
+import argparse
+import sys
+from pathlib import Path
+
+try:
+    import numpy  # noqa: F401
+    import matplotlib  # noqa: F401
+    import jinja2  # noqa: F401
+    import meshio  # noqa: F401
+except ImportError as error:
+    print(error)
+    sys.exit(77)
+
+from .data.study import open_folder
+from .page.report import make_report, write_page
+from .plot_table import draw_folder
+from .plots import style
+from .plots.meridian import draw_meridians, read_parts
+
+
+def write_report(asked):
+    source = open_folder(asked.folder)
+    page = make_report(source)
+    if not page.sections:
+        sys.exit(f"report: {source.path} has neither results nor folders with results")
+    path = write_page(page, source.path)
+    print(f"{page.n_pictures} pictures in {source.path / 'pictures'}, report {path}")
+
+
+def draw_plots(asked):
+    source = open_folder(asked.folder)
+    drawn = draw_folder(source, asked.names)
+    if not drawn:
+        sys.exit(f"plots: {source.path} has neither histories nor fields nor tables for "
+                 f"{' '.join(asked.names) or 'any plot'}")
+    print(f"{len(drawn)} pictures in {source.path / 'pictures'}: "
+          f"{', '.join(plot.path.name for plot in drawn)}")
+
+
+def draw_meridian_sections(asked):
+    bodies = []
+    for text in asked.folders:
+        folder, _, title = text.partition("=")
+        bodies.append((title or Path(folder).name, read_parts(Path(folder), asked.body)))
+    style.save(draw_meridians(bodies), asked.picture)
+
+
+def read_arguments(arguments):
+    """What is asked for. A single argument is a folder, whatever its name."""
+    parser = argparse.ArgumentParser(prog="make_report.py", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True)
+    report = commands.add_parser("report", help="the report of a folder")
+    report.add_argument("folder")
+    report.set_defaults(do=write_report)
+    plots = commands.add_parser("plots", help="plots and pictures alone")
+    plots.add_argument("folder")
+    plots.add_argument("names", nargs="*", help="such as dte.svg")
+    plots.set_defaults(do=draw_plots)
+    meridian = commands.add_parser("meridian", help="meridian sections of gear bodies")
+    meridian.add_argument("--body", default="gear")
+    meridian.add_argument("picture", type=Path)
+    meridian.add_argument("folders", nargs="+", metavar="DIR[=TITLE]")
+    meridian.set_defaults(do=draw_meridian_sections)
+    if len(arguments) == 1 and not arguments[0].startswith("-"):
+        arguments = ["report"] + arguments
+    return parser.parse_args(arguments)
+
+
+def main(arguments):
+    if not arguments:
+        sys.exit(__doc__)
+    asked = read_arguments(arguments)
+    try:
+        asked.do(asked)
+    except (OSError, ValueError, KeyError) as error:
+        # What is no run's folder or was cut off; errors of these scripts show their trace.
+        sys.exit(f"{asked.command}: {str(error) or type(error).__name__}")

@@ -1,0 +1,42 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results of other studies that stand beside the runs of a sweep."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .parameters import read_parameters
+from .table import Table
+
+LEAST_SHARE = 0.02  # of a mode in the static turn of the gear, as in comparisons (doc/study.md)
+
+
+@dataclass
+class Modes:
+    """Natural frequencies [Hz] of the pair in contact that turn the gear, at one speed."""
+    speed: str
+    frequencies: np.ndarray
+    shares: np.ndarray  # of the static turn
+
+
+@dataclass
+class Beside:
+    modes: list  # of Modes
+    lumped: list  # tables of resonance.csv
+
+
+def read_beside(folder):
+    """Coupled modes and lumped sweeps of the folders below `beside`."""
+    folders = sorted((folder / "beside").iterdir()) if (folder / "beside").is_dir() else []
+    return Beside([read_modes(path) for path in folders if (path / "coupled_modes.csv").is_file()],
+                  [Table(path / "resonance.csv") for path in folders
+                   if (path / "resonance.csv").is_file()])
+
+
+def read_modes(folder):
+    """Those that stand in space where there are any: the load does."""
+    table = Table(folder / "coupled_modes.csv")
+    rows = table["share of the static turn"] > LEAST_SHARE
+    if np.any(table["axes"] == "standing"):
+        rows &= table["axes"] == "standing"
+    return Modes(read_parameters(folder).get("Operation/speed", ""), table["frequency"][rows],
+                 table["share of the static turn"][rows])

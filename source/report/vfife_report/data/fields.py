@@ -1,0 +1,76 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fields of a run: the .vtu files of the last instant that its .pvd names."""
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+
+import meshio
+import numpy as np
+
+
+@dataclass
+class Fields:
+    """Hexahedra at one instant, corners in VTK's order of vertices."""
+    points: np.ndarray  # (cells, 8, 3) [mm]
+    data: dict  # by name, (cells, 8) or (cells, 8, 3)
+    time: float  # [s]
+
+    def __len__(self):
+        return len(self.points)
+
+    def __getitem__(self, name):
+        return self.data[name]
+
+    def take(self, rows):
+        """The fields of some cells."""
+        return Fields(self.points[rows], {name: values[rows] for name, values in self.data.items()},
+                      self.time)
+
+    def body(self, index):
+        return self.take(self.data["body"][:, 0] == index)
+
+    def bodies(self):
+        return [int(b) for b in np.unique(self.data["body"])]
+
+
+def join_pieces(pieces, time):
+    """The fields of pieces (points and data each), all with the same data."""
+    return Fields(np.concatenate([points for points, _ in pieces]),
+                  {name: np.concatenate([data[name] for _, data in pieces]) for name in pieces[0][1]},
+                  time)
+
+
+def has_cells(path):
+    """Ranks without cells write pieces without points, which meshio does not read."""
+    for _, element in ElementTree.iterparse(path, ["start"]):
+        if element.tag == "Piece":
+            return int(element.attrib["NumberOfCells"]) > 0
+    return False
+
+
+def read_piece(path):
+    """Corners of the hexahedra of a .vtu file and data at them."""
+    grid = meshio.vtu.read(path)  # meshio.read() ends the program at a damaged file
+    if set(grid.cells_dict) != {"hexahedron"}:
+        raise ValueError(f"{path} has cells that are no hexahedra")
+    corners = grid.cells_dict["hexahedron"]
+    data = {name: np.asarray(values, dtype=float)[corners] for name, values in grid.point_data.items()}
+    return np.asarray(grid.points, dtype=float)[corners], data
+
+
+def read_last_fields(pvd):
+    """Fields of the last instant that a .pvd names; None if it names none or they are empty. ValueError
+    for a file that is damaged."""
+    try:
+        instants = ElementTree.parse(pvd).getroot().findall("Collection/DataSet")
+        if not instants:
+            return None
+        last = max(instants, key=lambda instant: float(instant.attrib["timestep"]))
+        path = pvd.parent / last.attrib["file"]
+        paths = [path]
+        if path.suffix == ".pvtu":
+            grid = ElementTree.parse(path).getroot().find("PUnstructuredGrid")
+            paths = [path.parent / piece.attrib["Source"] for piece in grid.findall("Piece")]
+        pieces = [read_piece(piece) for piece in paths if has_cells(piece)]
+    except (ElementTree.ParseError, KeyError, meshio.ReadError) as error:
+        raise ValueError(f"{pvd} names a damaged file: {error!r}") from error
+    return join_pieces(pieces, float(last.attrib["timestep"])) if pieces else None

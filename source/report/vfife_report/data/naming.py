@@ -1,0 +1,65 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a case is called by its parameters, and how the runs of a study are told apart."""
+
+GEAR = "Gear pair/Gear/"
+PINION = "Gear pair/Pinion/"
+NOT_OF_THE_CASE = ("Study/", "Output/")
+# How long is computed changes no physics.
+LENGTHS = ("Operation/tooth meshes", "Dynamics/end time", "Dynamics/largest number of steps")
+
+
+def describe_web(parameters):
+    """"web 5 mm at 70 deg", "no web"; empty for what is no gear pair."""
+    kind = parameters.get(GEAR + "Body/web")
+    if kind is None:
+        return ""
+    if kind == "none":
+        return "no web"
+    if kind == "solid":
+        return "solid body"
+    return (f"web {parameters[GEAR + 'Body/web thickness']} at "
+            f"{parameters[GEAR + 'Body/web angle']}")
+
+
+def describe_pair(parameters):
+    pinion = parameters.get(PINION + "Blank/number of teeth")
+    gear = parameters.get(GEAR + "Blank/number of teeth")
+    if pinion in (None, "0"):
+        pinion = parameters.get("Gear pair/Proposal/pinion teeth")
+        gear = parameters.get("Gear pair/Proposal/gear teeth")
+    return f"Spiral bevel gear pair {pinion}/{gear}" if pinion else ""
+
+
+def find_differences(runs):
+    """Names of the parameters in which runs differ, apart from folders and output. A run that does not
+    know an entry, as one of an older version, does not differ in it: what makes a section appear is an
+    entry of its own."""
+    names = dict.fromkeys(name for run in runs for name in run.parameters)
+    return [name for name in names if not name.startswith(NOT_OF_THE_CASE)
+            and len({normalize(run.parameters[name]) for run in runs if name in run.parameters}) > 1]
+
+
+def normalize(value):
+    """Numbers that are written differently are equal: 5.0 mm and 5 mm."""
+    words = (value or "").split()
+    try:
+        return (float(words[0]), *words[1:])
+    except (ValueError, IndexError):
+        return tuple(words)
+
+
+def name_variants(runs):
+    """A short name for each run: what differs, else the folder."""
+    differences = find_differences(runs)
+    differences = [name for name in differences if name not in LENGTHS] or differences
+    names = []
+    for run in runs:
+        webs = describe_web(run.parameters)
+        if differences and all(name.startswith(GEAR + "Body/web") for name in differences):
+            names.append(webs)
+        elif 0 < len(differences) <= 2:
+            names.append(", ".join(f"{name.split('/')[-1]} {run.parameters.get(name, 'absent')}"
+                                   for name in differences))
+        else:
+            names.append(run.path.resolve().name)
+    return names if len(set(names)) == len(names) else [run.path.resolve().name for run in runs]

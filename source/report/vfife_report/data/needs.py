@@ -1,0 +1,65 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""What plots and chapters need of a run's folder or of a study: a function each, true or false."""
+from .columns import TRANSMISSION_ERROR
+
+
+def has_history(run):
+    return run.history is not None and run.history.n_rows > 2
+
+
+def has_pair(run):
+    """A history of a gear pair."""
+    return has_history(run) and TRANSMISSION_ERROR in run.history
+
+
+def has_tooth_mesh(run):
+    """A history of a gear pair and the frequency of its tooth mesh."""
+    return has_pair(run) and bool(run.samples_per_mesh())
+
+
+def has_tooth_pressures(run):
+    return has_tooth_mesh(run) and run.teeth is not None and "mean pressure" in run.teeth
+
+
+def has_pattern(run):
+    return run.pattern is not None
+
+
+def has_probes(run):
+    return run.probes is not None
+
+
+def has_rim(run):
+    return run.rim is not None and run.rim.n_rows > 10
+
+
+def has_rim_over_meshes(run):
+    return has_rim(run) and bool(run.samples_per_mesh())
+
+
+def has_file(name):
+    """That the folder has this file."""
+    def need(run):
+        return run.has_file(name)
+    return need
+
+
+def has_pairs(study):
+    return bool(study.pairs)
+
+
+def has_pairs_with(table, column=None):
+    """That runs of gear pairs have this table, with this column."""
+    def need(study):
+        return bool(study.pairs_with(table, column))
+    return need
+
+
+def has_axis(study):
+    """One number is varied."""
+    return study.axis is not None
+
+
+def has_speeds(study):
+    """The number that is varied is a speed."""
+    return study.speeds is not None

@@ -1,0 +1,50 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parameters in force of a run, as the program writes them."""
+import json
+import re
+
+UNIT = re.compile(r"\[([^\[\]]+)\]$")
+
+
+def read_parameters(folder):
+    """Values as texts by "Section/Sub/name", a bare number with its entry's unit: parameters.json of a
+    folder. Results of versions that wrote no such file, and those copied beside a sweep, have parameters.prm.
+    Empty without either."""
+    path, earlier = folder / "parameters.json", folder / "parameters.prm"
+    if path.is_file():
+        entries = json.loads(path.read_text(encoding="utf-8"))
+        return {name: add_unit(entry["value"], entry["unit"]) for name, entry in entries.items()}
+    return read_parameter_file(earlier) if earlier.is_file() else {}
+
+
+def read_parameter_file(path):
+    """The same from parameters.prm, where the description before an entry ends in its unit."""
+    values, sections, description = {}, [], []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        line = line.strip()
+        if line.startswith("#"):
+            description.append(line[1:].strip())
+            continue
+        words = line.split(None, 1)
+        if words and words[0] == "subsection":
+            sections.append(words[1])
+        elif line == "end":
+            sections.pop()
+        elif words and words[0] == "set":
+            name, _, value = words[1].partition("=")
+            value = value.partition("# default:")[0].strip()
+            unit = UNIT.search(" ".join(description))
+            values["/".join(sections + [name.strip()])] = add_unit(value, unit.group(1) if unit else "")
+        description = []
+    return values
+
+
+def add_unit(value, unit):
+    """Only to a bare number, and only where it has one."""
+    if unit in ("", "-"):
+        return value
+    try:
+        float(value)
+    except ValueError:
+        return value
+    return f"{value} {unit}"

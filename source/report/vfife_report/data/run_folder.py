@@ -1,0 +1,83 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The text files of a run's folder (doc/output.md)."""
+import json
+from pathlib import Path
+
+import numpy as np
+
+from .parameters import read_parameters
+from .table import read_table
+
+
+class RunFolder:
+    """A run's folder, or any other with results; tables that are missing or have no rows are None."""
+
+    def __init__(self, path):
+        self.path = Path(path)
+        if not self.path.is_dir():
+            raise FileNotFoundError(f"{self.path} is no folder")
+        self.history = read_table(self.path / "history.csv")
+        self.teeth = read_table(self.path / "teeth.csv")
+        self.probes = read_table(self.path / "probes.csv")
+        self.pattern = read_table(self.path / "pattern.csv")
+        self.rim = read_table(self.path / "rim.csv")
+        summary = self.path / "summary.json"
+        self.summary = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else {}
+        self.parameters = read_parameters(self.path)
+        self.fields = self.path / "fields.pvd"
+
+    def has_file(self, name):
+        return (self.path / name).is_file()
+
+    def value(self, name):
+        """Of the summary's figures, e.g. "mesh frequency"; None where there is none."""
+        return self.summary.get("figures", {}).get(name, {}).get("value")
+
+    def samples_per_mesh(self):
+        """Samples of the history in a tooth mesh; None without a gear pair."""
+        frequency = self.value("mesh frequency")
+        if not frequency or self.history is None or self.history.n_rows < 2:
+            return None
+        interval = (self.history["time"][-1] - self.history["time"][0]) / (self.history.n_rows - 1)
+        return 1 / (frequency * interval)
+
+    def steady_part(self):
+        """Start and end [s] of the part that the summary's means are of, and whether it is steady."""
+        part = self.summary.get("steady part")
+        if not part:
+            return None
+        return part["start"]["value"], part["end"]["value"], part["found"]
+
+    def is_steady(self):
+        """Whether a steady part was found; else means are of the last third."""
+        part = self.steady_part()
+        return bool(part and part[2])
+
+    def steady_rows(self, table):
+        """Which rows of a table with a column of times lie in that part; all without one."""
+        start, end, _ = self.steady_part() or (table["time"][0], table["time"][-1], False)
+        slack = 1e-9 * table["time"][-1]
+        return (table["time"] >= start - slack) & (table["time"] <= end + slack)
+
+    def steady_values(self, column):
+        """A column of the history over that part."""
+        return self.history[column][self.steady_rows(self.history)]
+
+    def statistics(self, column):
+        """Mean, peak to peak, standard deviation and unit of a column over that part, as the program
+        has computed them; None."""
+        return self.summary.get("steady part", {}).get("columns", {}).get(column)
+
+    def bodies(self):
+        """What the summary says of each body."""
+        return self.summary.get("mesh", {}).get("bodies", [])
+
+    def body_name(self, index):
+        bodies = self.bodies()
+        return bodies[index]["name"] if index < len(bodies) else f"body {index}"
+
+    def gear_rate(self):
+        """Angular velocity of the driven gear about its axis at the start [rad/s]; 0 if unknown."""
+        bodies = self.bodies()
+        speed = bodies[1].get("speed at the start") if len(bodies) > 1 else None
+        return speed["value"] * np.pi / 30 if speed else 0.0

@@ -1,0 +1,38 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The runs of a study: folders below one folder, in the order of sweep.csv where there is one."""
+import csv
+from dataclasses import dataclass
+
+from .naming import name_variants
+from .run_folder import RunFolder
+
+
+@dataclass
+class Variant:
+    number: int
+    name: str
+    run: RunFolder
+
+
+def is_run(folder):
+    return (folder / "summary.json").is_file() or (folder / "history.csv").is_file()
+
+
+def list_sweep_order(folder):
+    """Folders that cells of sweep.csv name, whatever its columns are called."""
+    path = folder / "sweep.csv"
+    if not path.is_file():
+        return []
+    with open(path, encoding="utf-8", newline="") as file:
+        cells = [cell for row in csv.reader(file) for cell in row if cell.strip()]
+    return list(dict.fromkeys(folder / cell for cell in cells if (folder / cell).is_dir()))
+
+
+def find_variants(folder):
+    """Empty where the folder is a run itself or has none below."""
+    if (folder / "history.csv").is_file():
+        return []
+    below = sorted(path for path in folder.iterdir() if path.is_dir())
+    folders = list(dict.fromkeys([path for path in list_sweep_order(folder) + below if is_run(path)]))
+    runs = [RunFolder(path) for path in folders]
+    return [Variant(number, *pair) for number, pair in enumerate(zip(name_variants(runs), runs))]

@@ -1,0 +1,45 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks of a run against itself: name, value, what is asked for, verdict (met, not met)."""
+import numpy as np
+
+LARGEST_ENERGY_ERROR = 0.5  # [%], doc/verification.md
+LARGEST_TORQUE_DIFFERENCE = 0.5  # [%]
+
+
+def judge(condition):
+    return "met" if condition else "not met"
+
+
+def list_checks(run):
+    summary = run.summary
+    if "status" in summary:
+        yield "status", summary["status"], "finished", judge(summary["status"] == "finished")
+    part = summary.get("steady part")
+    if part:
+        yield ("steady part", f"{part['mesh cycles']} tooth meshes" if part["found"] else "none",
+               "found", judge(part["found"]))
+    if run.history is not None and "energy error" in run.history:
+        # At the first touch of an impact the energies that the error is divided by are still tiny.
+        error = 100 * np.abs(run.history["energy error"])
+        rows = run.steady_rows(run.history) if part else slice(-1, None)
+        yield ("largest energy error of the steady part" if part else "energy error at the end",
+               f"{error[rows].max():.3g} %", f"below {LARGEST_ENERGY_ERROR} %",
+               judge(error[rows].max() < LARGEST_ENERGY_ERROR))
+        yield "largest energy error on the way", f"{error.max():.3g} %", "", "not judged"
+    yield from check_torque(run)
+    losses = summary.get("contact losses")
+    if losses and run.value("mesh frequency"):
+        yield "losses of contact", str(losses["count"]), "0", judge(losses["count"] == 0)
+    if "contradictions" in summary:
+        count = len(summary["contradictions"])
+        yield "contradictions", str(count), "0", judge(count == 0)
+
+
+def check_torque(run):
+    """A steady part of whole meshes has on average the contact torque that the load asks for."""
+    statistics, torque = run.statistics("contact torque on the gear"), run.value("gear torque")
+    if statistics and torque:
+        difference = 100 * (statistics["mean"] / torque - 1)
+        yield ("mean contact torque against the load", f"{difference:+.3f} %",
+               f"within {LARGEST_TORQUE_DIFFERENCE} %",
+               judge(abs(difference) < LARGEST_TORQUE_DIFFERENCE))

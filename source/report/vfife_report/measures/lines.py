@@ -1,0 +1,32 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lines of the histories: harmonics of the tooth mesh, and what does not repeat with it."""
+import numpy as np
+
+from .periodicity import fold_meshes
+from .spectrum import find_peaks, hann_window
+
+HIGHEST_LINE_ORDER = 3.5  # of the tooth mesh, up to which lines are looked for
+
+
+def find_harmonics(values, samples_per_mesh, largest):
+    """Amplitudes of the orders 1 to `largest` of the tooth mesh: of the mean mesh, so that nothing
+    leaks into them from lines that do not repeat."""
+    mean = fold_meshes(values, samples_per_mesh).mean(axis=0)
+    amplitudes = 2 * np.abs(np.fft.rfft(mean)) / len(mean)
+    return amplitudes[1:largest + 1]
+
+
+def find_lines(values, samples_per_mesh, mesh_frequency, lowest, highest, count, least=0.1):
+    """Strongest lines between two frequencies [Hz] of what does not repeat with the mesh, by
+    amplitude; at least `least` times the strongest one of the whole spectrum."""
+    folded = fold_meshes(values, samples_per_mesh)
+    rest = (folded - folded.mean(axis=0)).ravel()
+    n = len(rest)
+    if len(folded) < 4 or not np.any(rest):
+        return []
+    amplitudes = 2 * np.abs(np.fft.rfft(rest * hann_window(n))) / n
+    lines = find_peaks(amplitudes, mesh_frequency / len(folded))
+    floor = least * max((line.amplitude for line in lines), default=0)
+    lines = [line for line in lines
+             if lowest <= line.frequency <= highest and line.amplitude >= floor]
+    return sorted(lines, key=lambda line: -line.amplitude)[:count]

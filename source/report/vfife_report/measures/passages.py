@@ -1,0 +1,89 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Single events of a run: the mesh passing a probe, a tooth going through its engagement."""
+from dataclasses import dataclass
+
+import numpy as np
+
+DURATION_LEVEL, DURATION_LEVEL_IN_WORDS = 0.1, "a tenth"  # of the rise over the steady value
+LEAST_FORCE, LEAST_FORCE_IN_WORDS = 0.05, "a twentieth"  # of the tooth's largest force
+
+
+@dataclass
+class Passage:
+    """Stress at a probe [MPa] while its sector passes the mesh."""
+    peak: float
+    peak_time: float  # [s]
+    steady: float  # median of the record outside the passage
+    duration: float  # time around the peak with |stress - steady| above the level [s]
+    whole: bool  # begins and ends within the record
+
+
+def find_passage(time, stress):
+    """The passage with the largest deviation from the median. The steady value and the passage
+    depend on each other: both are repeated until they stay. None without at least ten samples."""
+    if len(time) < 10 or np.ptp(stress) == 0:
+        return None
+    outside = np.ones(len(time), dtype=bool)
+    top = np.argmax(np.abs(stress - np.median(stress)))
+    for _ in range(20):
+        steady = np.median(stress[outside]) if np.any(outside) else np.median(stress)
+        quiet = np.abs(stress - steady) < DURATION_LEVEL * abs(stress[top] - steady)
+        before, after = np.flatnonzero(quiet[:top]), np.flatnonzero(quiet[top:])
+        first = before[-1] + 1 if len(before) else 0
+        last = top + after[0] - 1 if len(after) else len(time) - 1
+        inside = (np.arange(len(time)) >= first) & (np.arange(len(time)) <= last)
+        if np.array_equal(inside, ~outside):
+            break
+        outside = ~inside
+    whole = bool(len(before) and len(after))
+    return Passage(stress[top], time[top], steady, time[last] - time[first], whole)
+
+
+def find_passages(run):
+    """Name and passage of each probe of a run that has one."""
+    if run.probes is None:
+        return
+    for name in dict.fromkeys(run.probes["probe"]):
+        rows = run.probes["probe"] == name
+        passage = find_passage(run.probes["time"][rows], run.probes["von mises"][rows])
+        if passage:
+            yield name, passage
+
+
+@dataclass
+class Engagement:
+    """Rows of teeth.csv of one tooth pair of the drive side, in the order of time."""
+    pinion_tooth: int
+    gear_tooth: int
+    rows: np.ndarray
+    whole: bool  # first and last touch lie within the record
+
+
+def find_run_engagement(run):
+    """That of a run over its whole record."""
+    return find_engagement(run.teeth, run.history["time"][0], run.history["time"][-1])
+
+
+def find_engagement(teeth, start, end):
+    """The last tooth pair whose first and last touch lie within the record; without one the pair
+    that was longest in contact. None without contact."""
+    drive = teeth["side"] == "drive"
+    interval = np.diff(np.unique(teeth["time"]))
+    slack = 0.5 * interval.min() if len(interval) else 0
+    found = []
+    for pinion, gear in dict.fromkeys(zip(teeth["pinion tooth"][drive], teeth["gear tooth"][drive])):
+        rows = np.flatnonzero(drive & (teeth["pinion tooth"] == pinion) & (teeth["gear tooth"] == gear))
+        time = teeth["time"][rows]
+        whole = bool(time[0] > start + slack and time[-1] < end - slack)
+        found.append(Engagement(int(pinion), int(gear), rows, whole))
+    whole = [one for one in found if one.whole]
+    if whole:
+        return whole[-1]
+    return max(found, key=lambda one: len(one.rows), default=None)
+
+
+def is_loaded(teeth, rows):
+    """Rows of one tooth pair at which it carries so much that its mean pressure says something: a
+    single point that barely touches has hardly any area."""
+    force = teeth["force"][rows]
+    return force >= LEAST_FORCE * force.max()

@@ -1,0 +1,60 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rows of tables of spectral lines of the histories, over the steady part of a run."""
+import numpy as np
+
+from ..data.columns import JUDGED
+from .lines import HIGHEST_LINE_ORDER, find_harmonics, find_lines
+from .periodicity import LEAST_MESHES
+from .sidebands import find_resolution, list_shafts, name_offset
+
+HARMONICS_HEADER = ["order", "frequency [Hz]", "amplitude", "unit"]
+LINES_HEADER = ["line", "frequency [Hz]", "amplitude", "unit"]
+LOW_ORDER = 0.75  # of the tooth mesh, up to which a line is no sideband of a harmonic
+
+
+def list_columns(run):
+    """Name, unit and values of the histories that are looked at; none without two tooth meshes."""
+    rows = run.steady_rows(run.history)
+    samples = run.samples_per_mesh()
+    if not samples or np.count_nonzero(rows) <= LEAST_MESHES * samples:
+        return
+    for column in JUDGED:
+        if column in run.history:
+            yield column, run.history.units[column], run.history[column][rows]
+
+
+def list_harmonics(run, largest):
+    frequency, samples = run.value("mesh frequency"), run.samples_per_mesh()
+    return [[column, order, order * frequency, amplitude, unit]
+            for column, unit, values in list_columns(run)
+            for order, amplitude in enumerate(find_harmonics(values, samples, largest), 1)]
+
+
+def list_other_lines(run, low=4, high=3):
+    """The strongest lines below three quarters of the mesh frequency, and sidebands up to order 3.5 by
+    their distance from the nearest harmonic."""
+    frequency, samples = run.value("mesh frequency"), run.samples_per_mesh()
+    border, top = LOW_ORDER * frequency, HIGHEST_LINE_ORDER * frequency
+    rows = []
+    for column, unit, values in list_columns(run):
+        for line in find_lines(values, samples, frequency, 0, border, low):
+            rows.append([column, "low", line.frequency, line.amplitude, unit])
+        for line in find_lines(values, samples, frequency, border, top, high):
+            order = max(round(line.frequency / frequency), 1)
+            offset = line.frequency - order * frequency
+            rows.append([column, f"{order} mesh {name_offset(run, offset)}", line.frequency,
+                         line.amplitude, unit])
+    return rows
+
+
+def describe_resolution(run):
+    """Which lines the length of the steady part cannot tell apart."""
+    resolution = find_resolution(run)
+    if not np.isfinite(resolution):
+        return "The record is too short for a spectrum: two whole tooth meshes at least."
+    text = f"Lines closer than {resolution:.0f} Hz are one line here."
+    for shaft in list_shafts(run):
+        if not shaft.resolved:
+            text += (f" Sidebands at the rotation of the {shaft.name} ({shaft.frequency:.0f} Hz) cannot be "
+                     f"told from the harmonics: they need {shaft.meshes:.0f} tooth meshes, two revolutions.")
+    return text

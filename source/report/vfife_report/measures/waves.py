@@ -1,0 +1,94 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Motion of the gear's rim by nodal diameters, from rim.csv (axes that turn with the gear)."""
+import numpy as np
+
+from .spectrum import compute_directed_spectrum, find_peaks
+
+COMPONENTS = {"r": "radial", "theta": "tangential", "z": "axial"}
+SHOWN_DIAMETERS = 6  # of spectra
+HIGHEST_WAVE_ORDER = 2.2  # of the tooth mesh, up to which spectra are shown
+
+
+def count_diameters(rim):
+    """Largest number of nodal diameters in the table."""
+    return sum(1 for name in rim.columns if name.startswith("z sin "))
+
+
+def count_shown_diameters(rim):
+    """Largest number of nodal diameters whose spectrum is shown."""
+    return min(SHOWN_DIAMETERS, count_diameters(rim))
+
+
+def read_wave(rim, component, n):
+    """C = c + i s of u = Re(C exp(-i n alpha)) at each sample. A wave cos(n alpha - w t) has
+    C = exp(i w t): positive frequencies travel in the + sense of the gear's axis."""
+    cos = rim[f"{component} cos {n}"]
+    return cos + 1j * rim[f"{component} sin {n}"] if n else cos + 0j
+
+
+def split_wave(wave, time, n, rate):
+    """The pattern that stands in space (amplitude with phase) and the rest of C(t), in the axes that
+    turn with the gear at `rate` [rad/s, + about its axis].
+
+    The load stands in space, so in the turning gear its pattern of n diameters is a wave of
+    frequency -n rate; for n = 0 it is the mean. A gear of equal sectors has no pattern of its own that
+    would stand in the gear.
+    """
+    turn = np.exp(1j * n * rate * time)
+    standing = np.mean(wave * turn)
+    return standing, wave - standing / turn
+
+
+def measure_waves(rim, rows, rate):
+    """Amplitude that stands in space and root mean square of the rest, by component and nodal
+    diameters, (3, n + 1) each [um]."""
+    shape = (len(COMPONENTS), count_diameters(rim) + 1)
+    standing, moving = np.empty(shape), np.empty(shape)
+    for k, component in enumerate(COMPONENTS):
+        for n in range(shape[1]):
+            wave = read_wave(rim, component, n)[rows]
+            pattern, rest = split_wave(wave, rim["time"][rows], n, rate)
+            standing[k, n], moving[k, n] = np.abs(pattern), np.sqrt(np.mean(np.abs(rest)**2))
+    return standing, moving
+
+
+def find_axial_rest(run, n):
+    """Times of the steady part and the axial wave of n diameters less what stands in space."""
+    rim, rows = run.rim, run.steady_rows(run.rim)
+    time = rim["time"][rows]
+    return time, split_wave(read_wave(rim, "z", n)[rows], time, n, run.gear_rate())[1]
+
+
+def list_directions(rate):
+    """Name and sign of the frequency of each direction of travel. The load, which stands in space,
+    travels against the turning of the gear."""
+    return (("against the turning of the gear", -np.sign(rate)), ("with it", np.sign(rate)))
+
+
+def list_wave_spectra(run, n):
+    """Name of the direction, frequencies [Hz] from zero up and amplitudes [um] of the axial waves of n
+    diameters that do not stand in space; a wave that stands in the gear is two equal lines, one in either
+    direction. One direction only for n = 0, which has none."""
+    time, rest = find_axial_rest(run, n)
+    frequency, amplitude = compute_directed_spectrum(rest, (time[-1] - time[0]) / (len(time) - 1))
+    directions = list_directions(run.gear_rate())
+    for name, sign in directions[:1] if n == 0 else directions:
+        side = sign * frequency >= 0
+        order = np.argsort(sign * frequency[side])
+        values = (2 if n == 0 else 1) * amplitude[side][order]
+        yield name, (sign * frequency[side])[order], values
+
+
+def list_wave_lines(run, least=0.3):
+    """Nodal diameters, direction, frequency [Hz], amplitude [um] of the strongest lines: two a
+    direction, at least `least` times the strongest of the wave."""
+    top = HIGHEST_WAVE_ORDER * run.value("mesh frequency")
+    for n in range(count_shown_diameters(run.rim) + 1):
+        found = [(direction if n else "-", line)
+                 for direction, frequency, amplitude in list_wave_spectra(run, n)
+                 for line in sorted((p for p in find_peaks(amplitude, frequency[1])
+                                     if p.frequency < top), key=lambda p: -p.amplitude)[:2]]
+        floor = least * max((line.amplitude for _, line in found), default=0)
+        for direction, line in found:
+            if line.amplitude >= floor:
+                yield str(n), direction, line.frequency, line.amplitude

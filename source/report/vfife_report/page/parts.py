@@ -1,0 +1,75 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""What chapters are made of: paragraphs, tables, pictures; templates/page.html shows them."""
+import base64
+from dataclasses import dataclass
+from pathlib import Path
+
+# A cell that is a verdict: class of the style sheet, text.
+MARKS = {"agrees": ("good", "✓ agrees"), "differs": ("bad", "✗ differs"),
+         "met": ("good", "✓ met"), "not met": ("bad", "✗ not met"),
+         "not judged": ("open", "– not judged")}
+MEDIA = {".svg": "image/svg+xml", ".png": "image/png"}
+LONG_TEXT = 40  # letters from which a cell is kept wide
+
+
+def format_number(value, digits=5):
+    """Digits as one reads them: no exponent between 1e-4 and 1e7; a dash for what is no number."""
+    if value is None or value != value:
+        return "–"
+    if isinstance(value, int):
+        return f"{value:,}".replace(",", "\u202f")
+    text = f"{value:.{digits}g}"
+    if "e" in text and 1e-4 <= abs(value) < 1e7:
+        text = f"{value:.0f}"
+    return text.replace("-", "\u2212", 1) if text.startswith("-") else text
+
+
+@dataclass
+class Paragraph:
+    text: str
+    kind: str = ""  # alarm, soft
+    template = "paragraph"
+
+    def is_empty(self):
+        return not self.text
+
+
+@dataclass
+class Cells:
+    """A table; cells are numbers, None or texts, and a text that is a verdict is marked."""
+    header: list
+    rows: list
+    caption: str = ""
+    template = "cells"
+
+    def is_empty(self):
+        return not self.rows
+
+    def columns(self):
+        """Header and whether all below it are numbers."""
+        return [(text, all(isinstance(row[k], (int, float, type(None))) for row in self.rows))
+                for k, text in enumerate(self.header)]
+
+    @staticmethod
+    def show(value):
+        """Class and text of a cell."""
+        if not isinstance(value, str):
+            return "number", format_number(value)
+        return MARKS.get(value, ("long" if len(value) > LONG_TEXT else "", value))
+
+
+@dataclass
+class Picture:
+    """A .svg or .png within the page, on a narrow screen larger when touched; `data`: names of the
+    files with its numbers."""
+    path: Path
+    caption: str
+    data: str = ""
+    template = "picture"
+
+    def is_empty(self):
+        return False
+
+    def address(self):
+        code = base64.b64encode(self.path.read_bytes()).decode()
+        return f"data:{MEDIA[self.path.suffix]};base64,{code}"

@@ -1,0 +1,127 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Chapters of the report of one run, each of what the run has files for."""
+from ..data.columns import JUDGED
+from ..data.needs import has_rim_over_meshes
+from ..measures.checks import list_checks
+from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
+from ..measures.periodicity import measure_column
+from ..measures.quantities import list_quantities
+from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
+                                  list_other_lines)
+from ..measures.sidebands import SIDEBANDS_HEADER, list_sidebands
+from ..measures.waves import list_wave_lines
+from .chapter import Chapter
+from .parts import Cells, Paragraph
+from .words import list_case_rows, list_sentences
+
+
+def list_values(values):
+    """Rows of the summary's numbers with units."""
+    return [[name, one["value"], one["unit"]] for name, one in values.items()]
+
+
+def tell_case(run, plots):
+    failure = run.summary.get("failure")
+    if failure:
+        yield Paragraph(f"The run failed: {failure}", "alarm")
+    for sentence in list_sentences(run):
+        yield Paragraph(sentence)
+    yield Cells(["", "in force"], list(list_case_rows(run)))
+    if run.parameters:
+        yield Paragraph("All parameters in force: parameters.prm in the run's folder.", "soft")
+    yield from plots
+
+
+def tell_quantities(run, plots):
+    yield Cells(["quantity", "value", "unit"], list(list_quantities(run)),
+                "Of the steady part, largest values of the whole run; definitions in doc/report.md.")
+
+
+def tell_transmission_error(run, plots):
+    yield from plots
+    if plots:
+        yield Cells(["part", "value", "unit"], list_values(run.summary.get("transmission error", {})),
+                    "Parts of the transmission error in the equilibrium before the start.")
+
+
+def tell_spectra(run, plots):
+    if not plots:
+        return
+    yield from plots
+    yield Cells(["history"] + HARMONICS_HEADER, list_harmonics(run, 5),
+                "Harmonics of the tooth mesh, of the mean mesh.")
+    yield Cells(["history"] + LINES_HEADER, list_other_lines(run),
+                "Strongest lines of what does not repeat with the mesh (Hann's window).")
+    yield Cells(SIDEBANDS_HEADER, list(list_sidebands(run)),
+                "One rotation below and above the harmonics of the mesh (Hann's window).")
+    yield Paragraph(describe_resolution(run), "soft")
+    found = [(column, measure_column(run, column)) for column in JUDGED]
+    yield Cells(["history", "unit", "meshes", "ripple", "rest", "change, rms", "change, largest",
+                 "trend a mesh", "periodic [%]"],
+                [[column, run.history.units[column], p.meshes, p.ripple, p.remainder, p.change,
+                  p.largest_change, p.trend, 100 * p.periodic_share] for column, p in found if p],
+                "How far tooth meshes differ: ripple (peak to peak) of the mean mesh, standard deviation "
+                "of the rest, change from one mesh to the next.")
+
+
+def tell_probes(run, plots):
+    yield from plots
+    yield Cells(["probe", "peak [MPa]", "at [ms]", "steady [MPa]", "duration [ms]", "record"],
+                [[name, p.peak, 1e3 * p.peak_time, p.steady, 1e3 * p.duration if p.whole else None,
+                  "whole passage" if p.whole else "passage cut by the record"]
+                 for name, p in find_passages(run)],
+                f"Passage through the mesh: duration above {DURATION_LEVEL_IN_WORDS} of the rise over the "
+                "steady stress.")
+
+
+def tell_rim(run, plots):
+    yield from plots
+    yield Cells(["nodal diameters", "travels", "frequency [Hz]", "amplitude [um]"],
+                list(list_wave_lines(run)) if has_rim_over_meshes(run) else [],
+                "Strongest lines of the axial waves, frequencies in the turning gear.")
+
+
+def tell_energy(run, plots):
+    yield from plots
+    yield Cells(["energy ledger", "value", "unit"], list_values(run.summary.get("energy", {})))
+    yield Cells(["damping of", "net torque [N m]", "power [W]", "spin drift [rpm]"],
+                [[a["body"]] + [a[name]["value"] for name in ("net torque", "power", "spin drift")]
+                 for a in run.summary.get("damping audit", [])])
+
+
+def tell_checks(run, plots):
+    rows = list(list_checks(run))
+    if not rows:
+        return
+    yield Cells(["check", "value", "asked for", "verdict"], rows)
+    for kind in ("contradictions", "warnings"):
+        for text in run.summary.get(kind, []):
+            yield Paragraph(f"{kind[:-1].capitalize()}: {text}", "alarm")
+
+
+def tell_computation(run, plots):
+    statistics = run.summary.get("run")
+    if not statistics:
+        return
+    rows = [[name, value["value"], value["unit"]] for name, value in statistics.items()
+            if isinstance(value, dict) and "unit" in value]
+    rows += [[name, value, ""] for name, value in statistics.items() if isinstance(value, int)]
+    yield Cells(["", "value", "unit"], rows)
+    yield Cells(["section", "time", "unit"], list_values(statistics.get("timers", {})))
+    origin = [run.summary.get(name, "") for name in ("version", "revision")]
+    yield Paragraph(f"Program version {origin[0]}, revision {origin[1]}; kernels for "
+                    f"{statistics.get('instruction set', 'unknown instructions')}.", "soft")
+
+
+RUN_CHAPTERS = (
+    Chapter("The case", tell_case),
+    Chapter("Key figures", tell_quantities),
+    Chapter("Transmission error", tell_transmission_error),
+    Chapter("Contact"),
+    Chapter("Spectra and periodicity", tell_spectra),
+    Chapter("Stress at the probes", tell_probes),
+    Chapter("Motion of the rim", tell_rim),
+    Chapter("Sections"),
+    Chapter("Energy and damping", tell_energy),
+    Chapter("Checks", tell_checks),
+    Chapter("The computation", tell_computation))

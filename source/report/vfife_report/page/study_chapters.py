@@ -1,0 +1,124 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Chapters of the report of a study: all variants on shared axes and in shared tables."""
+import csv
+
+from ..data.columns import JUDGED
+from ..data.naming import find_differences
+from ..measures.periodicity import measure_column
+from ..measures.quantities import list_quantities
+from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
+                                  list_other_lines)
+from .chapter import Chapter
+from .parts import Cells, Paragraph
+from .sweep_chapter import tell_sweep, title_sweep
+
+SHOWN_DIFFERENCES = 6
+
+
+def tell_variants(study, plots):
+    names = find_differences([v.run for v in study.variants])[:SHOWN_DIFFERENCES]
+    rows = []
+    for variant in study.variants:
+        summary = variant.run.summary
+        status = summary.get("failure") or summary.get("status", "no summary")
+        rows.append([variant.name, variant.run.path.name]
+                    + [read_parameter(variant.run, name) for name in names] + [status])
+    yield Cells(["variant", "folder"] + [name.split("/")[-1] for name in names] + ["status"], rows)
+    yield Paragraph("A variant's own report is made by make_report.py with its folder.", "soft")
+
+
+def read_parameter(run, name):
+    """Empty where it is of no meaning: thickness and angle of a web that is not there."""
+    body, _, word = name.rpartition("/")
+    if word.startswith("web ") and run.parameters.get(f"{body}/web") != "conical":
+        return ""
+    return run.parameters.get(name, "")
+
+
+def list_measured(study):
+    """Column, variant and periodicity (or None) of what is judged."""
+    return [(column, variant, measure_column(variant.run, column))
+            for column in JUDGED for variant in study.variants]
+
+
+def tell_means(study, plots):
+    rows = []
+    for column, variant, periodicity in list_measured(study):
+        statistics = variant.run.statistics(column)
+        if statistics:
+            rows.append([column, variant.name, statistics["mean"], statistics["peak to peak"],
+                         statistics["standard deviation"],
+                         periodicity.trend if periodicity else None, statistics["unit"]])
+    yield Cells(["history", "variant", "mean", "peak to peak", "standard deviation",
+                 "trend a tooth mesh", "unit"], rows, "Over the steady part of each run.")
+
+
+def tell_periodicity(study, plots):
+    rows = [[column, variant.name, p.meshes, p.ripple, p.change, p.largest_change,
+             100 * p.periodic_share, variant.run.history.units[column]]
+            for column, variant, p in list_measured(study) if p]
+    if rows:
+        yield Paragraph("Consecutive tooth meshes laid over each other: how much of the history "
+                        "repeats with the mesh, and how far one mesh differs from the next.")
+        yield Cells(["history", "variant", "meshes", "ripple of the mean mesh",
+                     "change, rms", "change, largest", "periodic [%]", "unit"], rows)
+
+
+def tell_lines(study, plots):
+    pairs = [v for v in study.variants if v.run.history is not None and list_harmonics(v.run, 1)]
+    rows = [[row[0], v.name] + row[1:] for v in pairs for row in list_harmonics(v.run, 3)]
+    if not rows:
+        return
+    yield Cells(["history", "variant"] + HARMONICS_HEADER, sorted(rows, key=lambda row: row[0]),
+                "Harmonics of the tooth mesh, of the mean mesh.")
+    rows = [[row[0], v.name] + row[1:] for v in pairs for row in list_other_lines(v.run, 3, 2)]
+    yield Cells(["history", "variant"] + LINES_HEADER, sorted(rows, key=lambda row: row[0]),
+                "Strongest lines of what does not repeat with the mesh (Hann's window).")
+    for variant in pairs:
+        yield Paragraph(f"{variant.name}: {describe_resolution(variant.run)}", "soft")
+
+
+def tell_quantities(study, plots):
+    """All key figures of all variants, also as key_figures.csv."""
+    columns = [dict((name, (value, unit)) for name, value, unit in list_quantities(v.run))
+               for v in study.variants]
+    names = dict.fromkeys(name for column in columns for name in column)
+    if not names:
+        return
+    rows = []
+    for name in names:
+        unit = next(column[name][1] for column in columns if name in column)
+        rows.append([name] + [column[name][0] if name in column else None for column in columns]
+                    + [unit])
+    header = ["quantity"] + [v.name for v in study.variants] + ["unit"]
+    with open(study.path / "key_figures.csv", "w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(header)
+        writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
+    yield Cells(header, rows, "Definitions in doc/report.md. Data: key_figures.csv.")
+
+
+def tell_computations(study, plots):
+    rows = []
+    for variant in study.variants:
+        run = variant.run.summary.get("run")
+        if run:
+            rows.append([variant.name, variant.run.summary["mesh"]["cells"], run["steps"],
+                         run["run time"]["value"], 1e-6 * run["element-steps per second"]["value"],
+                         run["ranks"]])
+    yield Cells(["variant", "elements", "steps", "time of the steps [s]",
+                 "million element-steps a second", "ranks"], rows)
+
+
+STUDY_CHAPTERS = (
+    Chapter("The variants", tell_variants),
+    Chapter("Over what is varied", tell_sweep, title_sweep),
+    Chapter("Means and ripple", tell_means),
+    Chapter("Transmission error"),
+    Chapter("Contact force"),
+    Chapter("Periodicity", tell_periodicity),
+    Chapter("Lines", tell_lines),
+    Chapter("Stresses"),
+    Chapter("Motion of the rim"),
+    Chapter("All key figures", tell_quantities),
+    Chapter("The computations", tell_computations))

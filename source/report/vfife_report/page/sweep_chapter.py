@@ -1,0 +1,81 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The chapter of a sweep over one number; over speed also spectra, resonances and what meets what."""
+import numpy as np
+
+from ..data.columns import TRANSMISSION_ERROR
+from ..measures.critical_speeds import MESH_ORDERS, choose_modes, list_critical_speeds
+from ..measures.lines import HIGHEST_LINE_ORDER, find_lines
+from ..measures.ripple import RIPPLES, find_steady, read_ripple
+from .parts import Cells, Paragraph
+
+
+def title_sweep(study):
+    return f"Over {study.axis.name}"
+
+
+def tell_sweep(study, plots):
+    if not plots:
+        return
+    if study.speeds:
+        for sentence in list_sentences(study.speeds, study.beside):
+            yield Paragraph(sentence)
+    yield from plots
+    if study.speeds:
+        yield from list_speed_tables(study.speeds, study.beside)
+
+
+def list_sentences(speeds, beside):
+    """Where the ripple is largest, and what lies near."""
+    axis, steady = speeds.axis, find_steady(speeds.axis)
+    for column, _ in RIPPLES:
+        values = read_ripple(axis, column, "peak to peak")
+        if np.any(np.isfinite(values)):
+            at = int(np.nanargmax(values))
+            unit = axis.variants[at].run.history.units[column]
+            yield (f"The {column} ripples most at {axis.text(at)} (tooth mesh {speeds.frequencies[at]:.0f} "
+                   f"Hz): {values[at]:.4g} {unit} peak to peak; least at "
+                   f"{axis.text(int(np.nanargmin(values)))}: {np.nanmin(values):.4g} {unit}.")
+    for table in beside.lumped:
+        at = int(np.argmax(table["peak to peak dte"]))
+        inside = (table["speed"] >= axis.values[0]) & (table["speed"] <= axis.values[-1])
+        text = (f"The lumped model's transmission error ripples most at {table['speed'][at]:.0f} rpm (tooth "
+                f"mesh {table['mesh frequency'][at]:.0f} Hz): {table['peak to peak dte'][at]:.3g} arcsec")
+        if axis.unit == "rpm" and np.any(inside) and not inside[at]:
+            best = int(np.argmax(np.where(inside, table["peak to peak dte"], -1)))
+            text += (f"; within these speeds at {table['speed'][best]:.0f} rpm: "
+                     f"{table['peak to peak dte'][best]:.3g} arcsec")
+        yield text + "."
+    if beside.modes:
+        at = ", ".join(sorted({modes.speed for modes in beside.modes}))
+        yield (f"Coupled modes are those of the pair in contact that take part in the gear's turn, computed at "
+               f"{at}; other speeds have other centrifugal and gyroscopic forces.")
+    if not np.all(steady):
+        yield ("No steady part was found at " + ", ".join(axis.text(k) for k in np.flatnonzero(~steady))
+               + ": the last third is taken there.")
+
+
+def list_speed_tables(speeds, beside):
+    axis, modes = speeds.axis, choose_modes(beside, speeds)
+    rows = []
+    for k, variant in enumerate(axis.variants):
+        run = variant.run
+        steady = run.steady_rows(run.history)
+        time = run.history["time"][steady]
+        lines = find_lines(run.history[TRANSMISSION_ERROR][steady], run.samples_per_mesh(),
+                           speeds.frequencies[k], 0, HIGHEST_LINE_ORDER * speeds.frequencies[k], 1)
+        line = lines[0] if lines else None
+        nearest = (modes[k].frequencies[np.argmin(abs(modes[k].frequencies - line.frequency))]
+                   if line and modes else None)
+        rows.append([axis.values[k], speeds.frequencies[k], 1 / (time[-1] - time[0])]
+                    + [read_ripple(axis, column, what)[k] for column, _ in RIPPLES
+                       for what in ("mean", "peak to peak", "standard deviation")]
+                    + [line.frequency if line else None, line.amplitude if line else None, nearest])
+    yield Cells([axis.label, "tooth mesh [Hz]", "lines apart [Hz]", "dte, mean [arcsec]", "peak to peak",
+                 "RMS", "force, mean [N]", "peak to peak", "RMS",
+                 "dte: strongest line beside the mesh [Hz]", "amplitude [arcsec]",
+                 "nearest coupled mode [Hz]"], rows,
+                "RMS: standard deviation from the mean of the steady part.")
+    yield Cells(["coupled mode [Hz]", "meets mesh order", f"at {axis.label}"],
+                [[frequency, order, value] for frequency, order, value
+                 in list_critical_speeds(beside, speeds)],
+                f"Speeds at which mesh orders {MESH_ORDERS[0]} to {MESH_ORDERS[-1]} meet coupled modes.")

@@ -1,0 +1,78 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""A case in words: titles, sentences and rows made from the parameters in force."""
+from ..data.naming import GEAR, PINION, describe_pair, describe_web
+
+ROWS = (("teeth of pinion and gear", PINION + "Blank/number of teeth", GEAR + "Blank/number of teeth"),
+        ("hand of pinion and gear", PINION + "Blank/hand of spiral", GEAR + "Blank/hand of spiral"),
+        ("mean cone distance", GEAR + "Blank/mean cone distance"),
+        ("face width", GEAR + "Blank/face width"),
+        ("backlash", "Gear pair/Mounting/backlash"),
+        ("speed of the pinion", "Operation/speed"),
+        ("torque on the gear", "Operation/torque"),
+        ("tooth meshes", "Operation/tooth meshes"),
+        ("start", "Dynamics/start"),
+        ("bore of the gear", "Operation/hub"),
+        ("damping, mesh damping", "Dynamics/damping", "Dynamics/mesh damping"),
+        ("contact: discretization, surface", "Contact/discretization", "Contact/surface"),
+        ("friction coefficient", "Contact/friction coefficient"),
+        ("element frame, stiffness", "Dynamics/frame", "Dynamics/stiffness"))
+
+
+def make_title(run):
+    """What a run or study is, in one line; the folder's name where it is no gear pair."""
+    parameters = run.parameters
+    parts = [describe_pair(parameters), describe_web(parameters)]
+    if "Operation/speed" in parameters:
+        parts += [parameters["Operation/speed"], parameters["Operation/torque"]]
+    title = ", ".join(part for part in parts if part) or run.path.resolve().name
+    kind = parameters.get("Study/kind", "run")
+    return title if kind == "run" else f"{title}: {kind}"
+
+
+def list_case_rows(run):
+    """Name and value of what defines the case, as far as it is known."""
+    parameters = run.parameters
+    for name, *keys in ROWS:
+        values = [parameters[key] for key in keys if key in parameters]
+        if values and any(value != "0" for value in values):
+            yield name, ", ".join(values)
+    web = describe_web(parameters)
+    if web.startswith("web"):
+        body = GEAR + "Body/"
+        yield "web", (f"{web} to the axis, from the {parameters[body + 'web attachment']} "
+                      f"{parameters[body + 'web direction']}")
+        yield "rim thickness", parameters[body + "rim thickness"]
+    elif web:
+        yield "gear body", web
+    for name in dict.fromkeys(key.split("/")[0] for key in parameters if key.startswith("Material ")):
+        values = (parameters[f"{name}/{what}"] for what in ("Young's modulus", "Poisson's ratio",
+                                                           "density"))
+        yield name, "E {}, nu {}, {}".format(*values)
+    for body in run.bodies():
+        yield body["name"], (f"{body['cells']} elements, {body['nodes']} nodes, "
+                             f"{body['mass']['value']:.4g} {body['mass']['unit']}")
+
+
+def list_sentences(run):
+    """What was computed, in a few sentences."""
+    parameters, summary = run.parameters, run.summary
+    frequency = run.value("mesh frequency")
+    pair = describe_pair(parameters)
+    if pair and frequency:
+        time = summary["run"]["time"]["value"]
+        yield (f"The {pair[0].lower()}{pair[1:]} turns at {parameters['Operation/speed']} of the pinion, the "
+               f"gear resists with {parameters['Operation/torque']}. Teeth mesh at {frequency:.0f} Hz; "
+               f"the run covers {time * frequency:.3g} tooth meshes ({1e3 * time:.4g} ms) from "
+               f"{describe_start(parameters)}.")
+    if "steady part" in summary:
+        text = summary["steady part"]["explanation"]
+        yield text[0].upper() + text[1:] + "."
+
+
+def describe_start(parameters):
+    start = parameters.get("Dynamics/start", "")
+    if start == "static preload":
+        return "equilibrium under centrifugal force and full torque"
+    if start == "ramp":
+        return f"touching flanks, the torque growing over {parameters['Operation/ramp']} tooth meshes"
+    return f"the start \"{start}\""

@@ -1,0 +1,129 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""All plots and pictures of the report, a row each. A new one is a function and a row here."""
+from functools import partial
+
+from .data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
+from .data.fields import read_last_fields
+from .data.needs import (has_axis, has_file, has_history, has_pair, has_pairs, has_pairs_with,
+                         has_pattern, has_probes, has_rim, has_rim_over_meshes, has_speeds,
+                         has_tooth_mesh, has_tooth_pressures)
+from .data.study import Study
+from .pictures.bodies import draw_bodies
+from .pictures.meridian_section import draw_deformation, draw_meridian_section
+from .pictures.scene import Scene, is_in_mesh
+from .pictures.teeth_in_mesh import draw_teeth_in_mesh
+from .plots import campbell, comparisons, histories, lumped, rim, spectra, tooth_contact
+from .plots.curves import draw_curves
+from .plots.loaded_contact import draw_loaded_contact
+from .plots.plot_row import PlotRow, draw_rows
+from .plots.resonance import draw_resonance
+from .plots.tooth_contact_analysis import draw_tooth_contact_analysis
+from .plots.waterfalls import draw_waterfall
+
+# Of a run's folder.
+RUN_PLOTS = (
+    PlotRow("dte.svg", (has_pair,), histories.draw_transmission_error,
+            "Dynamic transmission error of hub and rim; a lag of the gear is negative.",
+            "Transmission error"),
+    PlotRow("contact_force.svg", (has_history,), histories.draw_contact_force,
+            "Contact force: sum, and each tooth pair.", "Contact"),
+    PlotRow("tooth_engagement.svg", (has_tooth_pressures,), tooth_contact.draw_tooth_engagement,
+            "One tooth pair through its engagement. The largest pressure of a point depends on mesh and "
+            "penalty, the mean and Hertz's do not.", "Contact"),
+    PlotRow("load_sharing.svg", (has_tooth_pressures,), tooth_contact.draw_load_sharing,
+            "Share of each tooth pair and its pressures, all pairs laid over each other.", "Contact"),
+    PlotRow("contact_pattern.svg", (has_pattern,), tooth_contact.draw_contact_pattern,
+            "Contact pattern on the drive flanks over the last tooth mesh, axial sections.", "Contact",
+            data="pattern.csv"),
+    PlotRow("spectra.svg", (has_tooth_mesh,), spectra.draw_spectra,
+            "Amplitudes over the whole tooth meshes of the steady part, no window.",
+            "Spectra and periodicity"),
+    PlotRow("sidebands.svg", (has_tooth_mesh,), spectra.draw_sidebands,
+            "Transmission error around the first harmonics of the mesh (Hann's window).",
+            "Spectra and periodicity"),
+    PlotRow("probes.svg", (has_probes,), histories.draw_probes,
+            "Von Mises stress at the probes.", "Stress at the probes"),
+    PlotRow("rim_content.svg", (has_rim,), rim.draw_rim_content,
+            "Displacement of the rim by nodal diameters: the pattern that stands in space with the load "
+            "(0: the mean), and what moves besides.", "Motion of the rim"),
+    PlotRow("rim_history.svg", (has_rim,), rim.draw_rim_history,
+            "Axial waves of the rim that do not stand in space.", "Motion of the rim"),
+    PlotRow("rim_waves.svg", (has_rim_over_meshes,), rim.draw_rim_waves,
+            "Spectra of these waves by direction of travel.", "Motion of the rim"),
+    PlotRow("energies.svg", (has_history,), histories.draw_energies,
+            "Energy error and energies.", "Energy and damping"),
+)
+
+# Of the scene of a run's last fields.
+FIELD_PICTURES = (
+    PlotRow("bodies.png", (), draw_bodies,
+            "The bodies with the elements' edges and von Mises stress.", "The case"),
+    PlotRow("teeth_in_mesh.png", (is_in_mesh,), draw_teeth_in_mesh,
+            "Teeth in mesh: section and contact pressure.", "Contact"),
+    PlotRow("meridian_section.png", (is_in_mesh,), draw_meridian_section,
+            "Section through the gear's axis and the contact.", "Sections"),
+    PlotRow("deformation.png", (is_in_mesh,), draw_deformation,
+            "Deformation of the gear in that section.", "Sections"),
+)
+
+# Of a folder with the tables of a study other than a run.
+TABLE_PLOTS = (
+    PlotRow("tca.svg", (has_file("tca.csv"),), draw_tooth_contact_analysis,
+            "Lag of neighbouring tooth pairs, path of contact with ellipses, ease-off.",
+            "Unloaded tooth contact", data="tca.csv, path.csv, ease_off.csv"),
+    PlotRow("loaded_contact.svg", (has_file("loaded_contact.csv"),), draw_loaded_contact,
+            "Transmission error, load sharing, mesh stiffness and stresses over a tooth mesh.",
+            "Loaded tooth contact by finite elements", data="loaded_contact.csv, loaded_teeth.csv"),
+    PlotRow("campbell_{}.svg", (has_file("campbell.csv"),), campbell.draw_campbell,
+            "Natural frequencies of the {} over its speed, and resonances with the tooth mesh.",
+            "Natural frequencies", data="campbell.csv, resonances.csv", each=campbell.list_bodies),
+    PlotRow("lumped_motion.svg", (has_file("lumped.csv"),), lumped.draw_motion,
+            "Motion of the lumped model at the speed of operation.", "Lumped model"),
+    PlotRow("lumped_response.svg", (has_file("lumped.csv"), has_file("resonance.csv")),
+            lumped.draw_response, "Response of the lumped model over speed.", "Lumped model"),
+)
+
+# Of a study: all its runs on shared axes.
+STUDY_PLOTS = (
+    PlotRow("resonance.svg", (has_speeds,), draw_resonance,
+            "Ripple of transmission error and contact force over speed. Circles: runs without steady part. "
+            "Vertical: speeds at which a mesh order meets a coupled mode.", "Over what is varied"),
+    PlotRow("waterfall_dte.svg", (has_speeds,), partial(draw_waterfall, column=TRANSMISSION_ERROR),
+            "Spectra of the transmission error at each speed (Hann's window, whole meshes of the steady "
+            "part); rows are equally far from each other whatever the speeds.", "Over what is varied"),
+    PlotRow("waterfall_force.svg", (has_speeds,), partial(draw_waterfall, column=CONTACT_FORCE),
+            "Spectra of the contact force at each speed.", "Over what is varied"),
+    PlotRow("curves.svg", (has_axis,), draw_curves,
+            "Key figures of the runs over what is varied.", "Over what is varied"),
+    PlotRow("dte.svg", (has_pairs,), partial(comparisons.draw_histories, column=TRANSMISSION_ERROR),
+            "Dynamic transmission error of all variants: means over a tooth mesh for the whole run, and "
+            "the last tooth meshes as they are.", "Transmission error"),
+    PlotRow("dte_spectra.svg", (has_pairs,),
+            partial(comparisons.draw_spectra, column=TRANSMISSION_ERROR),
+            "Spectra of the transmission error, whole tooth meshes of the steady part.",
+            "Transmission error"),
+    PlotRow("contact_force.svg", (has_pairs,), partial(comparisons.draw_histories, column=CONTACT_FORCE),
+            "Total contact force of all variants, in the same way.", "Contact force"),
+    PlotRow("force_spectra.svg", (has_pairs,), partial(comparisons.draw_spectra, column=CONTACT_FORCE),
+            "Spectra of the contact force.", "Contact force"),
+    PlotRow("tooth_stress.svg", (has_pairs_with("teeth", "hertz pressure"),),
+            comparisons.draw_tooth_stress,
+            "Contact stress of one tooth pair from its first to its last touch.", "Stresses"),
+    PlotRow("probes.svg", (has_pairs_with("probes"),), comparisons.draw_probes,
+            "Von Mises stress at the probes, time from the peak.", "Stresses"),
+    PlotRow("rim_content.svg", (has_pairs_with("rim"),), comparisons.draw_rim_content,
+            "Motion of the rim by nodal diameters: the pattern that stands in space with the load, and "
+            "what moves besides.", "Motion of the rim"),
+)
+
+
+def draw_folder(source, names=()):
+    """All plots and pictures of a study, or of a run's or another folder: list of DrawnPlot."""
+    if isinstance(source, Study):
+        return (draw_rows(STUDY_PLOTS, source, source.path, names)
+                + draw_rows(TABLE_PLOTS, source.folder, source.path, names))
+    drawn = draw_rows(RUN_PLOTS, source, source.path, names)
+    fields = read_last_fields(source.fields) if source.fields.is_file() else None
+    if fields is not None:
+        drawn += draw_rows(FIELD_PICTURES, Scene(source, fields), source.path, names)
+    return drawn + draw_rows(TABLE_PLOTS, source, source.path, names)

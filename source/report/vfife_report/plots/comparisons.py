@@ -1,0 +1,132 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plots of several runs of a study on shared axes."""
+import numpy as np
+
+from ..measures.passages import LEAST_FORCE_IN_WORDS, find_passages, find_run_engagement, is_loaded
+from ..measures.periodicity import compute_mesh_average
+from ..measures.spectrum import compute_spectrum
+from ..measures.waves import COMPONENTS, measure_waves
+from .spectra import LARGEST_ORDER
+from .style import COLOURS, add_legend, plt
+from .tooth_contact import limit_to_most
+
+LAST_MESHES = 3
+# Told apart without colour too.
+DASHES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (8, 2))]
+
+
+def look(variant):
+    """A variant looks the same in all plots, also where another one is missing."""
+    colour = variant.number % len(COLOURS)
+    return {"color": COLOURS[colour],
+            "linestyle": DASHES[(colour + variant.number // len(COLOURS)) % len(DASHES)]}
+
+
+def draw_histories(study, column):
+    """Means over a tooth mesh for the whole run; the last tooth meshes less the steady mean."""
+    plot, (above, below) = plt.subplots(2, 1, figsize=(8, 7))
+    for variant in study.pairs:
+        run = variant.run
+        meshes = run.history["time"] * run.value("mesh frequency")
+        values = run.history[column]
+        above.plot(meshes, compute_mesh_average(values, run.samples_per_mesh()), label=variant.name,
+                   **look(variant))
+        last = meshes >= meshes[-1] - LAST_MESHES - 1e-6
+        mean = run.steady_values(column).mean()
+        below.plot(meshes[last] - meshes[-1], values[last] - mean, label=variant.name,
+                   **look(variant))
+    label = study.pairs[0].run.history.label(column)
+    above.set(title="mean over a tooth mesh", xlabel="tooth meshes", ylabel=label)
+    below.set(title=f"last {LAST_MESHES} tooth meshes as they are, less the mean of the steady part",
+              ylabel=label, xlabel="tooth meshes before the end")
+    for axes in (above, below):
+        axes.margins(x=0)
+    add_legend(above, fontsize=9)
+    return plot
+
+
+def draw_spectra(study, column):
+    """One below the other on one scale."""
+    variants = study.pairs
+    plot, panels = plt.subplots(len(variants), 1, sharex=True, sharey=True, squeeze=False,
+                                figsize=(8, 1.1 + 1.5 * len(variants)))
+    top = 0
+    for axes, variant in zip(panels[:, 0], variants):
+        run = variant.run
+        orders, amplitudes = compute_spectrum(run.steady_values(column), run.samples_per_mesh())
+        visible = (orders > 0) & (orders <= LARGEST_ORDER)
+        axes.vlines(orders[visible], 0, amplitudes[visible], color=look(variant)["color"],
+                    linewidth=2, label=variant.name)
+        top = max(top, amplitudes[visible].max(initial=0))
+        spacing = run.value("mesh frequency") * (orders[1] if len(orders) > 1 else np.nan)
+        axes.set_title(f"{variant.name} (lines {spacing:.0f} Hz apart)", fontsize=9)
+    panels[0, 0].set_ylim(0, 1.05 * top if top > 0 else 1)
+    panels[-1, 0].set_xlabel("order of the mesh frequency")
+    panels[-1, 0].set_xlim(0, LARGEST_ORDER + 0.2)
+    plot.supylabel(f"amplitude [{variants[0].run.history.units[column]}]", fontsize=10)
+    return plot
+
+
+def draw_tooth_stress(study):
+    """Hertz's and mean pressure of one tooth pair through its engagement."""
+    plot, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6.5))
+    for variant in study.pairs_with("teeth", "hertz pressure"):
+        teeth, one = variant.run.teeth, find_run_engagement(variant.run)
+        if one is None:
+            continue
+        at = (teeth["time"][one.rows] - teeth["time"][one.rows[0]]) * variant.run.value("mesh frequency")
+        name = f"{variant.name}, teeth {one.pinion_tooth}/{one.gear_tooth}"
+        name += "" if one.whole else " (cut by the record)"
+        above.plot(at, teeth["hertz pressure"][one.rows], label=name, **look(variant))
+        loaded = is_loaded(teeth, one.rows)
+        below.plot(at[loaded], teeth["mean pressure"][one.rows][loaded], label=name, **look(variant))
+    above.set(title="largest pressure of Hertz's ellipse under the tooth's force",
+              ylabel="contact stress [MPa]")
+    below.set(title=f"mean pressure, force over area, from {LEAST_FORCE_IN_WORDS} of the largest force on",
+              ylabel="contact stress [MPa]", xlabel="tooth meshes since the first touch")
+    above.set_ylim(bottom=0)
+    limit_to_most(below)
+    add_legend(above, fontsize=8)
+    return plot
+
+
+def draw_probes(study):
+    """A panel a probe, the passages' peaks on each other."""
+    variants = study.pairs_with("probes")
+    names = list(dict.fromkeys(name for v in variants for name in v.run.probes["probe"]))
+    plot, panels = plt.subplots(len(names), 1, sharex=True, squeeze=False,
+                                figsize=(8, 1 + 2.6 * len(names)))
+    for variant in variants:
+        probes, passages = variant.run.probes, dict(find_passages(variant.run))
+        for axes, name in zip(panels[:, 0], names):
+            if name in passages:
+                rows = probes["probe"] == name
+                axes.plot(1e3 * (probes["time"][rows] - passages[name].peak_time),
+                          probes["von mises"][rows], label=variant.name, **look(variant))
+    for axes, name in zip(panels[:, 0], names):
+        axes.set(title=name, ylabel="von Mises stress [MPa]")
+        axes.set_ylim(bottom=0)
+    add_legend(panels[0, 0], fontsize=9)
+    panels[-1, 0].set_xlabel("time from the peak [ms]")
+    return plot
+
+
+def draw_rim_content(study):
+    """Axial and radial waves: what stands in space, and the rest."""
+    plot, panels = plt.subplots(2, 2, sharex=True, figsize=(9, 6.5))
+    for variant in study.pairs_with("rim"):
+        rim = variant.run.rim
+        both = measure_waves(rim, variant.run.steady_rows(rim), variant.run.gear_rate())
+        for column, values in enumerate(both):
+            for row, component in enumerate(("z", "r")):
+                at = list(COMPONENTS).index(component)
+                panels[row, column].plot(values[at], marker="o", markersize=3, label=variant.name,
+                                         **look(variant))
+    for row, component in enumerate(("z", "r")):
+        for column, what in enumerate(("standing in space", "root mean square of the rest")):
+            panels[row, column].set(title=f"{COMPONENTS[component]}, {what}", yscale="log")
+        panels[row, 0].set_ylabel("amplitude [um]")
+    for axes in panels[1]:
+        axes.set_xlabel("nodal diameters")
+    add_legend(panels[0, 0], fontsize=9)
+    return plot

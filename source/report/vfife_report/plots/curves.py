@@ -1,0 +1,65 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Curves of the runs' quantities over what a sweep varies."""
+import numpy as np
+
+from ..measures.quantities import list_quantities
+from .style import COLOURS, add_legend, plt
+
+NOT_DRAWN = ("trend a tooth mesh", "change from mesh to mesh (rms)", "periodic share of the variance",
+             "duration of the passage", "in contact for")
+
+
+def is_wide(values):
+    """Whether an axis shows them better by their logarithms."""
+    return values.min() > 0 and values.max() > 4 * values.min()
+
+
+def scale_axis(axes, axis, room):
+    """A wide range by logarithms, with the runs' own values as ticks where there is room (part of the
+    axis)."""
+    if is_wide(axis.values):
+        axes.set_xscale("log")
+        axes.minorticks_off()
+        ticks = [axis.values[0]]
+        for value in axis.values[1:]:  # those that leave room for their texts
+            if np.log(value / ticks[-1]) > room * np.log(axis.values[-1] / axis.values[0]):
+                ticks.append(value)
+        axes.set_xticks(ticks, [f"{value:g}" for value in ticks])
+    axes.set_xlabel(axis.label)
+
+
+def collect_curves(axis):
+    """Panels of curves: title and unit -> curves, name -> values over the axis. Means of a history for
+    themselves, its ripple together, the rest by what the quantities are of."""
+    panels = {}
+    for position, variant in enumerate(axis.variants):
+        for name, value, unit in list_quantities(variant.run):
+            of, _, what = name.rpartition(", ")
+            if what.startswith(NOT_DRAWN):
+                continue
+            title = f"{of}, ripple" if what in ("peak to peak", "standard deviation") else \
+                name if what == "mean" else of
+            curves = panels.setdefault((title, unit), {})
+            curves.setdefault(what, np.full(len(axis.values), np.nan))[position] = value
+    return panels
+
+
+def draw_curves(study):
+    """All quantities over the parameter, a panel a kind; None without any."""
+    axis = study.axis
+    panels = collect_curves(axis)
+    if not panels:
+        return None
+    rows = (len(panels) + 1) // 2
+    plot, grid = plt.subplots(rows, 2, figsize=(9, 0.4 + 2.7 * rows), squeeze=False)
+    for axes, ((title, unit), curves) in zip(grid.ravel(), panels.items()):
+        for number, (name, values) in enumerate(curves.items()):
+            axes.plot(axis.values, values, "o-", markersize=4, color=COLOURS[1 + number % 6], label=name)
+        only = next(iter(curves)) if len(curves) == 1 else ""
+        axes.set(title=title if title.endswith(only) else f"{title}, {only}", ylabel=f"[{unit}]")
+        scale_axis(axes, axis, 0.16)
+        if len(curves) > 1:
+            add_legend(axes, fontsize=8)
+    for axes in grid.ravel()[len(panels):]:
+        axes.remove()
+    return plot

@@ -1,0 +1,129 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plots over time: transmission error, forces of the teeth, energies, probes."""
+import numpy as np
+
+from ..data.columns import CONTACT_FORCE
+from ..measures.periodicity import compute_mesh_average
+from .style import COLOURS, GREY, PALE, label_ends, plt
+
+
+def mark_steady_part(run, axes):
+    part = run.steady_part()
+    if part:
+        start, end, found = part
+        axes.axvspan(1e3 * start, 1e3 * end, color=PALE, zorder=0)
+        axes.annotate("steady part" if found else "last third (not steady)", (1e3 * start, 1),
+                      xycoords=("data", "axes fraction"), xytext=(3, -10),
+                      textcoords="offset points", fontsize=8, color=GREY)
+
+
+def finish_time_axis(run, axes):
+    """Time below, tooth meshes above."""
+    axes.set_xlabel("time [ms]")
+    axes.margins(x=0)
+    frequency = run.value("mesh frequency")
+    if frequency:
+        above = axes.secondary_xaxis("top", functions=(lambda t: t * frequency * 1e-3,
+                                                       lambda n: n / frequency * 1e3))
+        above.set_xlabel("tooth meshes", fontsize=8, color=GREY)
+        above.tick_params(labelsize=8, colors=GREY)
+
+
+def draw_transmission_error(run):
+    history, samples = run.history, run.samples_per_mesh()
+    time = 1e3 * history["time"]
+    plot, axes = plt.subplots()
+    mark_steady_part(run, axes)
+    curves = (("dte", "hub", COLOURS[1]), ("rim dte", "rim", COLOURS[2]))
+    for name, text, colour in curves:
+        axes.plot(time, history[name], color=colour, linewidth=0.7, alpha=0.55, label=text)
+        if samples:
+            axes.plot(time, compute_mesh_average(history[name], samples), color=colour, linewidth=2,
+                      label=f"{text}, mean over a tooth mesh")
+    axes.set_ylabel(history.label("dte"))
+    axes.set_title("Dynamic transmission error: as it is (thin), mean over a tooth mesh (thick)")
+    finish_time_axis(run, axes)
+    label_ends(axes, [(time[-1], history[name][-1], text, colour)
+                            for name, text, colour in curves])
+    return plot
+
+
+def draw_contact_force(run):
+    """Sum of all tooth pairs and each pair; coast sides dashed."""
+    history, teeth = run.history, run.teeth
+    time = 1e3 * history["time"]
+    plot, axes = plt.subplots()
+    mark_steady_part(run, axes)
+    axes.plot(time, history[CONTACT_FORCE], color=COLOURS[0], label="total")
+    title = "Contact force"
+    if teeth is not None and "pinion tooth" in teeth:
+        draw_tooth_pairs(axes, history, teeth)
+        title += " and its share on tooth pairs (pinion tooth/gear tooth)"
+    axes.set_ylabel("contact force [N]")
+    axes.set_ylim(bottom=0)
+    axes.set_title(title)
+    finish_time_axis(run, axes)
+    label_ends(axes, [(time[-1], history[CONTACT_FORCE][-1], "total", COLOURS[0])])
+    return plot
+
+
+def draw_tooth_pairs(axes, history, teeth):
+    pairs = dict.fromkeys(zip(teeth["side"], teeth["pinion tooth"], teeth["gear tooth"]))
+    for number, (side, pinion, gear) in enumerate(pairs):
+        rows = (teeth["side"] == side) & (teeth["pinion tooth"] == pinion)
+        rows &= teeth["gear tooth"] == gear
+        colour = COLOURS[1 + number % (len(COLOURS) - 1)]
+        # Samples at which the pair does not touch have no rows: their force is zero.
+        force = np.zeros(history.n_rows)
+        at = np.clip(np.searchsorted(history["time"], teeth["time"][rows] * (1 - 1e-9)), 0,
+                     history.n_rows - 1)
+        force[at] = teeth["force"][rows]
+        around = np.convolve(force > 0, np.ones(3), mode="same") > 0
+        axes.plot(1e3 * history["time"], np.where(around, force, np.nan), color=colour,
+                  linestyle="-" if side == "drive" else "--",
+                  label=f"teeth {pinion:.0f}/{gear:.0f}, {side}")
+        top = np.argmax(force)
+        axes.annotate(f"{pinion:.0f}/{gear:.0f}", (1e3 * history["time"][top], force[top]),
+                      xytext=(0, 3), textcoords="offset points", color=colour, ha="center",
+                      fontsize=8)
+
+
+def draw_energies(run):
+    history = run.history
+    time = 1e3 * history["time"]
+    plot, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6.5))
+    mark_steady_part(run, above)
+    above.plot(time, 100 * history["energy error"], color=COLOURS[0])
+    above.set_ylabel("energy error [%]")
+    above.set_title("Residual of the energy ledger over the largest energy so far")
+    shown = ("strain energy", "contact energy", "relative kinetic energy", "damping loss",
+             "mesh damping loss", "contact loss")
+    for number, name in enumerate(n for n in shown if n in history and np.any(history[n])):
+        change = history[name] - history[name][0]
+        below.plot(time, change, color=COLOURS[number % len(COLOURS)],
+                   label=name.replace(" energy", ""))
+    below.legend(loc="upper left", ncol=3, frameon=False, fontsize=9)
+    below.set_ylabel("change since the start [mJ]")
+    below.set_title("Energies")
+    below.set_xlabel("time [ms]")
+    below.margins(x=0)
+    return plot
+
+
+def draw_probes(run):
+    probes = run.probes
+    plot, axes = plt.subplots()
+    mark_steady_part(run, axes)
+    curves = []
+    for number, name in enumerate(dict.fromkeys(probes["probe"])):
+        rows = probes["probe"] == name
+        colour = COLOURS[1 + number % (len(COLOURS) - 1)]
+        time = 1e3 * probes["time"][rows]
+        axes.plot(time, probes["von mises"][rows], color=colour, label=name)
+        curves.append((time[-1], probes["von mises"][rows][-1], name, colour))
+    axes.set_ylabel(probes.label("von mises"))
+    axes.set_ylim(bottom=0)
+    axes.set_title("Stress at the probes (averaged to nodes)")
+    finish_time_axis(run, axes)
+    label_ends(axes, curves)
+    return plot

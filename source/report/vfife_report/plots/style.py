@@ -1,0 +1,75 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""How plots and pictures look: one place for fonts, colours and sizes."""
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")  # no display is needed
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
+
+# Okabe and Ito's colours, told apart by colour-blind readers too; black first.
+COLOURS = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]
+GREY = "#8c8c8c"
+PALE = "#e6eef5"
+EDGE = "#303030"  # of elements
+# From the grey of unloaded steel, on which mesh edges and shading are seen, by blue to orange and red.
+STRESS_MAP = LinearSegmentedColormap.from_list(
+    "stress", ["#e6e9ed", "#b5cde3", "#6f9fd0", "#f0c04a", "#df7a20", "#9c1a1c"])
+PRESSURE_MAP = LinearSegmentedColormap.from_list(
+    "pressure", ["#e6e9ed", "#f0c04a", "#d6531d", "#5b0f20"])
+SIGNED_MAP = plt.get_cmap("RdBu_r")
+
+plt.rcParams.update({
+    "figure.figsize": (8.0, 5.0),
+    "figure.constrained_layout.use": True,
+    "font.size": 10,
+    "axes.titlesize": 10,
+    "axes.titlelocation": "left",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#e4e4e4",
+    "grid.linewidth": 0.6,
+    "lines.linewidth": 1.1,
+    "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
+    "svg.hashsalt": "vfife",  # the same run gives the same file
+    "savefig.dpi": 100,
+})
+
+# Of pictures so wide that they are shown smaller than they are.
+WIDE = {"font.size": 15, "axes.titlesize": 15}
+
+
+def save(plot, path):
+    """Writes the plot or picture beside its place and renames it, so that nobody meets half a file."""
+    temporary = path.with_name("." + path.name)
+    metadata = {"Date": None} if path.suffix == ".svg" else None
+    plot.savefig(temporary, format=path.suffix[1:], metadata=metadata)
+    temporary.replace(path)
+    plt.close(plot)
+
+
+def add_legend(axes, **options):
+    """A frameless legend of the curves that have names, where there are any."""
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(frameon=False, **options)
+
+
+def darken_edges(colour, edge):
+    """Colours (n, 3) with those at mesh edges drawn towards the edges' colour."""
+    return np.where(edge[:, None], 0.5 * colour + 0.5 * np.array(to_rgb(EDGE)), colour)
+
+
+def label_ends(axes, curves):
+    """Names curves at their last points instead of in a legend: (x, y, text, colour) each. To be
+    called when the axes have their limits; names that would overlap are moved apart."""
+    low, high = axes.get_ylim()
+    points = axes.get_position().height * axes.figure.get_figheight() * 72
+    previous = -np.inf
+    for x, y, text, colour in sorted(curves, key=lambda curve: curve[1]):
+        place = max((y - low) / (high - low) * points, previous + 11)
+        previous = place
+        axes.annotate(text, (x, y), xytext=(4, place - (y - low) / (high - low) * points),
+                      textcoords="offset points", color=colour, va="center",
+                      annotation_clip=False, fontsize=9)
