@@ -30,6 +30,11 @@ namespace vfife
     }
   } // namespace
 
+  const char *name_of(const Hand hand)
+  {
+    return hand == Hand::left ? "left" : "right";
+  }
+
   void Blank::declare(dealii::ParameterHandler &prm)
   {
     declare_integer(prm, "number of teeth", teeth, "Number of teeth; 0: not given");
@@ -160,5 +165,21 @@ namespace vfife
   {
     const double c = std::cos(pitch_angle), s = std::sin(pitch_angle);
     return {L_h[0] * s + L_h[1] * c, L_h[0] * c - L_h[1] * s};
+  }
+
+  double pitch_angle_of(const double own_teeth, const double other_teeth, const double shaft_angle)
+  {
+    return std::atan2(std::sin(shaft_angle), other_teeth / own_teeth + std::cos(shaft_angle));
+  }
+
+  double duplex_dedendum_angles(const Blank &gear,
+                                const double cutter_radius,
+                                const double spiral_angle,
+                                const double blade_angle)
+  {
+    const double A      = gear.mean_cone_distance;
+    const double module = 2. * A * std::sin(gear.pitch_angle) / gear.teeth;
+    return pi * module / (2. * A) * (1. - A * std::sin(spiral_angle) / cutter_radius) /
+           (std::tan(blade_angle) * std::cos(spiral_angle));
   }
 } // namespace vfife

@@ -13,11 +13,6 @@ namespace vfife
 {
   namespace
   {
-    const Choices<DrivingMember>    driving_members = {{"pinion", DrivingMember::pinion},
-                                                       {"gear", DrivingMember::gear}};
-    const Choices<TurningDirection> directions      = {{"forward", TurningDirection::forward},
-                                                       {"reverse", TurningDirection::reverse}};
-
     /** Direction @p d of the body frame as change of (L, h) at a position [mm/mm]. */
     Vector2 cone_direction(const Blank &blank, const Vector3 &position, const Vector3 &d)
     {
@@ -198,40 +193,6 @@ namespace vfife
                      Range::positive());
     declare_integer(prm, "points per pitch", points_per_pitch, "Points of path and curves", 4);
     declare_driving(prm, driving, direction);
-  }
-
-  void declare_driving(dealii::ParameterHandler &prm,
-                       DrivingMember            &driving,
-                       TurningDirection         &direction)
-  {
-    declare_choice(prm, "driving member", driving, driving_members, "Which member drives");
-    declare_choice(prm,
-                   "direction of rotation",
-                   direction,
-                   directions,
-                   "Forward: the pinion turns counter-clockwise seen from its back");
-  }
-
-  MeshSide working_side(const DrivingMember driving, const TurningDirection direction)
-  {
-    // a driving gear pushes with the flanks that a driving pinion uses the other way round
-    const bool forward = direction == TurningDirection::forward;
-    return (driving == DrivingMember::pinion) == forward ? MeshSide::drive : MeshSide::coast;
-  }
-
-  std::string name_of(const DrivingMember member)
-  {
-    return member == DrivingMember::pinion ? "pinion" : "gear";
-  }
-
-  std::string name_of(const TurningDirection direction)
-  {
-    return direction == TurningDirection::forward ? "forward" : "reverse";
-  }
-
-  std::string side_name(const MeshSide side)
-  {
-    return side == MeshSide::drive ? "drive" : "coast";
   }
 
   ContactAnalysis

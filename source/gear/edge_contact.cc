@@ -176,14 +176,13 @@ namespace vfife
   EdgeContactPoint EdgeContact::point_of(const double rotation, const Unknowns &x) const
   {
     EdgeContactPoint point;
-    point.rot1             = rotation - turn_;
-    point.rot2             = x[4];
-    const double deviation = x[4] - mean_.rot2 + speed_ratio_ * (rotation - mean_.rot1);
-    point.lag              = side_ == MeshSide::drive ? deviation : -deviation;
-    point.pinion           = contact_.pinion().evaluate(x[0], x[1]);
-    point.gear             = contact_.gear().evaluate(x[2], x[3]);
-    point.pinion_L_h       = contact_.pinion().cone_coordinates(point.pinion.position);
-    point.gear_L_h         = contact_.gear().cone_coordinates(point.gear.position);
+    point.rot1       = rotation - turn_;
+    point.rot2       = x[4];
+    point.lag        = mean_.lag(side_, speed_ratio_, rotation, x[4]);
+    point.pinion     = contact_.pinion().evaluate(x[0], x[1]);
+    point.gear       = contact_.gear().evaluate(x[2], x[3]);
+    point.pinion_L_h = contact_.pinion().cone_coordinates(point.pinion.position);
+    point.gear_L_h   = contact_.gear().cone_coordinates(point.gear.position);
     return point;
   }
 

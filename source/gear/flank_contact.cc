@@ -2,6 +2,9 @@
 #include <vfife/gear/flank_contact.h>
 #include <vfife/gear/newton.h>
 
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
 #include <cmath>
 
 namespace vfife
@@ -182,5 +185,54 @@ namespace vfife
     const Vector3 n2 =
       turned_frame(gear_frame_, x[rot2]).rotation * gear_.evaluate(x[t2], x[phi2]).normal;
     return n1.dot(n2) < 0.;
+  }
+
+  bool FlankContact::follow(const double rotation, Unknowns &x) const
+  {
+    // With few teeth longer steps jump to another solution of the equations [rad].
+    constexpr double   longest_step = 0.05;
+    const double       start        = x[rot1];
+    const unsigned int n_steps =
+      std::max(1u, static_cast<unsigned int>(std::ceil(std::abs(rotation - start) / longest_step)));
+    const double step = (rotation - start) / n_steps;
+
+    // Secant prediction; before the first step the gear is taken to follow at the exact ratio.
+    Unknowns previous = x;
+    previous[rot2] += speed_ratio_ * step;
+    for (unsigned int i = 1; i <= n_steps; ++i)
+      {
+        const Unknowns last = x;
+        x += x - previous;
+        x[rot1] = start + i * step;
+        if (!solve_at_rotation(x))
+          return false;
+        previous = last;
+      }
+    return true;
+  }
+
+  ContactEllipse FlankContact::ellipse(const Unknowns &x, const double separation) const
+  {
+    // each flank bends to its own metal: the gap opens with the sum of both curvatures
+    const SurfacePoint one = pinion_.evaluate(x[t1], x[phi1]), two = gear_.evaluate(x[t2], x[phi2]);
+    const Matrix3      R1       = turned_frame(pinion_frame_, x[rot1]).rotation;
+    const Matrix3      R2       = turned_frame(gear_frame_, x[rot2]).rotation;
+    const Matrix3      relative = R1 * pinion_.curvature_tensor(one) * R1.transpose() +
+                             R2 * gear_.curvature_tensor(two) * R2.transpose();
+
+    // principal curvatures of the gap in the tangent plane, smaller one first
+    const Vector3               normal = -(R2 * two.normal);
+    const Vector3               u = normal.unitOrthogonal(), v = normal.cross(u);
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents << u, v;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+    eigen.computeDirect(tangents.transpose() * relative * tangents);
+
+    // gap = k s^2 / 2 along each principal direction
+    ContactEllipse ellipse;
+    ellipse.relative_curvatures = eigen.eigenvalues();
+    ellipse.semi_axes           = (2. * separation / eigen.eigenvalues().array()).sqrt();
+    ellipse.major_direction     = tangents * eigen.eigenvectors().col(0);
+    return ellipse;
   }
 } // namespace vfife

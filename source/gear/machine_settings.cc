@@ -53,6 +53,11 @@ namespace vfife
     return -ratio_of_roll * (2. * second_order_roll + 6. * phi * third_order_roll);
   }
 
+  double MachineSettings::conjugate_ratio_of_roll(const double pitch_angle) const
+  {
+    return std::cos(pitch_angle - machine_root_angle) / std::sin(pitch_angle);
+  }
+
   Vector3 MachineSettings::tilt_direction() const
   {
     const double angle = cradle_angle + cutter_swivel;

@@ -1,23 +1,18 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/gear/gear_pair.h>
+#include <vfife/gear/flank_contact.h>
 #include <vfife/gear/local_contact.h>
 #include <vfife/gear/newton.h>
 #include <vfife/gear/pair_proposal.h>
-#include <vfife/gear/tooth_contact.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace vfife
 {
   namespace
   {
     const Choices<Hand> hands = {{"right", Hand::right}, {"left", Hand::left}};
-
-    /** Separation at which contact ellipses are judged [mm]. */
-    constexpr double marking_thickness = 0.00635;
 
     /** Mean working depth over the mean normal module, by teeth of the pinion (standard depth
      * system of face-milled gears). */
@@ -187,14 +182,16 @@ namespace vfife
       Vector3         position_, normal_; ///< in the pinion's frame at rotation 0
     };
 
-    MachineSettings propose_pinion_flank(const PairProposal    &p,
-                                         const GearPairOptions &options,
-                                         const MachineSettings &start,
-                                         const MachineSettings &gear_settings)
+    MachineSettings propose_pinion_flank(const PairProposal      &p,
+                                         const double             shaft_angle,
+                                         const Blank             &pinion,
+                                         const GearMemberOptions &gear_options,
+                                         const MachineSettings   &start,
+                                         const MachineSettings   &gear_settings)
     {
-      const Blank       &pinion = options.pinion.blank, &gear = options.gear.blank;
+      const Blank       &gear  = gear_options.blank;
       const double       ratio = static_cast<double>(pinion.teeth) / gear.teeth;
-      const RigidMotion  one   = pinion_frame(options.shaft_angle);
+      const RigidMotion  one   = pinion_frame(shaft_angle);
       const Flank        gear_flank(gear_settings, gear.pitch_angle);
       const SurfacePoint point =
         gear_flank.point_at(gear.mean_cone_distance,
@@ -236,7 +233,7 @@ namespace vfife
             (residual_at(x + step * Vector3::Unit(j)) - residual_at(x - step * Vector3::Unit(j))) /
             (2. * step);
       };
-      Vector3 x(options.gear.cutter_diameter / (2. * A), 0., 0.);
+      Vector3 x(gear_options.cutter_diameter / (2. * A), 0., 0.);
       if (!solve_newton<3>(equations, x))
         throw InputError(
           "Gear pair/Proposal",
@@ -302,62 +299,34 @@ namespace vfife
                    Range::positive());
   }
 
-  void propose(const PairProposal &proposal, GearPairOptions &options)
+  void propose(const PairProposal &proposal,
+               const double        shaft_angle,
+               GearMemberOptions  &pinion,
+               GearMemberOptions  &gear)
   {
     if (proposal.gear_teeth == 0 || proposal.pinion_teeth < 6)
       throw InputError("Gear pair/Proposal/pinion teeth",
                        "a proposal needs at least 6 teeth of the pinion, and those of the gear");
     if (!(proposal.module > 0.))
       throw InputError("Gear pair/Proposal/module", "a proposal needs the outer transverse module");
-    propose_blanks(proposal, options.shaft_angle, options.pinion.blank, options.gear.blank);
-    propose_gear_cutter(proposal, options.pinion.blank, options.gear);
-    const Blank &gear = options.gear.blank;
-    for (MachineSettings *settings : {&options.gear.concave, &options.gear.convex})
-      settings->ratio_of_roll = conjugate_ratio_of_roll(gear, *settings);
+    propose_blanks(proposal, shaft_angle, pinion.blank, gear.blank);
+    propose_gear_cutter(proposal, pinion.blank, gear);
+    for (MachineSettings *settings : {&gear.concave, &gear.convex})
+      settings->ratio_of_roll = settings->conjugate_ratio_of_roll(gear.blank.pitch_angle);
 
     // concave on convex and convex on concave
-    const double edge = 0.2 * MeanSection(proposal, options.pinion.blank, gear).normal_module;
-    for (MachineSettings *settings : {&options.pinion.concave, &options.pinion.convex})
+    const double edge = 0.2 * MeanSection(proposal, pinion.blank, gear.blank).normal_module;
+    for (MachineSettings *settings : {&pinion.concave, &pinion.convex})
       {
         settings->blade_angle        = proposal.pressure_angle;
-        settings->machine_root_angle = options.pinion.blank.root_angle;
+        settings->machine_root_angle = pinion.blank.root_angle;
         settings->edge_radius        = edge;
-        *settings =
-          propose_pinion_flank(proposal,
-                               options,
-                               *settings,
-                               settings == &options.pinion.concave ? options.gear.convex
-                                                                   : options.gear.concave);
-      }
-  }
-
-  void check_proposed_contact(const GearPair &pair)
-  {
-    // A wrong solution misses by factors or by the sign; mounting errors change both by per cents.
-    constexpr double    largest_factor = 2.;
-    const PairProposal &asked          = pair.options().proposal;
-    for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
-      {
-        const UnloadedContact      contact(pair, side);
-        const double               step   = 0.1 * contact.pitch();
-        const UnloadedContactPoint middle = contact.contact(contact.reference(), 0);
-        const double               second = contact.contact(contact.reference() + step, 0).lag +
-                              contact.contact(contact.reference() - step, 0).lag - 2. * middle.lag;
-        const double lag        = second / 2. * 25.; // half a pitch is five steps
-        const double axis       = contact.ellipse(middle, marking_thickness).semi_axes[0];
-        const double asked_axis = asked.ellipse_length * pair.gear().blank().face_width / 2.;
-        const auto   is_like    = [&](const double value, const double target) {
-          return value > target / largest_factor && value < target * largest_factor;
-        };
-        if (is_like(lag, asked.lag) && is_like(axis, asked_axis))
-          continue;
-        std::ostringstream message;
-        message << "the " << (side == MeshSide::drive ? "drive" : "coast")
-                << " side of the proposed pair does not touch as designed: lag at half a pitch "
-                << lag / arcsecond << " arcsec instead of " << asked.lag / arcsecond
-                << ", major semi-axis of the ellipse " << axis << " mm instead of " << asked_axis
-                << "; try a path angle nearer to 25 deg or another cutter radius";
-        throw InputError("Gear pair/Proposal/path angle", message.str());
+        *settings                    = propose_pinion_flank(proposal,
+                                         shaft_angle,
+                                         pinion.blank,
+                                         gear,
+                                         *settings,
+                                         settings == &pinion.concave ? gear.convex : gear.concave);
       }
   }
 } // namespace vfife

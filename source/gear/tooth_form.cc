@@ -6,26 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace vfife
 {
   namespace
   {
-    const char *name(const FlankSide side)
-    {
-      return side == FlankSide::concave ? "Concave flank" : "Convex flank";
-    }
-
-    /** A message made of text and numbers. */
-    template <typename... Parts>
-    std::string text(const Parts &...parts)
-    {
-      std::ostringstream message;
-      (message << ... << parts);
-      return message.str();
-    }
-
     /** Size of the surface element N . (X_t x X_phi): it vanishes where the flank turns back. */
     double surface_element(const Flank &flank, const SurfacePoint &point)
     {
@@ -77,11 +62,11 @@ namespace vfife
           findings_.add(Findings::Action::stop,
                         section_ + "/Blank/mean addendum",
                         {section_ + "/Blank/face angle"},
-                        text("the flanks cross below the tip at the ",
-                             place,
-                             ": the tooth would be ",
-                             section.tip_land,
-                             " mm thick there"));
+                        text_of("the flanks cross below the tip at the ",
+                                place,
+                                ": the tooth would be ",
+                                section.tip_land,
+                                " mm thick there"));
         return section;
       }
 
@@ -91,7 +76,7 @@ namespace vfife
         const double      L     = section.cone_distance;
         const Flank      &flank = member_.generated_flank(side);
         const std::string place = " at the " + section.place;
-        const std::string entry = section_ + "/" + name(side);
+        const std::string entry = section_ + "/" + section_of(side);
         const char       *edge  = "tip";
         try
           {
@@ -106,26 +91,27 @@ namespace vfife
           }
         catch (const InputError &error)
           {
-            findings_.add(Findings::Action::stop,
-                          entry,
-                          {},
-                          text("the flank does not reach the ", edge, place, ": ", error.what()));
+            findings_.add(
+              Findings::Action::stop,
+              entry,
+              {},
+              text_of("the flank does not reach the ", edge, place, ": ", error.what()));
             return false;
           }
         if (section.regularity <= 0.)
           findings_.add(Findings::Action::warn,
                         entry + "/machine root angle",
                         {},
-                        text("the flank is undercut", place, "; it is taken as generated"));
+                        text_of("the flank is undercut", place, "; it is taken as generated"));
         if (section.root_clearance <= 0.)
           findings_.add(Findings::Action::warn,
                         entry + "/sliding base",
                         {},
-                        text("the mating tip meets the root",
-                             place,
-                             ", clearance ",
-                             section.root_clearance,
-                             " mm"));
+                        text_of("the mating tip meets the root",
+                                place,
+                                ", clearance ",
+                                section.root_clearance,
+                                " mm"));
         return true;
       }
 
@@ -168,11 +154,11 @@ namespace vfife
         findings.add(Findings::Action::warn,
                      member + "/Concave flank/blade edge radius",
                      {},
-                     text("the mating tip reaches ",
-                          -section.fillet_distance,
-                          " mm into the fillet at the ",
-                          section.place,
-                          ": a smaller blade edge radius leaves more flank"));
+                     text_of("the mating tip reaches ",
+                             -section.fillet_distance,
+                             " mm into the fillet at the ",
+                             section.place,
+                             ": a smaller blade edge radius leaves more flank"));
     }
   } // namespace
 

@@ -21,6 +21,9 @@ namespace vfife
     left
   };
 
+  /** "right" or "left". */
+  const char *name_of(Hand hand);
+
   /**
    * The turned blank of a bevel gear: cones with a common apex. Points of a meridian plane are
    * given by (r, z) (distance from the axis, height along it from the apex) or by cone coordinates
@@ -60,6 +63,20 @@ namespace vfife
     /** (r, z) of cone coordinates (L, h). */
     Vector2 meridian_point(const Vector2 &L_h) const;
   };
+
+  /** Pitch angle by the numbers of teeth: tan d = sin(shaft angle) / (other/own + cos(shaft angle))
+   * [rad]. */
+  double pitch_angle_of(double own_teeth, double other_teeth, double shaft_angle);
+
+  /**
+   * Sum of the dedendum angles with which slots cut by spread blades taper as the teeth do (duplex
+   * taper) [rad]:
+   *   (pi m / (2 A_m)) (1 - A_m sin b / r) / (tan al cos b),   m the transverse module at A_m
+   */
+  double duplex_dedendum_angles(const Blank &gear,
+                                double       cutter_radius,
+                                double       spiral_angle,
+                                double       blade_angle);
 } // namespace vfife
 
 #endif

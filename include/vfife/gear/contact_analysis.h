@@ -3,6 +3,7 @@
 #define vfife_gear_contact_analysis_h
 
 #include <vfife/base/text/table.h>
+#include <vfife/gear/driving.h>
 #include <vfife/gear/edge_contact.h>
 
 #include <array>
@@ -16,34 +17,14 @@ namespace dealii
 
 namespace vfife
 {
-  enum class DrivingMember
-  {
-    pinion,
-    gear
-  };
-
-  /** Forward: the pinion turns about + its axis (apex to back), the gear about -. */
-  enum class TurningDirection
-  {
-    forward,
-    reverse
-  };
-
-  /** Entries `driving member` and `direction of rotation` of the present section. */
-  void declare_driving(dealii::ParameterHandler &prm,
-                       DrivingMember            &driving,
-                       TurningDirection         &direction);
-
-  /** The flanks that carry the load with this driving member and direction. */
-  MeshSide working_side(DrivingMember driving, TurningDirection direction);
-
   /** Section "Tooth contact analysis". */
   struct ContactAnalysisOptions
   {
-    double           marking_thickness = 0.00635; ///< gap that the contact ellipse is drawn at [mm]
-    unsigned int     points_per_pitch  = 20;
-    DrivingMember    driving           = DrivingMember::pinion;
-    TurningDirection direction         = TurningDirection::forward;
+    double marking_thickness =
+      vfife::marking_thickness; ///< gap that the contact ellipse is drawn at [mm]
+    unsigned int     points_per_pitch = 20;
+    DrivingMember    driving          = DrivingMember::pinion;
+    TurningDirection direction        = TurningDirection::forward;
 
     void declare(dealii::ParameterHandler &prm);
 
@@ -52,13 +33,6 @@ namespace vfife
       return vfife::working_side(driving, direction);
     }
   };
-
-  /** "pinion" or "gear"; "forward" or "reverse". */
-  std::string name_of(DrivingMember member);
-  std::string name_of(TurningDirection direction);
-
-  /** "drive" or "coast". */
-  std::string side_name(MeshSide side);
 
   /** A contact point with the contact ellipse about it. */
   struct PathPoint

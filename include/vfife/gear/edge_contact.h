@@ -2,7 +2,7 @@
 #ifndef vfife_gear_edge_contact_h
 #define vfife_gear_edge_contact_h
 
-#include <vfife/gear/tooth_contact.h>
+#include <vfife/gear/unloaded_contact.h>
 
 #include <optional>
 #include <vector>

@@ -13,6 +13,11 @@ namespace vfife
     convex
   };
 
+  inline FlankSide opposite(const FlankSide side)
+  {
+    return side == FlankSide::concave ? FlankSide::convex : FlankSide::concave;
+  }
+
   /** A point of a generated surface: position [mm], unit normal into the metal, and the surface's
    * own parameters. */
   struct SurfacePoint

@@ -29,6 +29,18 @@ namespace vfife
                              double              speed_ratio,
                              double             &rotation);
 
+  /** Thickness of marking compound: the separation at which contact ellipses are judged [mm]. */
+  constexpr double marking_thickness = 0.00635;
+
+  /** Curvatures of the gap between two flanks at their contact point, and the ellipse of a given
+   * separation. */
+  struct ContactEllipse
+  {
+    Vector2 relative_curvatures; ///< smaller and larger one [1/mm]
+    Vector2 semi_axes;           ///< along the directions of these curvatures [mm]
+    Vector3 major_direction;     ///< fixed frame, of the smaller curvature
+  };
+
   /**
    * The equations that two mounted flanks satisfy where they touch (doc/gear.md, local conditions).
    */
@@ -73,6 +85,15 @@ namespace vfife
      * equations). Returns whether it converged.
      */
     bool solve_at_rotation(Unknowns &x) const;
+
+    /**
+     * Follows the contact from the solution @p x to another rotation of the pinion [rad], in short
+     * steps, continued beyond the borders of the flanks. Returns whether they touch all the way.
+     */
+    bool follow(double rotation, Unknowns &x) const;
+
+    /** Ellipse on which the flanks that touch at @p x are @p separation [mm] apart. */
+    ContactEllipse ellipse(const Unknowns &x, double separation) const;
 
   private:
     Flank       pinion_, gear_;

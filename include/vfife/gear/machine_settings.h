@@ -66,6 +66,10 @@ namespace vfife
     /** ... and its second derivative [1/rad]. */
     double roll_acceleration(double phi) const;
 
+    /** Ratio of roll with which cradle and blank share the velocity along the pitch generatrix: the
+     * cradle's axis is normal to the root cone. */
+    double conjugate_ratio_of_roll(double pitch_angle) const;
+
     /** Direction about which the cutter is tilted with the cradle in the mean position (machine
      * frame). */
     Vector3 tilt_direction() const;

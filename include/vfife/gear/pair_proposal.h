@@ -3,7 +3,7 @@
 #define vfife_gear_pair_proposal_h
 
 #include <vfife/base/types.h>
-#include <vfife/gear/blank.h>
+#include <vfife/gear/gear_member_options.h>
 
 namespace dealii
 {
@@ -12,9 +12,6 @@ namespace dealii
 
 namespace vfife
 {
-  struct GearPairOptions;
-  class GearPair;
-
   /**
    * Basic data from which blanks and machine settings are proposed: a spread-blade gear with duplex
    * taper, and pinion flanks by local synthesis (method: Litvin & Fuentes; derivation in
@@ -43,16 +40,13 @@ namespace vfife
   };
 
   /**
-   * Fills in blanks and machine settings of both members for the shaft angle of @p options.
+   * Fills in blanks and machine settings of both members for the shaft angle [rad].
    * Throws InputError when the data are incomplete or no settings exist.
    */
-  void propose(const PairProposal &proposal, GearPairOptions &options);
-
-  /**
-   * The equations of the mean contact have more than one solution. Throws InputError when that of a
-   * proposed pair is not the one it was designed for: another lag or another contact ellipse.
-   */
-  void check_proposed_contact(const GearPair &pair);
+  void propose(const PairProposal &proposal,
+               double              shaft_angle,
+               GearMemberOptions  &pinion,
+               GearMemberOptions  &gear);
 } // namespace vfife
 
 #endif

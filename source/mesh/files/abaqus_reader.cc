@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/mesh/files/mesh_import.h>
+
+#include "file_mesh.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/mesh/files/mesh_import.h>
+#include "file_mesh.h"
 
 #include <array>
 #include <fstream>

@@ -6,6 +6,8 @@
 #include <vfife/mesh/files/mesh_import.h>
 #include <vfife/mesh/mesh_quality.h>
 
+#include "file_mesh.h"
+
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 

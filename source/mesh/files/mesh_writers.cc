@@ -2,7 +2,6 @@
 #include "mesh_writers.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <ostream>
 #include <set>
@@ -173,21 +172,6 @@ namespace vfife
           out << ++number << " 15 2 " << id << ' ' << id << ' ' << node + 1 << '\n';
       }
     out << "$EndElements\n";
-  }
-
-  std::string abaqus_name(const std::string &name)
-  {
-    std::string result;
-    for (const char c : name)
-      if (c == '-')
-        result += "_MINUS";
-      else if (c == '+')
-        result += "_PLUS";
-      else
-        result += std::isalnum(static_cast<unsigned char>(c)) != 0
-                    ? static_cast<char>(std::toupper(static_cast<unsigned char>(c)))
-                    : '_';
-    return result;
   }
 
   void

@@ -9,10 +9,10 @@ namespace vfife
   namespace
   {
     /** Inward direction of the mid-surface's generatrix, (r, z). */
-    Vector2 web_direction_of(const GearBodyOptions &options)
+    Vector2 web_direction_of(const WebShape &shape)
     {
-      const double sign = options.web_direction == WebDirection::back ? 1. : -1.;
-      return {-std::sin(options.web_angle), sign * std::cos(options.web_angle)};
+      const double sign = shape.web_direction == WebDirection::back ? 1. : -1.;
+      return {-std::sin(shape.web_angle), sign * std::cos(shape.web_angle)};
     }
   } // namespace
 
@@ -38,27 +38,27 @@ namespace vfife
                       std::sin(whole);
   }
 
-  double ConicalWeb::turn_from_wall(const Blank &blank, const GearBodyOptions &options)
+  double ConicalWeb::turn_from_wall(const Blank &blank, const WebShape &shape)
   {
     // The toe face's outward normal is -L, that of the underside nearly -h.
-    const Vector2 L_h = blank.cone_coordinates(web_direction_of(options));
-    return options.web_attachment == WebAttachment::toe ? std::atan2(-L_h[1], -L_h[0])
-                                                        : std::atan2(L_h[0], -L_h[1]);
+    const Vector2 L_h = blank.cone_coordinates(web_direction_of(shape));
+    return shape.web_attachment == WebAttachment::toe ? std::atan2(-L_h[1], -L_h[0])
+                                                      : std::atan2(L_h[0], -L_h[1]);
   }
 
-  ConicalWeb::ConicalWeb(const Blank           &blank,
-                         const GearBodyOptions &options,
-                         const double           toe_root_height,
-                         const double           heel_root_height)
-    : direction_(web_direction_of(options))
+  ConicalWeb::ConicalWeb(const Blank    &blank,
+                         const WebShape &shape,
+                         const double    toe_root_height,
+                         const double    heel_root_height)
+    : direction_(web_direction_of(shape))
     , normal_(-direction_[1], direction_[0])
-    , hub_radius_(options.hub_radius)
+    , hub_radius_(shape.hub_radius)
   {
     const double inner = blank.inner_cone_distance(), outer = blank.outer_cone_distance;
-    const bool   at_toe = options.web_attachment == WebAttachment::toe;
+    const bool   at_toe = shape.web_attachment == WebAttachment::toe;
     if (at_toe)
       {
-        slope_  = std::tan(.5 * turn_from_wall(blank, options));
+        slope_  = std::tan(.5 * turn_from_wall(blank, shape));
         origin_ = blank.meridian_point({inner, toe_root_height});
         wall_   = blank.meridian_point({slope_, -1.});
       }
@@ -66,8 +66,7 @@ namespace vfife
       {
         const double rise = (heel_root_height - toe_root_height) / (outer - inner);
         wall_             = blank.meridian_point({1., rise});
-        origin_ =
-          blank.meridian_point({0., toe_root_height - options.rim_thickness - rise * inner});
+        origin_ = blank.meridian_point({0., toe_root_height - shape.rim_thickness - rise * inner});
       }
     if (normal_.dot(wall_) < 0.)
       normal_ = -normal_;
@@ -76,28 +75,28 @@ namespace vfife
     centre_ = Vector2::Zero();
     for (const unsigned int face : {0, 1})
       {
-        const double sign = face == 0 ? -1. : 1., n = sign * options.web_thickness / 2;
+        const double sign = face == 0 ? -1. : 1., n = sign * shape.web_thickness / 2;
         const double foot  = n / wall_.dot(normal_);
         rim_fillets_[face] = {foot * wall_,
                               sign * wall_.normalized(),
                               direction_,
-                              options.rim_fillet_radius};
+                              shape.rim_fillet_radius};
         wall_places_[face] = foot + sign * rim_fillets_[face].tangent() / wall_.norm();
       }
-    const double middle = options.web_attachment == WebAttachment::toe ? .5 * options.rim_thickness
-                          : options.web_attachment == WebAttachment::middle
+    const double middle = shape.web_attachment == WebAttachment::toe ? .5 * shape.rim_thickness
+                          : shape.web_attachment == WebAttachment::middle
                             ? .5 * (inner + outer) - .5 * (wall_places_[0] + wall_places_[1])
                             : outer - wall_places_[1];
     centre_             = wall_point(middle);
     for (const unsigned int face : {0, 1})
       {
-        const double sign = face == 0 ? -1. : 1., n = sign * options.web_thickness / 2;
+        const double sign = face == 0 ? -1. : 1., n = sign * shape.web_thickness / 2;
         rim_fillets_[face].corner += centre_;
         wall_places_[face] += middle;
         hub_fillets_[face] = {centre_ + n * normal_ + end(n) * direction_,
                               {0., sign},
                               -direction_,
-                              options.hub_fillet_radius};
+                              shape.hub_fillet_radius};
       }
   }
 

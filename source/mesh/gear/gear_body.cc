@@ -2,7 +2,8 @@
 #include <vfife/mesh/gear/flank_surface.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/gear/gear_manifolds.h>
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/gear_sector_builder.h>
+#include <vfife/mesh/gear/refined_sector.h>
 #include <vfife/mesh/node_set_names.h>
 
 namespace vfife
@@ -15,6 +16,13 @@ namespace vfife
               {static_cast<unsigned int>(GearRegion::rim), "rim"},
               {static_cast<unsigned int>(GearRegion::web), "web"},
               {static_cast<unsigned int>(GearRegion::hub), "hub"}};
+    }
+
+    GearSector make_gear_sector(const GearMember &member, const GearBodyOptions &options)
+    {
+      const GearSector sector = GearSectorBuilder(member, options).build();
+      return options.refinements == 0 ? sector
+                                      : refine_gear_sector(member, sector, options.refinements);
     }
   } // namespace
 

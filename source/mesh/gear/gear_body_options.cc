@@ -1,8 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/mesh/gear/conical_web.h>
-#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_body_options.h>
 
 #include <cmath>
 #include <sstream>

@@ -2,7 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/gear/gear_manifolds.h>
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/refined_sector.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
 

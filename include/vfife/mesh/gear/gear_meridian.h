@@ -3,7 +3,8 @@
 #define vfife_mesh_gear_gear_meridian_h
 
 #include <vfife/base/text/table.h>
-#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/gear/gear_member.h>
+#include <vfife/mesh/gear/gear_body_options.h>
 #include <vfife/mesh/solid_integrals.h>
 
 #include <string>

@@ -3,6 +3,7 @@
 #define vfife_mesh_gear_gear_sector_builder_h
 
 #include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_body_options.h>
 #include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/gear/gear_sector.h>
 
@@ -17,9 +18,10 @@ namespace vfife
   class GearSectorBuilder
   {
   public:
+    /** Throws InputError as compute_gear_section(). */
     GearSectorBuilder(const GearMember &member, const GearBodyOptions &options);
 
-    /** Only once: the sector is moved out. */
+    /** Only once: the sector is moved out. Throws NumericalError for an inverted cell. */
     GearSector build();
 
   private:

@@ -1,8 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/gear/tooth_contact.h>
-
-#include <Eigen/Eigenvalues>
+#include <vfife/gear/unloaded_contact.h>
 
 #include <cmath>
 #include <limits>
@@ -12,10 +10,6 @@ namespace vfife
 {
   namespace
   {
-    /** Newton follows the path of contact in steps of this rotation of the pinion [rad]; with few
-     * teeth longer ones jump to another solution of the equations. */
-    constexpr double continuation_step = 0.05;
-
     /** Farthest a tooth pair is followed from the mean contact [pitches]; no spiral bevel pair has
      * more overlap. */
     constexpr double farthest = 4.;
@@ -77,30 +71,15 @@ namespace vfife
     if (std::abs(pitches) > farthest)
       return false;
 
-    FlankContact::Unknowns x, previous;
-    x << mean_.pinion.t, mean_.pinion.phi, mean_.rot1, mean_.gear.t, mean_.gear.phi, mean_.rot2;
-    const unsigned int n_steps = std::max(
-      1u, static_cast<unsigned int>(std::ceil(std::abs(target - mean_.rot1) / continuation_step)));
-    const double step = (target - mean_.rot1) / n_steps;
-    previous          = x;
-    previous[FlankContact::rot2] += speed_ratio_ * step;
-    for (unsigned int i = 1; i <= n_steps; ++i)
-      {
-        const FlankContact::Unknowns last = x;
-        x += x - previous;
-        x[FlankContact::rot1] = mean_.rot1 + i * step;
-        if (!contact_.solve_at_rotation(x))
-          return false;
-        previous = last;
-      }
+    FlankContact::Unknowns x = mean_.unknowns();
+    if (!contact_.follow(target, x))
+      return false;
 
     const double gear_pitch = 2. * pi / gear_blank_.teeth;
-    const double deviation =
-      x[FlankContact::rot2] - mean_.rot2 + speed_ratio_ * (target - mean_.rot1);
-    point.pair       = pair;
-    point.rot1       = rot1;
-    point.rot2       = x[FlankContact::rot2] + pair * gear_pitch;
-    point.lag        = side_ == MeshSide::drive ? deviation : -deviation;
+    point.pair              = pair;
+    point.rot1              = rot1;
+    point.rot2              = x[FlankContact::rot2] + pair * gear_pitch;
+    point.lag               = mean_.lag(side_, speed_ratio_, target, x[FlankContact::rot2]);
     point.pinion     = contact_.pinion().evaluate(x[FlankContact::t1], x[FlankContact::phi1]);
     point.gear       = contact_.gear().evaluate(x[FlankContact::t2], x[FlankContact::phi2]);
     point.pinion_L_h = contact_.pinion().cone_coordinates(point.pinion.position);
@@ -157,26 +136,11 @@ namespace vfife
   ContactEllipse UnloadedContact::ellipse(const UnloadedContactPoint &point,
                                           const double                separation) const
   {
-    // each flank bends to its own metal: the gap opens with the sum of both curvatures
-    const double  gear_pitch = 2. * pi / gear_blank_.teeth;
-    const Matrix3 R1 =
-      turned_frame(contact_.pinion_frame(), point.rot1 + turn_ + point.pair * pitch()).rotation;
-    const Matrix3 R2 =
-      turned_frame(contact_.gear_frame(), point.rot2 - point.pair * gear_pitch).rotation;
-    const Matrix3 relative =
-      R1 * contact_.pinion().curvature_tensor(point.pinion) * R1.transpose() +
-      R2 * contact_.gear().curvature_tensor(point.gear) * R2.transpose();
-
-    const Vector3               u = point.normal.unitOrthogonal(), v = point.normal.cross(u);
-    Eigen::Matrix<double, 3, 2> tangents;
-    tangents << u, v;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
-    eigen.computeDirect(tangents.transpose() * relative * tangents);
-    ContactEllipse ellipse;
-    ellipse.relative_curvatures = eigen.eigenvalues();
-    ellipse.semi_axes           = (2. * separation / eigen.eigenvalues().array()).sqrt();
-    ellipse.major_direction     = tangents * eigen.eigenvectors().col(0);
-    return ellipse;
+    const double           gear_pitch = 2. * pi / gear_blank_.teeth;
+    FlankContact::Unknowns x;
+    x << point.pinion.t, point.pinion.phi, point.rot1 + turn_ + point.pair * pitch(), //
+      point.gear.t, point.gear.phi, point.rot2 - point.pair * gear_pitch;
+    return contact_.ellipse(x, separation);
   }
 
   PairBorder UnloadedContact::nearest_border(const UnloadedContactPoint &point) const

@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/mesh/gear/conical_web.h>
-#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_body_options.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_gear_tooth_contact_h
-#define vfife_gear_tooth_contact_h
+#ifndef vfife_gear_unloaded_contact_h
+#define vfife_gear_unloaded_contact_h
 
 #include <vfife/gear/gear_pair.h>
 
@@ -46,15 +46,6 @@ namespace vfife
     FlankBorder border    = FlankBorder::toe;
 
     std::string name() const; ///< "gear tip", "pinion toe"...
-  };
-
-  /** Curvatures of the gap between two flanks at their contact point, and the ellipse of a given
-   * separation. */
-  struct ContactEllipse
-  {
-    Vector2 relative_curvatures; ///< smaller and larger one [1/mm]
-    Vector2 semi_axes;           ///< along the directions of these curvatures [mm]
-    Vector3 major_direction;     ///< fixed frame, of the smaller curvature
   };
 
   /**

@@ -359,11 +359,4 @@ namespace vfife
       }
     sector_.flanks.push_back(grid);
   }
-
-  GearSector make_gear_sector(const GearMember &member, const GearBodyOptions &options)
-  {
-    const GearSector sector = GearSectorBuilder(member, options).build();
-    return options.refinements == 0 ? sector
-                                    : refine_gear_sector(member, sector, options.refinements);
-  }
 } // namespace vfife
