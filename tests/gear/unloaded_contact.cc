@@ -5,7 +5,7 @@
 #include "gap_search.h"
 #include "paper_pair.h"
 
-#include <vfife/gear/unloaded_contact.h>
+#include <vfife/gear/unloaded_contact/unloaded_contact.h>
 
 #include <algorithm>
 

@@ -38,18 +38,18 @@ namespace vfife
                       std::sin(whole);
   }
 
-  double ConicalWeb::turn_from_wall(const Blank &blank, const WebShape &shape)
+  double ConicalWeb::turn_from_wall(const BlankOutline &blank, const WebShape &shape)
   {
     // The toe face's outward normal is -L, that of the underside nearly -h.
-    const Vector2 L_h = blank.cone_coordinates(web_direction_of(shape));
+    const Vector2 L_h = blank.cone_direction(web_direction_of(shape));
     return shape.web_attachment == WebAttachment::toe ? std::atan2(-L_h[1], -L_h[0])
                                                       : std::atan2(L_h[0], -L_h[1]);
   }
 
-  ConicalWeb::ConicalWeb(const Blank    &blank,
-                         const WebShape &shape,
-                         const double    toe_root_height,
-                         const double    heel_root_height)
+  ConicalWeb::ConicalWeb(const BlankOutline &blank,
+                         const WebShape     &shape,
+                         const double        toe_root_height,
+                         const double        heel_root_height)
     : direction_(web_direction_of(shape))
     , normal_(-direction_[1], direction_[0])
     , hub_radius_(shape.hub_radius)
@@ -60,12 +60,12 @@ namespace vfife
       {
         slope_  = std::tan(.5 * turn_from_wall(blank, shape));
         origin_ = blank.meridian_point({inner, toe_root_height});
-        wall_   = blank.meridian_point({slope_, -1.});
+        wall_   = blank.meridian_direction({slope_, -1.});
       }
     else
       {
         const double rise = (heel_root_height - toe_root_height) / (outer - inner);
-        wall_             = blank.meridian_point({1., rise});
+        wall_             = blank.meridian_direction({1., rise});
         origin_ = blank.meridian_point({0., toe_root_height - shape.rim_thickness - rise * inner});
       }
     if (normal_.dot(wall_) < 0.)

@@ -18,23 +18,23 @@ namespace vfife
               {static_cast<unsigned int>(GearRegion::hub), "hub"}};
     }
 
-    GearSector make_gear_sector(const GearMember &member, const GearBodyOptions &options)
+    GearSector make_gear_sector(const GearGeometry &gear, const GearBodyOptions &options)
     {
-      const GearSector sector = GearSectorBuilder(member, options).build();
+      const GearSector sector = GearSectorBuilder(gear, options).build();
       return options.refinements == 0 ? sector
-                                      : refine_gear_sector(member, sector, options.refinements);
+                                      : refine_gear_sector(gear, sector, options.refinements);
     }
   } // namespace
 
-  std::unique_ptr<BodyMesh> make_gear_body(const GearMember &member, const GearBodyOptions &asked)
+  std::unique_ptr<BodyMesh> make_gear_body(const GearGeometry &gear, const GearBodyOptions &asked)
   {
-    asked.check(member.name(), member.blank());
-    const GearBodyOptions options   = asked.with_counts_of_size(member);
-    const GearSector      sector    = make_gear_sector(member, options);
-    const unsigned int    n_sectors = member.blank().teeth, n_nodes = sector.nodes.size();
+    asked.check(gear.name(), gear.blank());
+    const GearBodyOptions options   = asked.with_counts_of_size(gear);
+    const GearSector      sector    = make_gear_sector(gear, options);
+    const unsigned int    n_sectors = gear.blank().teeth, n_nodes = sector.nodes.size();
 
     auto mesh       = std::make_unique<BodyMesh>();
-    mesh->name      = member.name();
+    mesh->name      = gear.name();
     mesh->n_sectors = n_sectors;
 
     std::vector<Vector3>   nodes;
@@ -67,11 +67,11 @@ namespace vfife
           mesh->node_sets[set.first].push_back(node + k * n_nodes);
     for (const FlankGrid &grid : sector.flanks)
       {
-        FacetSurface surface         = make_flank_surface(member, grid, n_nodes);
+        FacetSurface surface         = make_flank_surface(gear, grid, n_nodes);
         mesh->surfaces[surface.name] = std::move(surface);
       }
     name_boundaries(*mesh, gear_boundaries());
-    attach_gear_manifolds(*mesh, member);
+    attach_gear_manifolds(*mesh, gear);
     return mesh;
   }
 } // namespace vfife

@@ -32,7 +32,7 @@ namespace vfife
     constexpr double largest_grading = 10.;
 
     /** Root radius at cone distance L. */
-    Vector2 root_point(const Blank &blank, const double L)
+    Vector2 root_point(const BlankOutline &blank, const double L)
     {
       return blank.meridian_point({L, -blank.dedendum(L)});
     }
@@ -88,7 +88,8 @@ namespace vfife
         at_least("cells lengthwise", options.cells_lengthwise, options.web_layers + 2);
     }
 
-    void check_conical(const GearBodyOptions &options, const Blank &blank, const Refusal &refuse)
+    void
+    check_conical(const GearBodyOptions &options, const BlankOutline &blank, const Refusal &refuse)
     {
       refuse.unless(options.web_thickness > 0.,
                     "Body/web thickness",
@@ -272,7 +273,7 @@ namespace vfife
                    Range::between(1. / largest_grading, largest_grading));
   }
 
-  void GearBodyOptions::check(const std::string &section, const Blank &blank) const
+  void GearBodyOptions::check(const std::string &section, const BlankOutline &blank) const
   {
     const Refusal refuse(section);
     refuse.unless(element_size == 0. || element_size >= least_size_part * blank.face_width,

@@ -6,7 +6,7 @@
 
 namespace vfife
 {
-  GearBodyOptions GearBodyOptions::with_counts_of_size(const GearMember &member) const
+  GearBodyOptions GearBodyOptions::with_counts_of_size(const GearGeometry &gear) const
   {
     GearBodyOptions sized = *this;
     if (element_size == 0.)
@@ -14,12 +14,12 @@ namespace vfife
     const auto count = [this](const double length, const unsigned int least) {
       return std::max<unsigned int>(least, std::lround(length / element_size));
     };
-    const Blank &blank = member.blank();
-    const double L     = blank.mean_cone_distance;
-    sized.element_size = 0.;
+    const BlankOutline &blank = gear.blank();
+    const double        L     = blank.mean_cone_distance;
+    sized.element_size        = 0.;
 
     sized.cells_lengthwise = count(blank.face_width, 1);
-    sized.cells_across     = count(member.tooth_thickness(L, 0.), 2);
+    sized.cells_across     = count(gear.tooth_thickness(L, 0.), 2);
     sized.flank_rows       = count(blank.addendum(L) + blank.dedendum(L), 1);
     if (web == WebKind::solid)
       {

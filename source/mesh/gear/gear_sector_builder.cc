@@ -26,13 +26,13 @@ namespace vfife
       return c * c * (3. - 2. * c);
     }
 
-    std::vector<GearSection> compute_sections(const GearMember      &member,
+    std::vector<GearSection> compute_sections(const GearGeometry    &gear,
                                               const GearBodyOptions &options)
     {
-      const Blank             &blank = member.blank();
+      const BlankOutline      &blank = gear.blank();
       std::vector<GearSection> sections;
       for (unsigned int i = 0; i <= options.cells_lengthwise; ++i)
-        sections.push_back(compute_gear_section(member,
+        sections.push_back(compute_gear_section(gear,
                                                 blank.inner_cone_distance() +
                                                   blank.face_width * i / options.cells_lengthwise,
                                                 options.flank_rows,
@@ -41,15 +41,15 @@ namespace vfife
     }
   } // namespace
 
-  GearSectorBuilder::GearSectorBuilder(const GearMember &member, const GearBodyOptions &options)
-    : member_(member)
+  GearSectorBuilder::GearSectorBuilder(const GearGeometry &gear, const GearBodyOptions &options)
+    : gear_(gear)
     , options_(options)
     , at_toe_(options.web == WebKind::conical && options.web_attachment == WebAttachment::toe)
     , at_underside_(options.web == WebKind::conical && options.web_attachment != WebAttachment::toe)
-    , sections_(compute_sections(member, options))
+    , sections_(compute_sections(gear, options))
     , across_(graded_places_from_both_ends(options.cells_across, options.grading_towards_flank))
     , rim_parts_(graded_places(options.rim_rows, at_toe_ ? 1. : options.grading_towards_fillet))
-    , web_(member.blank(), options, sections_.front().root_height, sections_.back().root_height)
+    , web_(gear.blank(), options, sections_.front().root_height, sections_.back().root_height)
   {
   }
 
@@ -82,9 +82,8 @@ namespace vfife
   Vector3 GearSectorBuilder::position(const unsigned int node) const
   {
     const Vector3 &x = sector_.nodes[GearSector::index_of(node)];
-    return GearSector::is_next(node)
-             ? Vector3(rotation_about(Vector3::UnitZ(), member_.pitch()) * x)
-             : x;
+    return GearSector::is_next(node) ? Vector3(rotation_about(Vector3::UnitZ(), gear_.pitch()) * x)
+                                     : x;
   }
 
   void GearSectorBuilder::add_hexahedron(CellNodes nodes)
@@ -103,7 +102,7 @@ namespace vfife
       if (!(determinant(v) > 0.))
         {
           std::ostringstream message;
-          message << member_.name() << ": inverted cell at " << position(nodes[v]).transpose()
+          message << gear_.name() << ": inverted cell at " << position(nodes[v]).transpose()
                   << " mm (body frame): change the web, the rim or the number of cells";
           throw NumericalError(message.str());
         }
@@ -125,10 +124,7 @@ namespace vfife
     Vector2      point = (1. - x) * section.lower[row + 1] + x * section.upper[row + 1];
     if (row == 0)
       {
-        const Blank &blank = member_.blank();
-        const double module =
-          2. * blank.mean_cone_distance * std::sin(blank.pitch_angle) / blank.teeth;
-        point[0] -= base_dip * module * 4. * x * (1. - x);
+        point[0] -= base_dip * gear_.blank().mean_module() * 4. * x * (1. - x);
       }
     return point;
   }
@@ -144,7 +140,7 @@ namespace vfife
             {
               const Vector2 point = tooth_point(section, row, c);
               layer[row][c] =
-                add_node(position_of(member_.blank(), section.cone_distance, point[0], point[1]));
+                add_node(position_of(gear_.blank(), section.cone_distance, point[0], point[1]));
             }
         tooth_.push_back(layer);
       }
@@ -171,8 +167,8 @@ namespace vfife
     if (options_.web == WebKind::solid)
       {
         const Vector2 root =
-          member_.blank().meridian_point({section.cone_distance, section.root_height});
-        return part * (root[0] - options_.bore_radius) / std::cos(member_.blank().pitch_angle);
+          gear_.blank().meridian_point({section.cone_distance, section.root_height});
+        return part * (root[0] - options_.bore_radius) / std::cos(gear_.blank().pitch_angle);
       }
     const double even = part * options_.rim_thickness;
     if (!at_toe_)
@@ -197,18 +193,17 @@ namespace vfife
                                        const unsigned int row,
                                        const unsigned int column) const
   {
-    const Blank       &blank   = member_.blank();
-    const GearSection &section = sections_[i];
-    const Vector2      top     = rim_top(section, column);
+    const BlankOutline &blank   = gear_.blank();
+    const GearSection  &section = sections_[i];
+    const Vector2       top     = rim_top(section, column);
     if (row == 0)
       return position_of(blank, section.cone_distance, top[0], top[1]);
 
-    const double depth = rim_depth(i, row);
-    const double circular_pitch =
-      section.pitch * section.cone_distance * std::sin(blank.pitch_angle);
-    const double even  = section.pitch * column / options_.columns();
-    const double blend = smooth_step(depth / (blend_depth * circular_pitch));
-    const double angle = (1. - blend) * (top[1] - section.left_angle) + blend * even;
+    const double depth          = rim_depth(i, row);
+    const double circular_pitch = blank.circular_pitch(section.cone_distance);
+    const double even           = section.pitch * column / options_.columns();
+    const double blend          = smooth_step(depth / (blend_depth * circular_pitch));
+    const double angle          = (1. - blend) * (top[1] - section.left_angle) + blend * even;
     if (at_underside_)
       {
         // Straight lines from the root to places on the underside that leave room for the web.
@@ -236,8 +231,8 @@ namespace vfife
   double GearSectorBuilder::underside_place(const unsigned int i) const
   {
     const unsigned int first = first_web_section(), last = first + options_.web_layers;
-    const double       inner = member_.blank().inner_cone_distance(),
-                 outer       = member_.blank().outer_cone_distance;
+    const double       inner = gear_.blank().inner_cone_distance(),
+                 outer       = gear_.blank().outer_cone_distance;
     if (i < first)
       return inner + (web_.wall_place(0.) - inner) * i / first;
     if (i <= last)
@@ -325,7 +320,7 @@ namespace vfife
 
   void GearSectorBuilder::add_flank_grid(const FlankSide side)
   {
-    const bool upper = side == member_.upper_side();
+    const bool upper = side == gear_.upper_side();
     FlankGrid  grid;
     grid.side               = side;
     const unsigned int rows = options_.flank_rows;

@@ -17,7 +17,7 @@ namespace vfife
                                       const unsigned int layer,
                                       const double       fraction) const
   {
-    const double across = fraction * member_.pitch();
+    const double across = fraction * gear_.pitch();
     if (at_toe_)
       return sections_.front().left_angle + across;
     const double own = web_.wall_place(double(layer) / options_.web_layers);
@@ -109,7 +109,7 @@ namespace vfife
     // The coarsening row is 0.8 of its three columns' width long: best of the lengths tried for the
     // least scaled Jacobian over all webs of the paper.
     coarsening               = options_.coarsens() ? stations.size() : 0;
-    const double group_width = 3. * member_.pitch() * web_.point(0., .5)[0] / options_.columns();
+    const double group_width = 3. * gear_.pitch() * web_.point(0., .5)[0] / options_.columns();
     const double straight    = (stop - start) * web_.length();
     const double first = coarsening > 0 ? std::min(.5, .8 * group_width / straight) : 1. / rows;
     for (unsigned int row = 1; row <= rows; ++row)

@@ -3,7 +3,7 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
-#include <vfife/gear/unloaded_contact.h>
+#include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/study/cases/body_figures.h>

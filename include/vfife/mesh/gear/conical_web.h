@@ -2,7 +2,7 @@
 #ifndef vfife_mesh_gear_conical_web_h
 #define vfife_mesh_gear_conical_web_h
 
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/gear_geometry.h>
 
 #include <array>
 
@@ -49,10 +49,10 @@ namespace vfife
   {
   public:
     /** @p toe_root_height, @p heel_root_height: h of the root land at both ends [mm]. */
-    ConicalWeb(const Blank    &blank,
-               const WebShape &shape,
-               double          toe_root_height,
-               double          heel_root_height);
+    ConicalWeb(const BlankOutline &blank,
+               const WebShape     &shape,
+               double              toe_root_height,
+               double              heel_root_height);
 
     /** dL/d(depth) of the mitre, the depth counted along -h under the root; 0 for the underside. */
     double mitre_slope() const;
@@ -74,7 +74,7 @@ namespace vfife
     double length() const;
 
     /** Signed angle from the normal of the rim's end or underside to the web [rad]. */
-    static double turn_from_wall(const Blank &blank, const WebShape &shape);
+    static double turn_from_wall(const BlankOutline &blank, const WebShape &shape);
 
   private:
     /** Arc between the wall and a face of the web, both straight, that meet at @p corner. */

@@ -2,7 +2,7 @@
 #ifndef vfife_mesh_gear_gear_body_h
 #define vfife_mesh_gear_gear_body_h
 
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/gear/gear_body_options.h>
 
@@ -18,7 +18,7 @@ namespace vfife
    * (sets and surfaces describe the mesh as it is returned). Throws InputError as check() does, and
    * NumericalError for an inverted cell.
    */
-  std::unique_ptr<BodyMesh> make_gear_body(const GearMember      &member,
+  std::unique_ptr<BodyMesh> make_gear_body(const GearGeometry    &gear,
                                            const GearBodyOptions &options);
 } // namespace vfife
 

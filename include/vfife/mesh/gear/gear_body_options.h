@@ -2,7 +2,7 @@
 #ifndef vfife_mesh_gear_gear_body_options_h
 #define vfife_mesh_gear_gear_body_options_h
 
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/gear/conical_web.h>
 
 #include <string>
@@ -58,11 +58,11 @@ namespace vfife
 
     /** Throws InputError (entries under @p section, e.g. "Gear pair/Gear") when sizes contradict
      * each other or @p blank. */
-    void check(const std::string &section, const Blank &blank) const;
+    void check(const std::string &section, const BlankOutline &blank) const;
 
     /** The same with the counts that the element size asks for, each at least as small as check()
      * allows; unchanged where no size is given. */
-    GearBodyOptions with_counts_of_size(const GearMember &member) const;
+    GearBodyOptions with_counts_of_size(const GearGeometry &gear) const;
 
     /** Columns of cells of a sector's rim: across the tooth, and two on either side for fillet and
      * root land. */

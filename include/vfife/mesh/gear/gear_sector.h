@@ -2,7 +2,7 @@
 #ifndef vfife_mesh_gear_gear_sector_h
 #define vfife_mesh_gear_gear_sector_h
 
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <array>
@@ -17,7 +17,7 @@ namespace vfife
   {
     FlankSide                 side = FlankSide::concave;
     std::vector<unsigned int> nodes; ///< of the sector
-    std::vector<Vector2>      L_h;   ///< cone coordinates of the nodes [mm]
+    std::vector<Vector2>      L_h;   ///< coordinates (L, h) of the nodes [mm]
 
     /** Corners as places in the list of nodes, counter-clockwise seen from outside; the first side
      * runs along the tooth. */

@@ -19,7 +19,7 @@ namespace vfife
   {
   public:
     /** Throws InputError as compute_gear_section(). */
-    GearSectorBuilder(const GearMember &member, const GearBodyOptions &options);
+    GearSectorBuilder(const GearGeometry &gear, const GearBodyOptions &options);
 
     /** Only once: the sector is moved out. Throws NumericalError for an inverted cell. */
     GearSector build();
@@ -52,7 +52,7 @@ namespace vfife
     unsigned int first_web_section() const;
     /** Cone distance of section i on the underside, which leaves room for the web there. */
     double underside_place(unsigned int i) const;
-    /** Centre of the slot below the tooth at cone distance L [rad]. */
+    /** Centre of the slot below the tooth at L [rad]. */
     double left_angle_at(double L) const;
 
     Vector3 web_point(double u, unsigned int layer, double angle) const;
@@ -70,7 +70,7 @@ namespace vfife
       return (options_.rim_rows - options_.web_layers) / 2;
     }
 
-    const GearMember        &member_;
+    const GearGeometry      &gear_;
     const GearBodyOptions   &options_;
     const bool               at_toe_, at_underside_; ///< where there is a web
     std::vector<GearSection> sections_;

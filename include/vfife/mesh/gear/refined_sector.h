@@ -9,7 +9,7 @@ namespace vfife
   /** The same sector with each cell divided into eight @p times times, all new nodes of the surface
    * on the true surfaces (gear_manifolds.h). Throws NumericalError for an inverted cell. */
   GearSector
-  refine_gear_sector(const GearMember &member, const GearSector &sector, unsigned int times);
+  refine_gear_sector(const GearGeometry &gear, const GearSector &sector, unsigned int times);
 } // namespace vfife
 
 #endif

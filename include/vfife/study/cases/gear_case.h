@@ -6,7 +6,7 @@
 #include <vfife/contact/law/contact_options.h>
 #include <vfife/contact/law/hertz.h>
 #include <vfife/element/material.h>
-#include <vfife/gear/contact_analysis.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/model/model.h>
 
