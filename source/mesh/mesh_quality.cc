@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/mesh/mesh_quality.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,7 +85,7 @@ namespace vfife
     quality.least_height          = std::numeric_limits<double>::max();
 
     // The determinant is quadratic in each coordinate: two Gauss points a direction are exact.
-    const double gauss[2] = {.5 - .5 / std::sqrt(3.), .5 + .5 / std::sqrt(3.)};
+    const dealii::QGauss<3> gauss(2);
 
     for (const auto &cell : triangulation.active_cell_iterators())
       {
@@ -102,12 +104,12 @@ namespace vfife
           }
 
         double volume = 0.;
-        for (unsigned int q = 0; q < 8; ++q)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
           {
-            const Vector3 point(gauss[q & 1u], gauss[(q >> 1) & 1u], gauss[q >> 2]);
-            const double  determinant = jacobian(x, point).determinant();
+            const auto  &xi           = gauss.point(q);
+            const double determinant  = jacobian(x, {xi[0], xi[1], xi[2]}).determinant();
             quality.least_determinant = std::min(quality.least_determinant, determinant);
-            volume += determinant / 8.;
+            volume += gauss.weight(q) * determinant;
           }
         quality.volume += volume;
         quality.least_height = std::min(quality.least_height, volume / largest_face(x));

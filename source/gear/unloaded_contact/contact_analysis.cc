@@ -5,6 +5,8 @@
 
 #include <Eigen/QR>
 
+#include <boost/math/tools/roots.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -112,9 +114,11 @@ namespace vfife
       analysis.hands_over = hands_over(contact.path()) || hands_over(contact.whole());
       if (!analysis.hands_over)
         return;
-      for (unsigned int i = 0; i < 50; ++i)
-        (ahead((low + high) / 2) < 0. ? low : high) = (low + high) / 2;
-      analysis.hand_over     = (low + high) / 2;
+      const boost::math::tools::eps_tolerance<double> tolerance(50); // bits
+      boost::uintmax_t                                iterations = 50;
+      const auto                                      bracket =
+        boost::math::tools::toms748_solve(ahead, low, high, tolerance, iterations);
+      analysis.hand_over     = (bracket.first + bracket.second) / 2;
       analysis.hand_over_lag = contact.lag(analysis.hand_over);
       analysis.over_an_edge =
         analysis.hand_over > contact.path()[1] || analysis.hand_over - 1. < contact.path()[0];

@@ -2,6 +2,9 @@
 #include <vfife/base/errors.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
 
+#include <boost/math/tools/roots.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -162,7 +165,7 @@ namespace vfife
 
   std::pair<double, double> UnloadedContact::path_range() const
   {
-    constexpr double     walk = 0.05; // pitches
+    constexpr double     walk = 0.05, tolerance = 1e-13; // pitches
     UnloadedContactPoint point;
     const auto           inside = [&](const double pitches) {
       return find(reference() + pitches * pitch(), 0, point) && point.inside;
@@ -177,16 +180,19 @@ namespace vfife
                                "inside its flanks (edge contact only)");
       }
     const auto border = [&](const double direction) {
-      // walk outwards to the first point outside, then bisect
+      // walk outwards to the first point outside, then bisect: beyond the border the flanks may not
+      // even touch, so that no distance tells how far it is
       double in = start, out = start + walk * direction;
-      while (inside(out) && std::abs(out) < farthest)
-        {
-          in = out;
-          out += walk * direction;
-        }
-      for (unsigned int i = 0; i < 40; ++i)
-        (inside((in + out) / 2) ? in : out) = (in + out) / 2;
-      return in * pitch();
+      for (; inside(out); out += walk * direction) // ends at the farthest that is followed
+        in = out;
+      const auto ends =
+        boost::math::tools::bisect([&](const double pitches) { return inside(pitches) ? 1. : -1.; },
+                                   std::min(in, out),
+                                   std::max(in, out),
+                                   [](const double a, const double b) {
+                                     return b - a < tolerance;
+                                   });
+      return (direction > 0. ? ends.first : ends.second) * pitch();
     };
     return {border(-1.), border(1.)};
   }

@@ -3,14 +3,14 @@
 #include <vfife/mesh/gear/flank_surface.h>
 #include <vfife/mesh/node_set_names.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <cmath>
 
 namespace vfife
 {
   namespace
   {
-    constexpr unsigned int n_points = sizeof(offset_abscissae) / sizeof(offset_abscissae[0]);
-
     /** Far below the offsets (micrometres) and above round-off of coordinates of 100 mm. */
     constexpr double offset_tolerance = 1e-11;
 
@@ -94,10 +94,11 @@ namespace vfife
 
     void add_offsets(const GearGeometry &gear, const FlankSide side, FacetSurface &tooth)
     {
-      tooth.offset_points = n_points;
+      const std::vector<double> abscissae = offset_abscissae();
+      tooth.offset_points                 = abscissae.size();
       for (const auto &facet : tooth.facets)
-        for (const double eta : offset_abscissae)
-          for (const double xi : offset_abscissae)
+        for (const double eta : abscissae)
+          for (const double xi : abscissae)
             {
               const auto weights = bilinear_weights(xi, eta);
               Vector3    point = Vector3::Zero(), normal = Vector3::Zero();
@@ -112,6 +113,14 @@ namespace vfife
             }
     }
   } // namespace
+
+  std::vector<double> offset_abscissae()
+  {
+    std::vector<double> abscissae;
+    for (const dealii::Point<1> &point : dealii::QGaussLobatto<1>(5).get_points())
+      abscissae.push_back(point[0]);
+    return abscissae;
+  }
 
   FacetSurface make_flank_surface(const GearGeometry &gear,
                                   const FlankGrid    &grid,

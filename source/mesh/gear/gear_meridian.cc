@@ -3,6 +3,8 @@
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/gear/gear_section.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <array>
 #include <cmath>
 
@@ -105,13 +107,13 @@ namespace vfife
     Four
     integrate_height(const BlankOutline &blank, const double L, const double root, const double h)
     {
-      Four sum = Four::Zero();
-      for (const double side : {-1., 1.}) // two Gauss points: exact for the third degree
+      static const dealii::QGauss<1> quadrature(2); // exact for the third degree
+      Four                           sum = Four::Zero();
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          const double  at  = .5 * (root + h) + side * .5 / std::sqrt(3.) * (h - root);
-          const Vector2 r_z = blank.meridian_point({L, at});
+          const Vector2 r_z = blank.meridian_point({L, root + quadrature.point(q)[0] * (h - root)});
           const double  r = r_z[0], z = r_z[1];
-          sum += .5 * (h - root) * r * Four(1., r * r, z, z * z);
+          sum += quadrature.weight(q) * (h - root) * r * Four(1., r * r, z, z * z);
         }
       return sum;
     }
