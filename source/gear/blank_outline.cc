@@ -24,6 +24,7 @@ namespace vfife
 
   double BlankOutline::circular_pitch(const double cone_distance) const
   {
+    // radius of the pitch line at L: r_0 + L sin d
     return pitch() * cone_distance * std::sin(pitch_angle) + pitch() * origin[0];
   }
 
@@ -45,6 +46,7 @@ namespace vfife
   Vector2 BlankOutline::cone_direction(const Vector2 &dr_dz) const
   {
     const double c = std::cos(pitch_angle), s = std::sin(pitch_angle);
+    // L along (sin d, cos d) of (r, z), h along (cos d, -sin d)
     return {dr_dz[1] * c + dr_dz[0] * s, dr_dz[0] * c - dr_dz[1] * s};
   }
 

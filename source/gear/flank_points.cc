@@ -23,7 +23,8 @@ namespace vfife
     for (const FlankSide side : {FlankSide::concave, FlankSide::convex})
       for (unsigned i = 0; i < lengthwise; ++i)
         {
-          const double  L = blank.inner_cone_distance() + blank.face_width * i / (lengthwise - 1);
+          const double L = blank.inner_cone_distance() + blank.face_width * i / (lengthwise - 1);
+          // even steps of h between the end of the fillet and the tip
           const Vector3 start = gear.fillet_point(side, L, gear.fillet_end(side)).position;
           const double  low = blank.cone_coordinates({std::hypot(start[0], start[1]), start[2]})[1];
           for (unsigned j = 0; j < profile; ++j)

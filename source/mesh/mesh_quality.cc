@@ -15,6 +15,8 @@ namespace vfife
     using Corners = std::array<Vector3, 8>;
 
     /** Jacobian of the trilinear map at a point of the unit cube. */
+    /** dX/dxi of the trilinear map X = sum N_v(xi) x_v at a point of the unit cube, N_v the product
+     * of xi_d or 1 - xi_d. */
     Matrix3 jacobian(const Corners &x, const Vector3 &xi)
     {
       Matrix3 J = Matrix3::Zero();
@@ -48,6 +50,7 @@ namespace vfife
     /** Corners' share: edges, determinants, scaled Jacobian (returned). */
     double measure_corners(const Corners &x, MeshQuality &quality)
     {
+      // det(e1, e2, e3) of the edges that leave a corner, and over their lengths
       double least    = std::numeric_limits<double>::max();
       double shortest = std::numeric_limits<double>::max(), longest = 0.;
       for (unsigned int v = 0; v < 8; ++v)
@@ -93,6 +96,7 @@ namespace vfife
         for (unsigned int v = 0; v < 8; ++v)
           x[v] = Vector3(cell->vertex(v)[0], cell->vertex(v)[1], cell->vertex(v)[2]);
 
+        // corners: edges, determinants, scaled Jacobian
         const double scaled = measure_corners(x, quality);
         if (scaled < quality.least_scaled_jacobian)
           {
@@ -103,6 +107,7 @@ namespace vfife
               quality.worst_cell_centre += corner / 8.;
           }
 
+        // inside: least determinant, volume, and volume over the largest face
         double volume = 0.;
         for (unsigned int q = 0; q < gauss.size(); ++q)
           {

@@ -15,6 +15,7 @@ namespace vfife
     /** The mean cone distance is printed with two decimals, the outer one often from the module. */
     constexpr double cone_distance_tolerance = 0.005;
 
+    /** Numbers with units, for messages. */
     std::string degrees(const double angle)
     {
       std::ostringstream text;
@@ -73,6 +74,7 @@ namespace vfife
 
   void Blank::examine(const std::string &section, Findings &findings) const
   {
+    // what is missing says nothing about the rest
     const auto require = [&](const std::string &name, const double value) {
       if (!(value > 0.))
         findings.add_missing(section, name);
@@ -96,6 +98,7 @@ namespace vfife
       if (wrong)
         findings.add(Findings::Action::stop, section + "/" + name, involved, message);
     };
+    // surest findings first: numbers of teeth, then order of the cones, lengths, heights at the toe
     refuse_if(teeth < 5,
               "number of teeth",
               {},
@@ -153,6 +156,8 @@ namespace vfife
                                 const double spiral_angle,
                                 const double blade_angle)
   {
+    // Spread blades cut slots of constant width at the bottom; they taper in depth by so much that
+    // the width at the pitch cone tapers as the circular pitch does.
     const double A      = gear.mean_cone_distance;
     const double module = 2. * A * std::sin(gear.pitch_angle) / gear.teeth;
     return pi * module / (2. * A) * (1. - A * std::sin(spiral_angle) / cutter_radius) /

@@ -12,17 +12,19 @@ namespace vfife
 {
   namespace
   {
+    /** @p v turned about z by the angle of cosine @p c and sine @p s. */
     Vector3 rotate_about_z(const double c, const double s, const Vector3 &v)
     {
       return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
     }
 
-    /** z x v */
+    /** z x v: the velocity of v that turns about z at unit rate. */
     Vector3 z_cross(const Vector3 &v)
     {
       return {-v[1], v[0], 0.};
     }
 
+    /** Says at which cone distance and which other coordinate (@p name, @p value) no point is. */
     [[noreturn]] void refuse(
       const Blade blade, const char *surface, const double L, const char *name, const double value)
     {
@@ -109,8 +111,17 @@ namespace vfife
     return derivatives(t, phi).point;
   }
 
+  // Machine frame, seen along the cradle axis z; the upright cutter's axis is z as well.
+  //
+  //      y ^         C  cutter centre; round it the blade tips, radius r_p, at the angles t
+  //        |      . '
+  //        |  S . '        the blank's axis a lies in the plane of x and z, its apex at O
+  //        |  . '  q + phi
+  //        +-----------------> x, along the root generatrix
   Flank::Cutter Flank::cutter_at(const double phi) const
   {
+    // Centre of the blade tips' circle, carried round the cradle axis:
+    //   C = S (cos(q + phi), sin(q + phi), 0),   dC/dphi = z x C
     const double Q = settings_.cradle_angle + phi, S = settings_.radial_distance;
     Cutter       cutter;
     cutter.center     = {S * std::cos(Q), S * std::sin(Q), 0.};
@@ -122,6 +133,7 @@ namespace vfife
     for (unsigned int d = 0; d < 3; ++d)
       cutter.tilt_phi.col(d) =
         z_cross(cutter.tilt.col(d)) - cutter.tilt * z_cross(Vector3::Unit(d));
+    // The blank turns by psi(phi); psi' is the ratio of roll at this position.
     cutter.ratio     = settings_.roll_rate(phi);
     cutter.ratio_phi = settings_.roll_acceleration(phi);
     const double psi = settings_.blank_rotation(phi);
@@ -137,6 +149,7 @@ namespace vfife
 
   Flank::Moving Flank::into_body(const Cutter &cutter, const Moving &v) const
   {
+    // X = Rz(psi) R v,   dX/dphi = Rz(psi) R dv/dphi + psi' z x X
     const auto turned = [&](const Vector3 &x) {
       return rotate_about_z(cutter.cos_blank, cutter.sin_blank, into_blank_frame(x));
     };
@@ -149,6 +162,9 @@ namespace vfife
                                 const Moving  &position,
                                 const Vector3 &apex) const
   {
+    // f = n . v,   v = z x r + psi' a x (r - O): velocity of the cutter's point relative to the
+    // blank; r from the machine centre, r - O from the apex, a the axis of the blank.
+    // Derivatives by the product rule; psi' depends on phi alone.
     const Vector3 axis(cos_root_, 0., -sin_root_);
     const auto    velocity = [&](const Vector3 &from_machine, const Vector3 &from_apex) -> Vector3 {
       return z_cross(from_machine) + cutter.ratio * axis.cross(from_apex);
@@ -161,13 +177,22 @@ namespace vfife
             normal.phi.dot(v) + normal.value.dot(v_phi)};
   }
 
+  // Blade in the plane of e and z; sigma = +1 outside, -1 inside, where it leans the other way.
+  //
+  //      z ^         /
+  //        |        /  al, to the cutter axis
+  //        |       / s
+  //        +------/----------> e
+  //          r_p   tip plane z = 0
   SurfaceDerivatives Flank::derivatives(const double t, const double phi) const
   {
     const double  sigma  = settings_.sigma();
     const Cutter  cutter = cutter_at(phi);
     const Vector3 e(std::cos(t), std::sin(t), 0.), e_t = z_cross(e), z = Vector3::UnitZ();
 
-    // r = P0 + s P1 in the machine frame, from the apex; n does not depend on s
+    // The straight blade at the angle t about the cutter axis, s from its tip, seen from the apex:
+    //   r = P0 + s P1,   P0 = C - O + r_p T e,   P1 = T (sigma sin al e + cos al z)
+    //   n = T (sigma cos al e - sin al z), which does not depend on s
     const Moving P0 =
       relative_to_apex(cutter,
                        cutter.carry(settings_.point_radius * e, settings_.point_radius * e_t));
@@ -176,13 +201,15 @@ namespace vfife
     const Moving n =
       cutter.carry(sigma * cos_blade_ * e - sin_blade_ * z, sigma * cos_blade_ * e_t);
 
-    // equation of meshing: constant + s linear = 0
+    // The equation of meshing is linear in s: f0 + s f1 = 0 gives the point that generates,
+    //   s = -f0 / f1,   ds = -(df0 + s df1) / f1
     const Meshing constant = meshing(cutter, n, P0, apex_);
     const Meshing linear   = meshing(cutter, n, P1, Vector3::Zero());
     const double  s        = -constant.value / linear.value;
     const double  s_t      = -(constant.t + s * linear.t) / linear.value;
     const double  s_phi    = -(constant.phi + s * linear.phi) / linear.value;
 
+    // Position and normal in the frame of the turned blank; s depends on t and phi.
     const Moving       position = into_body(cutter,
                                       {P0.value + s * P1.value,
                                              P0.t + s * P1.t + s_t * P1.value,
@@ -209,12 +236,16 @@ namespace vfife
 
   Vector2 Flank::start(const double L) const
   {
+    // from the cutter's centre S (cos q, sin q) to the point (L, 0) of the pitch generatrix
     const double S = settings_.radial_distance, q = settings_.cradle_angle;
     return {std::atan2(-S * std::sin(q), L - S * std::cos(q)), 0.};
   }
 
   GeneratedPoint Flank::point_at(const double L, const double h) const
   {
+    // Two equations for (t, phi): the cone coordinates of the flank's point are (L, h). With
+    // r = |(X, Y)|,  dr = (X dX + Y dY) / r:
+    //   dL = dZ cos d + dr sin d,   dh = dr cos d - dZ sin d
     const Vector2 target(L, h);
     const auto    equations = [&](const Vector2 &x, Vector2 &residual, Eigen::Matrix2d &jacobian) {
       const SurfaceDerivatives surface = derivatives(x[0], x[1]);
@@ -239,6 +270,10 @@ namespace vfife
 
   Flank::EdgePoint Flank::edge_point(const double t, const double phi, const double lambda) const
   {
+    // The rounded edge touches the blade at the distance edge_width() from the sharp tip and the
+    // tip plane below it:
+    //   radius  r_p - sigma w + sigma rf sin(lambda),   height  rf (1 - cos(lambda))
+    //   n = T (sigma sin(lambda) e - cos(lambda) z)
     const double sigma = settings_.sigma(), sin_l = std::sin(lambda), cos_l = std::cos(lambda);
     const double radius = settings_.point_radius - sigma * settings_.edge_width() +
                           sigma * settings_.edge_radius * sin_l;
@@ -256,6 +291,7 @@ namespace vfife
 
   GeneratedPoint Flank::fillet_at(const double L, const double lambda) const
   {
+    // Two equations for (t, phi): the edge's point at lambda generates, f = 0, and stands at L.
     const auto equations = [&](const Vector2 &x, Vector2 &residual, Eigen::Matrix2d &jacobian) {
       const EdgePoint point = edge_point(x[0], x[1], lambda);
       const Vector3  &X     = point.position.value;
@@ -286,7 +322,8 @@ namespace vfife
     Eigen::Matrix<double, 3, 2> X, N;
     X << surface.position_t, surface.position_phi;
     N << surface.normal_t, surface.normal_phi;
-    // Weingarten: second derivatives times N are minus first derivatives times those of N
+    // Weingarten: second derivatives times N are minus first derivatives times those of N, so the
+    // shape operator is -I^-1 (X_i . N_j), I_ij = X_i . X_j
     const Eigen::Matrix2d shape  = -(X.transpose() * X).inverse() * (X.transpose() * N);
     const double          mean   = shape.trace() / 2;
     const double half_difference = std::sqrt(std::max(0., mean * mean - shape.determinant()));
@@ -299,6 +336,7 @@ namespace vfife
     Eigen::Matrix<double, 3, 2> X, N;
     X << surface.position_t, surface.position_phi;
     N << surface.normal_t, surface.normal_phi;
+    // K = -X^i (X_i . N_j) X^j with the dual base X^i of the tangents
     const Eigen::Matrix<double, 3, 2> dual = X * (X.transpose() * X).inverse();
     const Matrix3                     K    = -dual * (X.transpose() * N) * dual.transpose();
     return (K + K.transpose()) / 2; // symmetric but for round-off

@@ -37,7 +37,8 @@ namespace vfife
   {
     const Vector3 pinion_axis = pinion_frame.rotation.col(2),
                   gear_axis   = gear_frame.rotation.col(2);
-    const auto f              = [&](const double angle) {
+    // normal component of the relative velocity, pinion at rate 1, gear at - speed ratio
+    const auto f = [&](const double angle) {
       const RigidMotion placement = turned_frame(gear_frame, angle);
       const Vector3     P         = placement(gear_point.position);
       return (placement.rotation * gear_point.normal)
@@ -47,6 +48,7 @@ namespace vfife
     // P and n are linear in cosine and sine of the rotation, and the product of both enters with
     // the turning of the arm about the pinion's axis only: n . (a x P) = a . (P x n). Hence
     // f = c + a cos + b sin exactly.
+    // Three values give c, a and b; of the two roots, crest +- width, the nearer one counts.
     const double f0 = f(0.), f_half = f(pi), f_quarter = f(pi / 2);
     const double c = (f0 + f_half) / 2, a = (f0 - f_half) / 2, b = f_quarter - c;
     const double amplitude = std::hypot(a, b);
@@ -128,12 +130,13 @@ namespace vfife
     const MountedPoint pinion(pinion_, pinion_frame_, x[t1], x[phi1], x[rot1]);
     const MountedPoint gear(gear_, gear_frame_, x[t2], x[phi2], x[rot2]);
 
+    // rows 0-2: x1 - x2 = 0
     residual.head<3>()         = (pinion.position - gear.position) / length_;
     jacobian.block<3, 3>(0, 0) = pinion.d_position / length_;
     jacobian.block<3, 3>(0, 3) = -gear.d_position / length_;
 
-    // Two directions normal to the gear's normal. They are held fixed in the derivatives: at the
-    // solution the sum of normals vanishes and so does their contribution.
+    // rows 3, 4: n1 + n2 = 0 in two directions normal to the gear's normal. They are held fixed in
+    // the derivatives: at the solution the sum of normals vanishes and so does their contribution.
     const Vector3 u = gear.normal.unitOrthogonal(), v = gear.normal.cross(u);
     const Vector3 sum = pinion.normal + gear.normal;
     unsigned int  row = 3;
@@ -145,7 +148,7 @@ namespace vfife
         ++row;
       }
 
-    // n . (a1 x arm1 + ratio a2 x arm2) = 0 with each arm taken to its own flank's point
+    // row 5: n . (a1 x arm1 + ratio a2 x arm2) = 0 with each arm taken to its own flank's point
     const Vector3 velocity =
       pinion.axis.cross(pinion.arm) + speed_ratio_ * gear.axis.cross(gear.arm);
     residual[5] = gear.normal.dot(velocity) / length_;
@@ -159,6 +162,7 @@ namespace vfife
 
   bool FlankContact::solve_at_rotation(Unknowns &x) const
   {
+    // rot1 is held, row 5 left out: five equations for the five others
     constexpr Unknown free[5] = {t1, phi1, t2, phi2, rot2};
     using Five                = Eigen::Matrix<double, 5, 1>;
     const auto equations =

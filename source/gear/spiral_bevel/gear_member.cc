@@ -9,6 +9,7 @@ namespace vfife
 {
   namespace
   {
+    /** The point on another tooth, or on tooth 0 as generated. */
     SurfacePoint turned(SurfacePoint point, const double angle)
     {
       const Matrix3 rotation = rotation_about(Vector3::UnitZ(), angle);
@@ -36,6 +37,7 @@ namespace vfife
     , concave_turn_(concave_turn)
     , convex_turn_(convex_turn)
   {
+    // One flank must have its metal above it, the other below: the first is the lower one.
     const double       L             = blank.mean_cone_distance;
     const SurfacePoint concave_point = flank_point(FlankSide::concave, L, 0.);
     const SurfacePoint convex_point  = flank_point(FlankSide::convex, L, 0.);
@@ -43,6 +45,7 @@ namespace vfife
       throw InputError("the " + name_ + "'s concave and convex flank face the same way");
     lower_side_ = is_on_lower_flank(concave_point) ? FlankSide::concave : FlankSide::convex;
 
+    // What is left of the pitch between them must be a tooth and a slot.
     const double sign  = lower_side_ == FlankSide::concave ? 1. : -1.;
     const double width = sign * std::remainder(polar_angle(convex_point.position) -
                                                  polar_angle(concave_point.position),

@@ -25,12 +25,13 @@ namespace vfife
   MachineSettings GearMemberOptions::no_settings()
   {
     MachineSettings none;
-    none.edge_radius = 0.;
+    none.edge_radius = 0.; // the only entry whose default is a value
     return none;
   }
 
   GearMemberOptions GearMemberOptions::spread() const
   {
+    // r = (diameter +- width) / 2, + for the outside blade
     GearMemberOptions member = *this;
     for (MachineSettings *flank : {&member.concave, &member.convex})
       {
@@ -44,6 +45,7 @@ namespace vfife
   void GearMemberOptions::examine_spread(const std::string &section, Findings &findings) const
   {
     const std::string both_section = section + "/Both flanks";
+    // an entry for both flanks and a different one for one flank
     concave.examine_shared(both, both_section, section + "/Concave flank", findings);
     convex.examine_shared(both, both_section, section + "/Convex flank", findings);
     if (point_width > 0. && cutter_diameter == 0. &&
@@ -52,6 +54,7 @@ namespace vfife
                    both_section + "/point width",
                    {},
                    "a point width needs the cutter diameter to give point radii");
+    // a point width and point radii that do not fit it
     const double width = concave.point_radius - convex.point_radius;
     if (point_width > 0. && concave.point_radius > 0. && convex.point_radius > 0. &&
         std::abs(width - point_width) > 1e-6)

@@ -39,6 +39,7 @@ namespace vfife
       {
       }
 
+      /** A positive cradle angle cuts a left-hand member. */
       void examine_hand() const
       {
         const bool left = blank_.hand == Hand::left;
@@ -55,6 +56,7 @@ namespace vfife
                                 "-hand"));
       }
 
+      /** The machine is set to the root cone. */
       void examine_root_angle() const
       {
         const double g = settings_.machine_root_angle, root = blank_.root_angle;
@@ -83,6 +85,8 @@ namespace vfife
                  (blank_.mean_dedendum * std::tan(settings_.blade_angle) - half_slot);
       }
 
+      /** Radius and spiral angle in the middle of the tooth, from the cutter's place on the cradle,
+       * against the cutter's size and the blank's spiral angle. */
       void examine_cutter_position() const
       {
         const CutterPosition position(blank_, settings_);
@@ -130,6 +134,7 @@ namespace vfife
       Findings              &findings_;
     };
 
+    /** Nominal cutter diameter against the point radii, and these against the blade edges. */
     void examine_cutter_diameter(const GearMemberOptions &member,
                                  const std::string       &section,
                                  Findings                &findings)
@@ -172,6 +177,7 @@ namespace vfife
 
   CutterPosition::CutterPosition(const Blank &blank, const MachineSettings &settings)
   {
+    // from the cutter's axis to the middle of the tooth: along and across the pitch generatrix
     const double S = settings.radial_distance, q = settings.cradle_angle;
     const double along = blank.mean_cone_distance +
                          settings.machine_center_to_back * std::cos(settings.machine_root_angle) -
@@ -192,6 +198,7 @@ namespace vfife
     for (const FlankExamination &flank : flanks)
       flank.examine_hand();
 
+    // Where both flanks are cut at one machine root angle, the blank's root angle is the odd one.
     const double g = concave.machine_root_angle;
     if (g == convex.machine_root_angle && g > 0. && concave.cutter_tilt == 0. &&
         convex.cutter_tilt == 0. && std::abs(g - blank.root_angle) > root_angle_tolerance)

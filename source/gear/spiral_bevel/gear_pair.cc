@@ -14,6 +14,7 @@ namespace vfife
      */
     RigidMotion mounted_pinion_frame(const GearPairOptions &options)
     {
+      // tilt about y through the apex, shift along the tilted axis, offset along y
       RigidMotion   frame = pinion_frame(options.shaft_angle);
       const Matrix3 tilt  = rotation_about(Vector3::UnitY(), options.shaft_angle_error);
       frame.rotation      = tilt * frame.rotation;
@@ -31,19 +32,23 @@ namespace vfife
 
   GearPair::Design GearPair::derive(const GearPairOptions &options)
   {
+    // 1. What the user gave, completed; contradictions stop here.
     options.check();
     Design design;
     design.options      = options.completed();
     const Blank &blank1 = design.options.pinion.blank, &blank2 = design.options.gear.blank;
 
-    // The pinion pushes with the flank that leads when it turns about + its axis: the upper one;
-    // the gear, turning about -, is pushed on its upper one.
+    // 2. Which flanks meet. The pinion pushes with the flank that leads when it turns about + its
+    // axis: the upper one; the gear, turning about -, is pushed on its upper one.
     design.gear_upper =
       is_on_lower_flank(
         design.gear_flank(FlankSide::concave).point_at(blank2.mean_cone_distance, 0.))
         ? FlankSide::convex
         : FlankSide::concave;
     design.pinion_upper = opposite(design.gear_upper);
+
+    // 3. The mean contact of both sides, whose errors are told together; each may give the pinion
+    // flank its ratio of roll.
     std::vector<InputError> errors;
     for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
       try
@@ -64,6 +69,9 @@ namespace vfife
     if (!errors.empty())
       throw InputErrors(errors);
 
+    // 4. Backlash: at the rotation ratio the gear stands at rot2 + rot1 z1/z2 with each side's
+    // contact; what these differ by, and the angle of the normal backlash, the pinion's lower flank
+    // is turned back by (DELTA of doc/gear.md).
     const MeanContact &drive = design.mean_contact[0], &coast = design.mean_contact[1];
     const double       ratio = static_cast<double>(blank1.teeth) / blank2.teeth;
     design.backlash_angle    = design.options.backlash / ((drive.arm + coast.arm) / 2);
@@ -75,6 +83,7 @@ namespace vfife
 
   GearMember GearPair::make_pinion(const Design &design)
   {
+    // the upper flank stays as generated, the lower one is turned
     const GearMemberOptions &own = design.options.pinion;
     const Flank              concave(own.concave, own.blank.pitch_angle),
       convex(own.convex, own.blank.pitch_angle);
@@ -116,6 +125,7 @@ namespace vfife
             design_.gear_upper == FlankSide::concave ? -2. * pi / design_.options.gear.blank.teeth
                                                      : 0.)
   {
+    // the gear's only mounting error
     gear_frame_.translation[2] = options.gear_axial_shift;
     if (design_.options.proposal.is_given())
       for (const MeshSide side : {MeshSide::drive, MeshSide::coast})

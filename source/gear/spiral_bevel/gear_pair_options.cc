@@ -63,16 +63,19 @@ namespace vfife
     GearPairOptions options = *this;
     if (proposal.is_given())
       propose(proposal, shaft_angle, options.pinion, options.gear);
+    // what one section says for both flanks
     options.pinion = options.pinion.spread();
     options.gear   = options.gear.spread();
     Blank &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
     if (blank1.teeth > 0 && blank2.teeth > 0)
       {
+        // pitch angles from the numbers of teeth
         if (blank1.pitch_angle == 0.)
           blank1.pitch_angle = pitch_angle_of(blank1.teeth, blank2.teeth, shaft_angle);
         if (blank2.pitch_angle == 0.)
           blank2.pitch_angle = pitch_angle_of(blank2.teeth, blank1.teeth, shaft_angle);
       }
+    // the gear's spread-blade cutter: the other point radius, and the ratio of roll of both flanks
     MachineSettings &concave = options.gear.concave, &convex = options.gear.convex;
     const double     diameter = options.gear.cutter_diameter;
     if (options.gear.is_spread_blade() && diameter > 0.)

@@ -15,6 +15,7 @@ namespace vfife
     /** Part of the sum of dedendum angles by which it may miss the duplex formula. */
     constexpr double duplex_tolerance = 0.15;
 
+    /** A pitch angle that is given against the one that teeth and shaft angle ask for. */
     void examine_pitch_angle(const Blank       &own,
                              const Blank       &other,
                              const double       shaft_angle,
@@ -96,6 +97,7 @@ namespace vfife
                   " deg: the clearance tapers along the face; the angles are taken as given"));
     }
 
+    /** Taper of the depth against what a spread-blade gear cutter needs (duplex taper). */
     void
     examine_duplex(const GearPairOptions &options, const std::string &section, Findings &findings)
     {
@@ -142,6 +144,7 @@ namespace vfife
       return findings; // blanks and settings that are proposed fit each other
     const Blank      &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
     const std::string pinion_section = section + "/Pinion", gear_section = section + "/Gear";
+    // each member alone, then one against the other
     examine_pitch_angle(blank1, blank2, shaft_angle, "pinion", pinion_section, findings);
     examine_pitch_angle(blank2, blank1, shaft_angle, "gear", gear_section, findings);
     examine_hands(options, section, findings);

@@ -10,10 +10,12 @@ namespace vfife
                                    const Vector3 &position,
                                    const Vector3 &normal)
   {
+    // directions of L and h at this point, in the frame of the body
     const double  c = std::cos(blank.pitch_angle), s = std::sin(blank.pitch_angle);
-    const Vector3 radial   = Vector3(position[0], position[1], 0.).normalized();
-    const Vector3 length   = s * radial + c * Vector3::UnitZ();
-    const Vector3 height   = c * radial - s * Vector3::UnitZ();
+    const Vector3 radial = Vector3(position[0], position[1], 0.).normalized();
+    const Vector3 length = s * radial + c * Vector3::UnitZ();
+    const Vector3 height = c * radial - s * Vector3::UnitZ();
+    // the tangent with h = const, and the one across it; signs towards heel and tip
     const Vector3 constant = normal.cross(height).normalized();
     lengthwise             = constant.dot(length) > 0. ? constant : Vector3(-constant);
     const Vector3 across   = normal.cross(lengthwise);
@@ -44,6 +46,8 @@ namespace vfife
     const double rate = -speed_ratio * (gear_axis.cross(normal).dot(sliding) +
                                         normal.dot(W.cross(gear_axis.cross(position)))) +
                         gradient.dot(sliding);
+    // Contact along the line gradient . x = 0; across it the envelope bends by |g|^2 / rate, and
+    // the line moves by rate / |g| (doc/gear.md, Proposed pairs).
     across    = gradient.normalized();
     curvature = gradient.squaredNorm() / rate;
     speed     = rate / gradient.norm();

@@ -35,9 +35,11 @@ namespace vfife
 
   double MachineSettings::edge_width() const
   {
+    // the circle touches the tip plane below its centre: rf (1 - sin al) / cos al from the tip
     return edge_radius * (1. - std::sin(blade_angle)) / std::cos(blade_angle);
   }
 
+  // Modified roll, psi(phi) = Ra (phi - C phi^2 - D phi^3), and its derivatives in Horner's form.
   double MachineSettings::blank_rotation(const double phi) const
   {
     return ratio_of_roll * phi * (1. - phi * (second_order_roll + phi * third_order_roll));
@@ -55,6 +57,7 @@ namespace vfife
 
   double MachineSettings::conjugate_ratio_of_roll(const double pitch_angle) const
   {
+    // at the pitch generatrix A from the apex: A cos(d - g) of the cradle, A sin(d) of the blank
     return std::cos(pitch_angle - machine_root_angle) / std::sin(pitch_angle);
   }
 
@@ -166,6 +169,7 @@ namespace vfife
                                        const std::string     &section,
                                        Findings              &findings) const
   {
+    // Defaults count as not given: only what differs from both is contradicted.
     const MachineSettings untouched(blade);
     for (const Shared &shared : shared_entries)
       {
@@ -185,6 +189,7 @@ namespace vfife
       if (value == 0.)
         findings.add_missing(section, name);
     };
+    // 0 means not given
     require("point radius", point_radius);
     require("blade angle", blade_angle);
     require("blade edge radius", edge_radius);

@@ -10,6 +10,7 @@ namespace vfife
 {
   namespace
   {
+    /** About the axis of the body. */
     double polar_angle(const Vector3 &position)
     {
       return std::atan2(position[1], position[0]);
@@ -42,6 +43,7 @@ namespace vfife
       {
       }
 
+      /** The six equations of contact with a pinion flank cut at this ratio of roll. */
       FlankContact contact(const double ratio_of_roll) const
       {
         MachineSettings settings = settings_;
@@ -56,6 +58,7 @@ namespace vfife
 
       void operator()(const Seven &y, Seven &residual, SevenJacobian &jacobian) const
       {
+        // y = (t1, phi1, rot1, t2, phi2, rot2, Ra): the contact's own equations and derivatives
         const FlankContact::Unknowns x = y.head<6>();
         FlankContact::Unknowns       f, f_up, f_down;
         FlankContact::Jacobian       J, unused;
@@ -64,12 +67,13 @@ namespace vfife
         jacobian.setZero();
         jacobian.topLeftCorner<6, 6>() = J;
 
-        // Newton needs this one column to a few digits only: central differences
+        // by Ra: Newton needs this one column to a few digits only: central differences
         const double step = 1e-5 * y[6];
         contact(y[6] + step).evaluate(x, f_up, unused);
         contact(y[6] - step).evaluate(x, f_down, unused);
         jacobian.topRightCorner<6, 1>() = (f_up - f_down) / (2. * step);
 
+        // The seventh equation: phi1 = 0, or L2 / A_m - 1 = 0 with L2 = Z cos d + r sin d.
         if (closing_ == Closing::cradle_at_rest)
           {
             residual[6]                     = x[FlankContact::phi1];
@@ -105,16 +109,19 @@ namespace vfife
                                 const GearPairOptions &options,
                                 const Flank           &gear_flank)
     {
+      // The gear's point: middle of the working depth, which lies (a1 - a2)/2 under its pitch cone.
       const Blank         &pinion = options.pinion.blank, &gear = options.gear.blank;
       const double         height = (pinion.mean_addendum - gear.mean_addendum) / 2;
       const GeneratedPoint point2 = gear_flank.point_at(gear.mean_cone_distance, -height);
-      const RigidMotion    one    = pinion_frame(options.shaft_angle);
-      double               rot2   = -polar_angle(point2.position);
+      // Turned to where it meets the pinion, next to the plane of the axes.
+      const RigidMotion one  = pinion_frame(options.shaft_angle);
+      double            rot2 = -polar_angle(point2.position);
       find_meshing_rotation(
         point2, one, gear_frame(), static_cast<double>(pinion.teeth) / gear.teeth, rot2);
       const Vector3 normal =
         -(one.rotation.transpose() * turned_frame(gear_frame(), rot2).rotation * point2.normal);
 
+      // The pinion's flank must have the opposite normal there: that gives t1, and Ra.
       MachineSettings trial = settings;
       if (!(trial.ratio_of_roll > 0.))
         {
@@ -122,6 +129,7 @@ namespace vfife
           const double s      = (pinion.mean_dedendum + height) / std::cos(settings.blade_angle);
           trial.ratio_of_roll = Flank::ratio_of_roll_at(settings, t, s);
         }
+      // The pinion's point at the same height, turned into the plane of the axes.
       const GeneratedPoint point1 =
         Flank(trial, pinion.pitch_angle).point_at(gear.mean_cone_distance, height);
       Seven y;
@@ -130,6 +138,7 @@ namespace vfife
       return y;
     }
 
+    /** Throws InputError where the mean contact @p L_h is not on the tooth of @p section. */
     void check_inside(const Blank       &blank,
                       const Vector2     &L_h,
                       const std::string &section,
@@ -173,11 +182,14 @@ namespace vfife
     const Flank gear_flank(options.gear.settings(gear_side), options.gear.blank.pitch_angle);
     const bool  given = settings.ratio_of_roll > 0.;
 
+    // Start in closed form.
     Seven y = start_of_mean_contact(settings, options, gear_flank);
 
     const auto equations = [&](const Closing closing) {
       return RatioOfRollEquations(settings, options, gear_flank, closing);
     };
+    // Given ratio of roll: six equations. Otherwise seven, first at the mean cone distance, which
+    // is near the start, then with the cradle at rest.
     bool converged = false;
     if (given)
       {
@@ -200,6 +212,7 @@ namespace vfife
                          " flank does not mesh with the gear at the speed ratio of the teeth" +
                          (given ? "; is the ratio of roll right?" : " for any ratio of roll"));
 
+    // Points on both flanks and their common normal in the fixed frame.
     const FlankContact contact = equations(Closing::cradle_at_rest).contact(y[6]);
     MeanContact        mean;
     mean.rot1          = y[FlankContact::rot1];

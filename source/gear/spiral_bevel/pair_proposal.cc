@@ -25,7 +25,11 @@ namespace vfife
     /** Sizes in the middle of the tooth that blank and cutter follow from. */
     struct MeanSection
     {
-      double ratio, A, normal_module, cutter_radius, clearance;
+      double ratio;         ///< square root of that of the virtual numbers of teeth, z / cos d
+      double A;             ///< mean cone distance [mm]
+      double normal_module; ///< [mm]
+      double cutter_radius; ///< mean [mm]
+      double clearance;     ///< [mm]
 
       MeanSection(const PairProposal &p, const Blank &pinion, const Blank &gear)
         : ratio(std::sqrt(p.gear_teeth * std::cos(pinion.pitch_angle) /
@@ -39,8 +43,10 @@ namespace vfife
       }
     };
 
+    /** Cones of both members: standard depth, clearance and duplex taper (doc/gear.md). */
     void propose_blanks(const PairProposal &p, const double shaft_angle, Blank &pinion, Blank &gear)
     {
+      // pitch cones
       pinion.teeth       = p.pinion_teeth;
       gear.teeth         = p.gear_teeth;
       pinion.hand        = p.pinion_hand;
@@ -55,6 +61,7 @@ namespace vfife
           blank->mean_cone_distance  = outer - blank->face_width / 2;
           blank->spiral_angle        = p.spiral_angle;
         }
+      // heights in the middle: the working depth shared by the ratio, clearance under it
       const MeanSection mean(p, pinion, gear);
       const double      depth = depth_factor(p.pinion_teeth) * mean.normal_module;
       gear.mean_addendum      = (0.21 + 0.29 / (mean.ratio * mean.ratio)) * depth;
@@ -62,12 +69,13 @@ namespace vfife
       pinion.mean_dedendum    = gear.mean_addendum + mean.clearance;
       gear.mean_dedendum      = pinion.mean_addendum + mean.clearance;
 
-      // duplex taper, shared between the members as their dedenda are
+      // root cones: duplex taper, shared between the members as their dedenda are
       const double sum =
         duplex_dedendum_angles(gear, mean.cutter_radius, p.spiral_angle, p.pressure_angle);
       const double dedenda = pinion.mean_dedendum + gear.mean_dedendum;
       for (Blank *blank : {&pinion, &gear})
         blank->root_angle = blank->pitch_angle - sum * blank->mean_dedendum / dedenda;
+      // tips run parallel to the mating roots
       pinion.face_angle = shaft_angle - gear.root_angle;
       gear.face_angle   = shaft_angle - pinion.root_angle;
     }
@@ -80,6 +88,7 @@ namespace vfife
              machine_center_to_back * std::sin(blank.root_angle);
     }
 
+    /** Spread-blade cutter of the gear: both flanks of a slot in one cut. */
     void propose_gear_cutter(const PairProposal &p, const Blank &pinion, GearMemberOptions &gear)
     {
       const MeanSection mean(p, pinion, gear.blank);
@@ -95,6 +104,8 @@ namespace vfife
         throw InputError("Gear pair/Proposal/pressure angle",
                          "the gear's slots have no width at their bottom (" +
                            std::to_string(width) + " mm) with this pressure angle and depth");
+      // The cutter's axis stands where its blades pass the middle of the tooth at the spiral angle:
+      //   S cos q = A_m cos(d - g) - r sin b,   S sin q = r cos b
       const double sign = gear.blank.hand == Hand::left ? 1. : -1.;
       const double x    = mean.A * std::cos(gear.blank.pitch_angle - gear.blank.root_angle) -
                        mean.cutter_radius * std::sin(p.spiral_angle);
@@ -137,6 +148,7 @@ namespace vfife
         result.machine_center_to_back = x[1];
         result.blank_offset           = x[2];
         result.sliding_base           = sliding_base(blank_, x[1]);
+        // Unknown are t, the cutter's place (S, q) and the ratio of roll; the cradle is at rest.
         const double sigma = result.sigma(), al = result.blade_angle, g = result.machine_root_angle;
         const double cos_g = std::cos(g), sin_g = std::sin(g), cos_al = std::cos(al),
                      sin_al = std::sin(al);
@@ -144,6 +156,7 @@ namespace vfife
         // the component of the normal along the blank's axis gives t, its azimuth the rotation
         result.cradle_angle = blank_.hand == Hand::left ? 1. : -1.; // the sign counts here
         t                   = Flank::angle_of_normal(result, normal_[2]);
+        // the blade's normal in the frame of the blank; its azimuth gives the blank's rotation
         const Vector3 e(std::cos(t), std::sin(t), 0.);
         const Vector3 n = sigma * cos_al * e - sin_al * Vector3::UnitZ();
         Matrix3       to_blank;
@@ -153,6 +166,8 @@ namespace vfife
         const Vector3 arm =
           to_blank.transpose() * (rotation_about(Vector3::UnitZ(), -rotation) * position_);
 
+        // The point in the machine, on the blade at the height r_z = s cos al; the cutter's axis is
+        // the blade's radius r_p + sigma s sin al away from it.
         const Vector3 apex(x[1] * cos_g, x[2], -result.sliding_base - x[1] * sin_g);
         const Vector3 r        = apex + arm;
         const double  s        = r[2] / cos_al;
@@ -182,6 +197,8 @@ namespace vfife
       Vector3         position_, normal_; ///< in the pinion's frame at rotation 0
     };
 
+    /** Local synthesis of one pinion flank: the settings whose flank has, at the mean point of the
+     * gear flank, the curvatures that lag, path and ellipse ask for. */
     MachineSettings propose_pinion_flank(const PairProposal      &p,
                                          const double             shaft_angle,
                                          const Blank             &pinion,
@@ -189,6 +206,8 @@ namespace vfife
                                          const MachineSettings   &start,
                                          const MachineSettings   &gear_settings)
     {
+      // 1. The gear's mean point, turned to where it meets the pinion: there the conjugate flank
+      // touches along a line.
       const Blank         &gear  = gear_options.blank;
       const double         ratio = static_cast<double>(pinion.teeth) / gear.teeth;
       const RigidMotion    one   = pinion_frame(shaft_angle);
@@ -199,13 +218,15 @@ namespace vfife
       double rot2 = -std::atan2(point.position[1], point.position[0]);
       if (!find_meshing_rotation(point, one, gear_frame(), ratio, rot2))
         throw InputError("Gear pair/Proposal", "the gear flank never meshes at its mean point");
-      const Matrix3         R2 = turned_frame(gear_frame(), rot2).rotation;
-      const LineContact     contact(R2 * point.position,
+      const Matrix3     R2 = turned_frame(gear_frame(), rot2).rotation;
+      const LineContact contact(R2 * point.position,
                                 -(R2 * point.normal),
                                 R2 * gear_flank.curvature_tensor(point) * R2.transpose(),
                                 one.rotation.col(2),
                                 Vector3::UnitZ(),
                                 ratio);
+      // 2. What is asked of the contact, in the fixed frame: lag'' of the parabola, direction of
+      // the path, curvature of the gap along the major axis a, k a^2 / 2 = marking thickness.
       const LengthAndHeight tangents(gear, point.position, point.normal);
       const double          half_pitch = pi / pinion.teeth,
                    half_axis           = p.ellipse_length * gear.face_width / 2;
@@ -218,6 +239,8 @@ namespace vfife
       design.small_curvature = 2. * marking_thickness / (half_axis * half_axis);
       const Matrix3 target   = pinion_curvature_tensor(contact, design);
 
+      // 3. Three free settings, over A_m, for the three components of the curvature tensor in the
+      // tangent plane (u, v); the derivatives by central differences.
       const PinionSynthesis synthesis(pinion, start, one, contact.position, contact.normal);
       const double          A = gear.mean_cone_distance;
       const Vector3         u = contact.normal.unitOrthogonal(), v = contact.normal.cross(u);
@@ -233,6 +256,7 @@ namespace vfife
             (residual_at(x + step * Vector3::Unit(j)) - residual_at(x - step * Vector3::Unit(j))) /
             (2. * step);
       };
+      // 4. Newton from the gear's cutter and a machine without offset.
       Vector3 x(gear_options.cutter_diameter / (2. * A), 0., 0.);
       if (!solve_newton<3>(equations, x))
         throw InputError(
@@ -309,6 +333,7 @@ namespace vfife
                        "a proposal needs at least 6 teeth of the pinion, and those of the gear");
     if (!(proposal.module > 0.))
       throw InputError("Gear pair/Proposal/module", "a proposal needs the outer transverse module");
+    // the gear alone, then pinion flanks that fit it
     propose_blanks(proposal, shaft_angle, pinion.blank, gear.blank);
     propose_gear_cutter(proposal, pinion.blank, gear);
     for (MachineSettings *settings : {&gear.concave, &gear.convex})

@@ -37,6 +37,7 @@ namespace vfife
       }
     };
 
+    /** Contact of pair 0 with its ellipse, in the fixed frame and on both members. */
     PathPoint make_path_point(const GearPair        &pair,
                               const UnloadedContact &contact,
                               const MeshSide         side,
@@ -48,6 +49,7 @@ namespace vfife
       result.contact = contact.contact(contact.reference() + pitches * contact.pitch(), 0);
       result.ellipse = contact.ellipse(result.contact, separation);
 
+      // Semi-axes from the fixed frame into each body's, and there into changes of (L, h).
       const UnloadedContactPoint &point = result.contact;
       const Placements            placements(pair, side, point);
       const Vector3 major = result.ellipse.semi_axes[0] * result.ellipse.major_direction;
@@ -76,6 +78,7 @@ namespace vfife
     /** Least squares over the path; without mounting errors lag and slope vanish at the mean. */
     void fit_lag(ContactAnalysis &analysis)
     {
+      // lag = sum c_j p^j, p in pitches
       const auto      n = static_cast<Eigen::Index>(analysis.path.size());
       Eigen::MatrixXd powers(n, 5);
       Eigen::VectorXd lag(n);
@@ -100,6 +103,7 @@ namespace vfife
     /** Where the next pair takes over, and how much the lag changes until then. */
     void find_hand_over(const PairContact &contact, ContactAnalysis &analysis)
     {
+      // Pair 0 carries until its lag exceeds that of the next pair, which stands a pitch behind.
       const auto ahead = [&](const double pitches) {
         return contact.lag(pitches) - contact.lag(pitches - 1.);
       };
@@ -123,6 +127,7 @@ namespace vfife
       analysis.over_an_edge =
         analysis.hand_over > contact.path()[1] || analysis.hand_over - 1. < contact.path()[0];
 
+      // The touching pair's lag over the pitch that ends there.
       constexpr unsigned int n     = 40;
       double                 least = analysis.hand_over_lag, most = least;
       for (unsigned int i = 0; i <= n; ++i)
@@ -146,13 +151,15 @@ namespace vfife
           end.place               = contact.path()[i];
           end.lag                 = contact.lag(end.place);
           end.reach               = std::abs(contact.whole()[i] - end.place);
-          double others           = std::numeric_limits<double>::infinity();
+          // what carries there: the pair that lags least
+          double others = std::numeric_limits<double>::infinity();
           for (const int k : {-2, -1, 1, 2})
             others = std::min(others, contact.lag(end.place + k));
           end.approach = end.lag - others;
         }
     }
 
+    /** Points of the path from border to border, even in the pinion's rotation. */
     void find_path(const GearPair               &pair,
                    const PairContact            &whole,
                    const ContactAnalysisOptions &options,

@@ -12,6 +12,7 @@ namespace vfife
     Table table;
     table.add_text_column("side");
     table.add_column("pitches", "-");
+    // pairs 1, 0, -1 over p from -1 to 1: pair k stands where pair 0 will stand k pitches later
     table.add_column("pinion angle", "deg");
     table.add_column("pair", "-");
     table.add_column("lag", "arcsec");
@@ -40,6 +41,7 @@ namespace vfife
                                point.inside ? 1 : 0,
                                "flanks"});
               }
+            // edges beyond both ends
             for (const unsigned int end : {0u, 1u})
               for (const EdgeContactPoint &point : whole.edge(end).points())
                 {
@@ -64,6 +66,7 @@ namespace vfife
     Table table;
     table.add_column("driver angle", "deg");
     table.add_column("transmission error", "arcsec");
+    // the touching pair's lag over two pitches, seen from the driven member
     const PairContact contact(pair, options.working_side());
     const int         n     = static_cast<int>(options.points_per_pitch);
     const double      sense = options.direction == TurningDirection::forward ? 1. : -1.;

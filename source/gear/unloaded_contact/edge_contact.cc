@@ -31,6 +31,7 @@ namespace vfife
     , turn_(pair.pinion().turn(pair.pinion_side(side)))
     , pitch_(pair.pinion().pitch())
   {
+    // Which edge it is; over a fillet there is none.
     const PairBorder border = UnloadedContact(pair, side).nearest_border(end);
     on_pinion_              = border.on_pinion;
     edge_                   = border.border;
@@ -38,6 +39,8 @@ namespace vfife
     if (edge_ == FlankBorder::fillet)
       return;
 
+    // Outwards from the path's end in even steps with secant prediction, until Newton fails or a
+    // point leaves the edge or the other flank.
     const double first = end.rot1 + turn_;
     Unknowns     x;
     x << end.pinion.t, end.pinion.phi, end.gear.t, end.gear.phi, end.rot2;
@@ -78,6 +81,7 @@ namespace vfife
                  high = std::max(points_.front().rot1, points_.back().rot1);
     if (rot1 < low || rot1 > high)
       return {};
+    // Newton starts from the nearest of the points that were followed.
     const auto i = static_cast<std::size_t>(
       std::lround(std::abs(rot1 - points_.front().rot1) / (edge_step * pitch_)));
     Unknowns     x        = unknowns_[std::min(i, unknowns_.size() - 1)];
@@ -113,6 +117,7 @@ namespace vfife
 
   double EdgeContact::tangency(const double rotation, const Unknowns &x) const
   {
+    // Along the edge g(t, phi) = 0 the tangent is g_t X_phi - g_phi X_t.
     const auto pinion = contact_.pinion().derivatives(x[0], x[1]),
                gear   = contact_.gear().derivatives(x[2], x[3]);
     const Matrix3 R1  = turned_frame(contact_.pinion_frame(), rotation).rotation,
@@ -130,6 +135,8 @@ namespace vfife
                              Unknowns       &residual,
                              Jacobian       &jacobian) const
   {
+    // Rows 0-2: the points coincide, by the equations of flank contact for the unknowns that are
+    // free; the pinion's rotation is given.
     constexpr FlankContact::Unknown free[5] = {FlankContact::t1,
                                                FlankContact::phi1,
                                                FlankContact::t2,
@@ -145,6 +152,7 @@ namespace vfife
     for (unsigned int i = 0; i < 5; ++i)
       jacobian.col(i).head<3>() = all_derivatives.col(free[i]).head<3>();
 
+    // Row 3: the member's own point is on its edge, g = 0.
     const Flank             &flank  = on_pinion_ ? contact_.pinion() : contact_.gear();
     const unsigned int       first  = on_pinion_ ? 0 : 2;
     const SurfaceDerivatives own    = flank.derivatives(x[first], x[first + 1]);
@@ -153,6 +161,7 @@ namespace vfife
     jacobian.row(3).setZero();
     jacobian.block<1, 2>(3, first) = distance_gradient(own).transpose() / length;
 
+    // Row 4: e . n = 0, the edge against the other flank.
     // Second derivatives of the flanks are not at hand: central differences, exact to 1e-10.
     constexpr double step = 1e-5;
     residual[4]           = tangency(rotation, x);
@@ -200,6 +209,7 @@ namespace vfife
   PairContact::PairContact(const GearPair &pair, const MeshSide side)
     : contact_(pair, side)
   {
+    // the path on the flanks, then what edges add at either end
     const auto range = contact_.path_range();
     path_            = Vector2(range.first, range.second) / contact_.pitch();
     whole_           = path_;

@@ -25,6 +25,7 @@ namespace vfife
       return member.generated_flank(side).cone_coordinates(end.position)[1];
     }
 
+    /** Measures sections of one member; what is wrong with it goes to the findings. */
     class MemberMeasurement
     {
     public:
@@ -42,8 +43,9 @@ namespace vfife
       ToothSection measure(const std::string &place, const double L) const
       {
         ToothSection section;
-        section.place           = place;
-        section.cone_distance   = L;
+        section.place         = place;
+        section.cone_distance = L;
+        // least over both flanks
         section.root_clearance  = std::numeric_limits<double>::infinity();
         section.fillet_distance = std::numeric_limits<double>::infinity();
         section.regularity      = std::numeric_limits<double>::infinity();
@@ -53,6 +55,7 @@ namespace vfife
         if (!reaches)
           return section;
 
+        // The tip land is measured normal to the teeth: transverse thickness times cos b.
         const double tip   = member_.blank().addendum(L);
         section.thickness  = member_.tooth_thickness(L, 0.);
         const Flank &flank = member_.generated_flank(FlankSide::concave);
@@ -71,6 +74,7 @@ namespace vfife
       }
 
     private:
+      /** Returns whether the flank reaches from root to tip. */
       bool measure_flank(const FlankSide side, ToothSection &section) const
       {
         const double      L     = section.cone_distance;
@@ -148,6 +152,7 @@ namespace vfife
                    end.pinion_L_h[1] - one.blank().addendum(end.pinion_L_h[0]));
     }
 
+    /** Warns where the mating tip meets the fillet. */
     void examine_fillet(const ToothSection &section, const std::string &member, Findings &findings)
     {
       if (section.fillet_distance < 0.)
@@ -164,6 +169,7 @@ namespace vfife
 
   ToothForms measure_tooth_forms(const GearPair &pair)
   {
+    // Three sections of both members, at the cone distances of the gear's toe, middle and heel.
     ToothForms              forms;
     const Blank            &gear = pair.gear().blank();
     const MemberMeasurement one(pair.pinion(), gear, "Pinion", forms.findings);
@@ -177,6 +183,7 @@ namespace vfife
         forms.pinion[i] = one.measure(places[i], lengths[i]);
         forms.gear[i]   = two.measure(places[i], lengths[i]);
       }
+    // Where the mating tips come to on flanks that reach from root to tip.
     if (forms.findings.causes().empty())
       for (unsigned int i = 0; i < 3; ++i)
         {
@@ -185,6 +192,7 @@ namespace vfife
           examine_fillet(forms.pinion[i], "Pinion", forms.findings);
           examine_fillet(forms.gear[i], "Gear", forms.findings);
         }
+    // Play: the gear's rotations on both sides, pinion held; the arm makes a length of it.
     const UnloadedContact drive(pair, MeshSide::drive), coast(pair, MeshSide::coast);
     const double          rot1 = pair.rot1_reference();
     forms.play                 = drive.touching(rot1).rot2 - coast.touching(rot1).rot2;
@@ -201,6 +209,7 @@ namespace vfife
     const double         ratio   = pair.speed_ratio();
     const GeneratedPoint gear    = contact.gear().point_at(gear_L_h[0], gear_L_h[1]);
 
+    // The gear turned to where its point satisfies the equation of meshing.
     EaseOffPoint result;
     double       rot2 = mean.rot2;
     result.exists =
@@ -221,6 +230,7 @@ namespace vfife
                                          std::atan2(actual.position[1], actual.position[0]),
                                        2. * pi);
     const double r    = std::hypot(conjugate[0], conjugate[1]);
+    // ease-off = (arc between both about the axis) . n, > 0 where metal is missing
     // actual less conjugate about the axis, then along the normal into the metal
     const Vector3 tangential = Vector3(-conjugate[1], conjugate[0], 0.) / r;
     const Vector3 normal     = rotation_about(Vector3::UnitZ(), turn) * actual.normal;

@@ -17,6 +17,7 @@ namespace vfife
      * more overlap. */
     constexpr double farthest = 4.;
 
+    /** Inside all four borders. */
     bool is_on_flank(const Blank          &blank,
                      const Flank          &flank,
                      const GeneratedPoint &point,
@@ -69,6 +70,7 @@ namespace vfife
 
   bool UnloadedContact::find(const double rot1, const int pair, UnloadedContactPoint &point) const
   {
+    // The generated flanks of all pairs are the same: this one touches as pair 0 does later.
     const double target  = rot1 + turn_ + pair * pitch();
     const double pitches = (target - mean_.rot1) / pitch();
     if (std::abs(pitches) > farthest)
@@ -79,10 +81,11 @@ namespace vfife
       return false;
 
     const double gear_pitch = 2. * pi / gear_blank_.teeth;
-    point.pair              = pair;
-    point.rot1              = rot1;
-    point.rot2              = x[FlankContact::rot2] + pair * gear_pitch;
-    point.lag               = mean_.lag(side_, speed_ratio_, target, x[FlankContact::rot2]);
+    // rotations of the members, and of the gear by whole pitches onto its own tooth
+    point.pair       = pair;
+    point.rot1       = rot1;
+    point.rot2       = x[FlankContact::rot2] + pair * gear_pitch;
+    point.lag        = mean_.lag(side_, speed_ratio_, target, x[FlankContact::rot2]);
     point.pinion     = contact_.pinion().evaluate(x[FlankContact::t1], x[FlankContact::phi1]);
     point.gear       = contact_.gear().evaluate(x[FlankContact::t2], x[FlankContact::phi2]);
     point.pinion_L_h = contact_.pinion().cone_coordinates(point.pinion.position);
@@ -139,7 +142,8 @@ namespace vfife
   ContactEllipse UnloadedContact::ellipse(const UnloadedContactPoint &point,
                                           const double                separation) const
   {
-    const double           gear_pitch = 2. * pi / gear_blank_.teeth;
+    const double gear_pitch = 2. * pi / gear_blank_.teeth;
+    // back to the rotations of the generated flanks
     FlankContact::Unknowns x;
     x << point.pinion.t, point.pinion.phi, point.rot1 + turn_ + point.pair * pitch(), //
       point.gear.t, point.gear.phi, point.rot2 - point.pair * gear_pitch;
@@ -148,6 +152,7 @@ namespace vfife
 
   PairBorder UnloadedContact::nearest_border(const UnloadedContactPoint &point) const
   {
+    // least distance over both flanks; a point beyond a border has a negative one
     const std::array<double, 4> distances[] = {
       border_distances(gear_blank_, contact_.gear(), point.gear, point.gear_L_h),
       border_distances(pinion_blank_, contact_.pinion(), point.pinion, point.pinion_L_h)};

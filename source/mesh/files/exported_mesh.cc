@@ -9,6 +9,7 @@ namespace vfife
 {
   namespace
   {
+    /** Appends a body's nodes, elements and named parts, numbers counted on from those before. */
     void add_body(const ExportedBody &body, const unsigned int number, ExportedMesh &all)
     {
       const BodyMesh &mesh = *body.mesh;
@@ -16,6 +17,7 @@ namespace vfife
         throw InputError("export of " + body.name +
                          ": a locally refined mesh (hanging nodes) cannot be exported");
       const unsigned int first_node = all.nodes.size(), first_element = all.elements.size();
+      // nodes where the body stands, and their sets
       for (const auto &x : mesh.triangulation.get_vertices())
         all.nodes.push_back(body.placement(Vector3(x[0], x[1], x[2])));
       for (const auto &set : mesh.node_sets)
@@ -25,6 +27,7 @@ namespace vfife
             node += first_node;
         }
 
+      // regions by material ids, surfaces by boundary ids, in the order in which they are met
       std::map<unsigned int, unsigned int> region_of_id, surface_of_id;
       const auto name_of = [](const std::map<unsigned int, std::string> &names,
                               const unsigned int                         id,
@@ -65,6 +68,7 @@ namespace vfife
 
   std::array<unsigned int, 4> ExportedMesh::face_nodes(const Face &face) const
   {
+    // corners of a lexicographic hexahedron's faces, by deal.II's numbers of faces
     constexpr unsigned int outward[6][4] = {
       {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     std::array<unsigned int, 4> result;

@@ -37,6 +37,7 @@ namespace vfife
     for (const auto &row : formats)
       if (row.first == format)
         {
+          // coordinates of 100 mm to 1e-13 mm
           out.precision(15);
           row.second(out, collect(bodies), bodies);
           return;

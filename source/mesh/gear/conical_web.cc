@@ -16,6 +16,8 @@ namespace vfife
     }
   } // namespace
 
+  // Where wall and web meet at the angle a, the arc touches both at R / tan(a / 2) from their
+  // corner; its centre lies on the bisector, R / sin(a / 2) from it.
   double ConicalWeb::Fillet::tangent() const
   {
     const double angle = std::acos(std::max(-1., std::min(1., along_wall.dot(along_web))));
@@ -54,10 +56,13 @@ namespace vfife
     , normal_(-direction_[1], direction_[0])
     , hub_radius_(shape.hub_radius)
   {
+    // 1. The wall: at the toe the mitre, which halves the turn from the toe's end to the web;
+    // otherwise the underside of the rim, a line at the rim's thickness under the roots.
     const double inner = blank.inner_cone_distance(), outer = blank.outer_cone_distance;
     const bool   at_toe = shape.web_attachment == WebAttachment::toe;
     if (at_toe)
       {
+        // halving the turn: the place counts depth along -h, and L grows by tan(turn / 2) with it
         slope_  = std::tan(.5 * turn_from_wall(blank, shape));
         origin_ = blank.meridian_point({inner, toe_root_height});
         wall_   = blank.meridian_direction({slope_, -1.});
@@ -65,13 +70,14 @@ namespace vfife
     else
       {
         const double rise = (heel_root_height - toe_root_height) / (outer - inner);
-        wall_             = blank.meridian_direction({1., rise});
+        // the place counts L; the line rises as the roots do
+        wall_   = blank.meridian_direction({1., rise});
         origin_ = blank.meridian_point({0., toe_root_height - shape.rim_thickness - rise * inner});
       }
     if (normal_.dot(wall_) < 0.)
       normal_ = -normal_;
 
-    // Shape of both ends about the mid-surface's foot, which is not placed yet.
+    // 2. Shape of both ends about the mid-surface's foot, which is not placed yet.
     centre_ = Vector2::Zero();
     for (const unsigned int face : {0, 1})
       {
@@ -83,6 +89,7 @@ namespace vfife
                               shape.rim_fillet_radius};
         wall_places_[face] = foot + sign * rim_fillets_[face].tangent() / wall_.norm();
       }
+    // 3. The foot: in the middle of the rim's depth, of the underside, or at the heel's end.
     const double middle = shape.web_attachment == WebAttachment::toe ? .5 * shape.rim_thickness
                           : shape.web_attachment == WebAttachment::middle
                             ? .5 * (inner + outer) - .5 * (wall_places_[0] + wall_places_[1])
@@ -132,6 +139,7 @@ namespace vfife
 
   Vector2 ConicalWeb::face_point(const Fillet &at_rim, const Fillet &at_hub, const double u) const
   {
+    // arc, straight part, arc
     const double start = straight_start(), stop = straight_end();
     if (u < start)
       return at_rim.point(u / start);

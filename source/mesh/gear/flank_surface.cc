@@ -81,6 +81,7 @@ namespace vfife
             {
               if (tooth.neighbours[f][side] != FacetSurface::no_facet)
                 continue;
+              // middle of this side against that of the opposite one
               const Vector2 here  = grid.L_h[k[side]] + grid.L_h[k[(side + 1) % 4]];
               const Vector2 there = grid.L_h[k[(side + 2) % 4]] + grid.L_h[k[(side + 3) % 4]];
               if (side % 2 == 0)
@@ -100,6 +101,7 @@ namespace vfife
         for (const double eta : abscissae)
           for (const double xi : abscissae)
             {
+              // point of the facet and direction of its normal field
               const auto weights = bilinear_weights(xi, eta);
               Vector3    point = Vector3::Zero(), normal = Vector3::Zero();
               for (unsigned int k = 0; k < 4; ++k)
@@ -126,6 +128,7 @@ namespace vfife
                                   const FlankGrid    &grid,
                                   const unsigned int  nodes_per_sector)
   {
+    // Tooth 0 once: nodes, offsets, which sides are edges of the flank.
     FacetSurface tooth = make_first_tooth(gear, grid);
     add_offsets(gear, grid.side, tooth);
     find_neighbours(tooth);
@@ -137,6 +140,7 @@ namespace vfife
     surface.offset_points = tooth.offset_points;
     surface.offsets       = tooth.offsets;
 
+    // Its copies share the rows of offsets.
     const unsigned int per_tooth = tooth.nodes.size();
     for (unsigned int k = 0; k < surface.n_groups; ++k)
       {

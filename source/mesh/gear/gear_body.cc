@@ -10,6 +10,7 @@ namespace vfife
 {
   namespace
   {
+    /** Names of the cells' material ids, as they stand in files. */
     std::map<unsigned int, std::string> gear_region_names()
     {
       return {{static_cast<unsigned int>(GearRegion::tooth), "teeth"},
@@ -18,6 +19,7 @@ namespace vfife
               {static_cast<unsigned int>(GearRegion::hub), "hub"}};
     }
 
+    /** The template, refined as often as asked for. */
     GearSector make_gear_sector(const GearGeometry &gear, const GearBodyOptions &options)
     {
       const GearSector sector = GearSectorBuilder(gear, options).build();
@@ -29,10 +31,12 @@ namespace vfife
   std::unique_ptr<BodyMesh> make_gear_body(const GearGeometry &gear, const GearBodyOptions &asked)
   {
     asked.check(gear.name(), gear.blank());
+    // 1. The template of one sector.
     const GearBodyOptions options   = asked.with_counts_of_size(gear);
     const GearSector      sector    = make_gear_sector(gear, options);
     const unsigned int    n_sectors = gear.blank().teeth, n_nodes = sector.nodes.size();
 
+    // 2. Its copies, turned about the axis; a node of the next sector is that of sector k + 1.
     auto mesh       = std::make_unique<BodyMesh>();
     mesh->name      = gear.name();
     mesh->n_sectors = n_sectors;
@@ -55,12 +59,14 @@ namespace vfife
           }
         mesh->sector.insert(mesh->sector.end(), sector.hexahedra.size(), k);
       }
+    // 3. The triangulation, with material ids.
     std::vector<unsigned int> regions;
     for (unsigned int k = 0; k < n_sectors; ++k)
       regions.insert(regions.end(), sector.regions.begin(), sector.regions.end());
     create_triangulation(*mesh, nodes, hexahedra, regions);
     mesh->regions = gear_region_names();
 
+    // 4. Sets and surfaces of all sectors, then boundary ids and manifolds, which need the sets.
     for (const auto &set : sector.node_sets)
       for (unsigned int k = 0; k < n_sectors; ++k)
         for (const unsigned int node : set.second)

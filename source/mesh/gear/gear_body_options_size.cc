@@ -18,6 +18,7 @@ namespace vfife
     const double        L     = blank.mean_cone_distance;
     sized.element_size        = 0.;
 
+    // teeth at mid-face, then what lies under them, down to bore, underside or hub
     sized.cells_lengthwise = count(blank.face_width, 1);
     sized.cells_across     = count(gear.tooth_thickness(L, 0.), 2);
     sized.flank_rows       = count(blank.addendum(L) + blank.dedendum(L), 1);

@@ -65,6 +65,7 @@ namespace vfife
     for (std::size_t i = 0; i < weights.size(); ++i)
       mean += weights[i] * cone_coordinates(*gear_, vector_of(surrounding_points[i]));
 
+    // All points are of one tooth: the first one tells which.
     const Vector3 first = vector_of(surrounding_points[0]);
     const Vector2 L_h   = cone_coordinates(*gear_, first);
     const Matrix3 rotation =
@@ -96,6 +97,7 @@ namespace vfife
     double lambda = .5 * end;
     for (unsigned int iteration = 0; iteration < 50; ++iteration)
       {
+        // Gauss-Newton step (x - x(lambda)) . x' / |x'|^2 with a difference for the tangent x'
         const double low       = std::max(0., lambda - difference),
                      high      = std::min(end, lambda + difference);
         const Vector3 tangent  = (x(high) - x(low)) / (high - low);
@@ -111,6 +113,7 @@ namespace vfife
   dealii::Point<3> FilletManifold::get_new_point(const Points  &surrounding_points,
                                                  const Weights &weights) const
   {
+    // on tooth 0, by the fillet's middle, which is near enough to tell teeth apart
     const Vector3 first    = vector_of(surrounding_points[0]);
     const Matrix3 rotation = rotation_between(
       *gear_,
@@ -130,6 +133,7 @@ namespace vfife
 
   void attach_gear_manifolds(BodyMesh &mesh, const GearGeometry &gear)
   {
+    // everything is a surface of revolution, but for flanks and fillets
     dealii::Triangulation<3> &triangulation = mesh.triangulation;
     triangulation.reset_all_manifolds();
     triangulation.set_all_manifold_ids(revolution);

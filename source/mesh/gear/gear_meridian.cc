@@ -18,6 +18,7 @@ namespace vfife
     /** Chords of a fillet of the web. */
     constexpr unsigned int n_arc = 32;
 
+    /** Evenly from toe to heel. */
     std::vector<GearSection> compute_sections(const GearGeometry &gear)
     {
       const BlankOutline      &blank = gear.blank();
@@ -43,6 +44,7 @@ namespace vfife
           const double  depth = (root[0] - options.bore_radius) / std::cos(blank.pitch_angle);
           return blank.meridian_point({L, h - depth});
         }
+      // as the mesh goes: straight down, or leaning by the mitre at the toe
       const double to_toe = 1. - double(i) / n_sections;
       if (options.web == WebKind::none)
         return blank.meridian_point({L, h - options.rim_thickness});
@@ -52,6 +54,7 @@ namespace vfife
       return web.wall_point(L);
     }
 
+    /** Both faces of the web, front face inwards, back face outwards. */
     std::vector<Vector2> web_outline(const ConicalWeb &web)
     {
       std::vector<double> along;
@@ -68,6 +71,7 @@ namespace vfife
       return outline;
     }
 
+    /** Outlines of teeth, rim, web and hub from the sections' roots. */
     std::vector<MeridianPart> compute_parts(const BlankOutline             &blank,
                                             const GearBodyOptions          &options,
                                             const std::vector<GearSection> &sections)
@@ -143,9 +147,11 @@ namespace vfife
     /** Over a section of tooth 0 above the root, per unit of L. */
     Four integrate_section(const GearGeometry &gear, const GearSection &section)
     {
-      const double L       = section.cone_distance;
-      auto         outline = compute_profile(gear, gear.lower_side(), L, section.lower[0][1]);
-      const auto   upper   = compute_profile(gear, gear.upper_side(), L, section.upper[0][1]);
+      const double L = section.cone_distance;
+      // The outline of the tooth and its half slots: root land, lower flank up, upper flank down,
+      // root land; int F(h) d(angle) by trapezoids, F the integral over h.
+      auto       outline = compute_profile(gear, gear.lower_side(), L, section.lower[0][1]);
+      const auto upper   = compute_profile(gear, gear.upper_side(), L, section.upper[0][1]);
       outline.insert(outline.end(), upper.rbegin(), upper.rend());
       outline.insert(outline.begin(), Vector2(section.root_height, section.left_angle));
       outline.emplace_back(section.root_height, section.left_angle + section.pitch);
@@ -189,6 +195,7 @@ namespace vfife
     Four                           teeth    = Four::Zero();
     for (unsigned int i = 0; i <= n_sections; ++i)
       {
+        // sections along L by Simpson's rule
         const double simpson = i == 0 || i == n_sections ? 1. : (i % 2 == 1 ? 4. : 2.);
         teeth += simpson / 3. * integrate_section(gear, sections[i]);
       }

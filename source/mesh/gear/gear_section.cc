@@ -24,6 +24,7 @@ namespace vfife
               near_angle + std::remainder(angle - near_angle, 2. * pi)};
     }
 
+    /** Profile of a flank from the fillet's bottom to the tip, points (h, angle). */
     std::vector<Vector2> compute_profile(const GearGeometry &gear,
                                          const FlankSide     side,
                                          const double        L,
@@ -39,6 +40,7 @@ namespace vfife
         profile.push_back(
           section_coordinates(blank, gear.fillet_point(side, L, lambda).position, near_angle));
 
+      // rows of equal or graded height between the end of the fillet and the tip
       const double start_height =
         section_coordinates(blank, gear.fillet_point(side, L, end).position, near_angle)[0];
       const double tip_height = blank.addendum(L);
@@ -64,7 +66,8 @@ namespace vfife
                                    const unsigned int  flank_rows,
                                    const double        grading)
   {
-    const double  L = cone_distance;
+    const double L = cone_distance;
+    // Polar angles repeat: all are taken next to that of the lower flank at mid-face.
     const Vector3 start =
       gear.flank_point(gear.lower_side(), gear.blank().mean_cone_distance, 0.).position;
     const double near_angle = std::atan2(start[1], start[0]);
@@ -75,6 +78,8 @@ namespace vfife
     section.lower = compute_profile(gear, gear.lower_side(), L, flank_rows, grading, near_angle);
     section.upper = compute_profile(gear, gear.upper_side(), L, flank_rows, grading, near_angle);
 
+    // The root land joins the fillets of a slot at their mean height; its centre is half-way
+    // between the upper fillet of the tooth below and the lower one of this tooth.
     const Vector2 below = section.lower.front(), above = section.upper.front();
     section.root_height = .5 * (below[0] + above[0]);
     section.left_angle  = .5 * (above[1] + below[1] - section.pitch);

@@ -20,12 +20,14 @@ namespace vfife
      * pitch. */
     constexpr double blend_depth = .2;
 
+    /** From 0 to 1 with zero slope at both ends. */
     double smooth_step(const double x)
     {
       const double c = std::min(1., std::max(0., x));
       return c * c * (3. - 2. * c);
     }
 
+    /** Evenly from toe to heel, one at each end of a cell. */
     std::vector<GearSection> compute_sections(const GearGeometry    &gear,
                                               const GearBodyOptions &options)
     {
@@ -53,6 +55,20 @@ namespace vfife
   {
   }
 
+  // A section L = const of the sector: rows and columns of the tooth, columns 0 ... last of the rim
+  // below it, which share the row between the points P in the fillets.
+  //
+  //                   o----o----o----o         tip: tooth row flank_rows + 1
+  //                  /     |    |     \        flanks
+  //                 o------o----o------o       start of the flanks: tooth row 1
+  //                /       |    |       \      fillets
+  //               P--------o----o--------P     tooth row 0, which dips: rim columns 2 ... last - 2
+  //    o----o---'          |    |          '---o----o
+  //    |    |              |    |              |    |
+  //    0    1              rim row 0      last - 1  last: column 0 of the next sector
+  //
+  // Column 0 is the centre of the slot, 1 the bottom of the fillet; rim rows go down from there to
+  // the underside or the bore.
   GearSector GearSectorBuilder::build()
   {
     add_tooth();
@@ -88,6 +104,7 @@ namespace vfife
 
   void GearSectorBuilder::add_hexahedron(CellNodes nodes)
   {
+    // volume spanned by the three edges that leave a corner
     const auto determinant = [&](const unsigned int corner) {
       Matrix3 edges;
       for (unsigned int d = 0; d < 3; ++d)
@@ -123,9 +140,8 @@ namespace vfife
     const double x     = across_[column];
     Vector2      point = (1. - x) * section.lower[row + 1] + x * section.upper[row + 1];
     if (row == 0)
-      {
-        point[0] -= base_dip * gear_.blank().mean_module() * 4. * x * (1. - x);
-      }
+      // a parabola between the two P
+      point[0] -= base_dip * gear_.blank().mean_module() * 4. * x * (1. - x);
     return point;
   }
 
@@ -144,12 +160,14 @@ namespace vfife
             }
         tooth_.push_back(layer);
       }
+    // cells between neighbouring sections
     for (unsigned int i = 0; i + 1 < sections_.size(); ++i)
       add_row(tooth_[i], tooth_[i + 1]);
   }
 
   Vector2 GearSectorBuilder::rim_top(const GearSection &section, const unsigned int column) const
   {
+    // centre of the slot, bottom of the fillet, and between these the tooth's lowest row
     const unsigned int last = options_.columns();
     if (column == 0 || column == last)
       return {section.root_height, section.left_angle + (column == 0 ? 0. : section.pitch)};
@@ -170,6 +188,7 @@ namespace vfife
           gear_.blank().meridian_point({section.cone_distance, section.root_height});
         return part * (root[0] - options_.bore_radius) / std::cos(gear_.blank().pitch_angle);
       }
+    // a rim with an underside: even or graded rows, unless the web places them
     const double even = part * options_.rim_thickness;
     if (!at_toe_)
       return even;
@@ -199,6 +218,8 @@ namespace vfife
     if (row == 0)
       return position_of(blank, section.cone_distance, top[0], top[1]);
 
+    // Under the root the columns lose the widths that fillet and land give them: equally wide from
+    // the blend depth on.
     const double depth          = rim_depth(i, row);
     const double circular_pitch = blank.circular_pitch(section.cone_distance);
     const double even           = section.pitch * column / options_.columns();
@@ -216,6 +237,7 @@ namespace vfife
                            (1. - part) * section.root_height + part * bottom[1],
                            left_angle_at(L) + angle);
       }
+    // Straight down (along -h), or leaning by the mitre at the toe, less and less towards the heel.
     const double to_heel = double(i) / options_.cells_lengthwise;
     const double L =
       section.cone_distance + (at_toe_ ? (1. - to_heel) * web_.mitre_slope() * depth : 0.);
@@ -233,6 +255,7 @@ namespace vfife
     const unsigned int first = first_web_section(), last = first + options_.web_layers;
     const double       inner = gear_.blank().inner_cone_distance(),
                  outer       = gear_.blank().outer_cone_distance;
+    // sections spread evenly on either side of the web's foot
     if (i < first)
       return inner + (web_.wall_place(0.) - inner) * i / first;
     if (i <= last)
@@ -243,6 +266,7 @@ namespace vfife
 
   double GearSectorBuilder::left_angle_at(const double L) const
   {
+    // linear between the sections next to L, continued beyond the ends
     const double along = (L - sections_.front().cone_distance) /
                          (sections_.back().cone_distance - sections_.front().cone_distance) *
                          options_.cells_lengthwise;
@@ -293,6 +317,7 @@ namespace vfife
         for (const unsigned int node : row)
           add_to_set(name, node);
     };
+    // toe and heel: faces of tooth and rim
     add_layer(node_set::toe, tooth_.front());
     // The web covers the rows between its faces.
     const unsigned int above = at_toe_ ? rows_above_web() : options_.rim_rows,
@@ -302,6 +327,7 @@ namespace vfife
         add_layer(node_set::toe, {rim_.front()[row]});
     add_layer(node_set::heel, tooth_.back());
     add_layer(node_set::heel, rim_.back());
+    // tip, then underside or bore, rim and root land by sections
     for (const NodeLayer &layer : tooth_)
       add_layer(node_set::tip, {layer.back()});
     for (unsigned int i = 0; i < rim_.size(); ++i)
@@ -343,6 +369,7 @@ namespace vfife
           else
             grid.facets.push_back({{there, here, here + 1, there + 1}});
         }
+    // fillet: bottom, P and start of the flank of every section
     const char *fillet =
       side == FlankSide::concave ? node_set::concave_fillet : node_set::convex_fillet;
     for (unsigned int i = 0; i < sections_.size(); ++i)

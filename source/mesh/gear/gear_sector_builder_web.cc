@@ -17,6 +17,8 @@ namespace vfife
                                       const unsigned int layer,
                                       const double       fraction) const
   {
+    // At the toe all sections start from one spiral angle; on the underside each layer starts from
+    // its own, which goes linearly on the way to the hub.
     const double across = fraction * gear_.pitch();
     if (at_toe_)
       return sections_.front().left_angle + across;
@@ -44,14 +46,21 @@ namespace vfife
     return nodes;
   }
 
+  // A row in which three columns of the rim's side become one of the hub's, seen along the layers:
+  //
+  //    a0-----a1-----a2-----a3     rim side
+  //    |       |      |      |
+  //    |      c1-----c2      |     four cells: a0 a1 c1 b0, a1 a2 c2 c1, a2 a3 b1 c2, c1 c2 b1 b0
+  //    |    .'          '.   |
+  //    b0-------------------b1     hub side
   void GearSectorBuilder::add_coarsening_row(const NodeLayer &rim_side,
                                              const NodeLayer &hub_side,
                                              const double     u)
   {
-    // Three columns a0..a3 become one, b0..b1, around a trapezoid a1 a2 c2 c1.
     const unsigned int layers = options_.web_layers, groups = options_.columns() / 3;
     for (unsigned int g = 0; g < groups; ++g)
       {
+        // the four quadrilaterals on every layer; two neighbouring layers bound a cell each
         std::vector<std::array<HalfHexahedron, 4>> faces;
         for (unsigned int layer = 0; layer <= layers; ++layer)
           {
@@ -91,6 +100,7 @@ namespace vfife
         const auto first = rim_.front().begin() + rows_above_web();
         return NodeLayer(first, first + layers + 1);
       }
+    // the lowest rows of the sections that stand between the web's faces
     NodeLayer foot;
     for (unsigned int layer = 0; layer <= layers; ++layer)
       foot.push_back(rim_[first_web_section() + layer].back());
@@ -99,6 +109,7 @@ namespace vfife
 
   std::vector<double> GearSectorBuilder::web_stations(unsigned int &coarsening) const
   {
+    // Fillet at the rim, straight part with the coarsening row first, fillet at the hub.
     const unsigned int  rows  = options_.web_rows;
     const double        start = web_.straight_start(), stop = web_.straight_end();
     std::vector<double> stations = {0.};
@@ -130,6 +141,7 @@ namespace vfife
     NodeLayer                 previous   = web_foot();
     unsigned int              columns    = options_.columns();
 
+    // first and last layer are the web's faces
     const auto add_faces = [&](const NodeLayer &nodes) {
       for (const unsigned int node : nodes.front())
         add_to_set(node_set::web_front, node);
@@ -150,6 +162,7 @@ namespace vfife
         add_faces(next);
         previous = next;
       }
+    // node A: in the middle of the sector where the faces meet the hub
     add_to_set(node_set::node_A_front, previous.front()[columns / 2]);
     add_to_set(node_set::node_A_back, previous.back()[columns / 2]);
     add_hub(previous);
@@ -162,6 +175,8 @@ namespace vfife
     const unsigned int columns = web_end.front().size() - 1, lines = 2 * side + layers;
     const double       middle = web_.point(1., .5)[1];
 
+    // Lines along the axis: side cells before the web, the web's layers, side cells behind it. At
+    // the bore they stand as at the web.
     const auto height = [&](const unsigned int line) {
       const double front = web_.point(1., 0.)[1], back = web_.point(1., 1.)[1];
       const double low  = middle - .5 * options_.hub_length,

@@ -39,6 +39,8 @@ namespace vfife
       auto mesh  = std::make_unique<BodyMesh>();
       mesh->name = gear.name();
 
+      // Nodes that belong to the next sector are copied onto the upper side face; the copies are
+      // members of the same sets, and of one more by which they are known after refinement.
       std::vector<Vector3>      nodes = sector.nodes;
       std::vector<CellNodes>    cells = sector.hexahedra;
       const unsigned int        none  = -1;
@@ -68,6 +70,7 @@ namespace vfife
             if (copies[node] != none)
               set.second.push_back(copies[node]);
         }
+      // boundaries by these sets, true surfaces by manifolds
       create_triangulation(*mesh, nodes, cells, sector.regions);
       name_boundaries(*mesh, sector_boundaries());
       attach_gear_manifolds(*mesh, gear);
@@ -78,6 +81,7 @@ namespace vfife
      * the upper side being the next sector's. */
     std::vector<unsigned int> number_nodes(const GearGeometry &gear, const BodyMesh &mesh)
     {
+      // vertices on the upper side face, and on other unnamed faces, among them the lower side
       const unsigned int upper_id = sector_boundaries().size(), n = mesh.triangulation.n_vertices();
       std::vector<bool>  is_upper(n, false), is_side(n, false);
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -86,6 +90,7 @@ namespace vfife
             for (unsigned int v = 0; v < 4; ++v)
               (face->boundary_id() == upper_id ? is_upper : is_side)[face->vertex_index(v)] = true;
 
+      // all but the upper side's are nodes of this sector
       std::vector<unsigned int> number(n), side_nodes;
       unsigned int              count = 0;
       for (unsigned int i = 0; i < n; ++i)
@@ -96,6 +101,7 @@ namespace vfife
           if (is_side[i])
             side_nodes.push_back(i);
         }
+      // an upper vertex is, turned back by a pitch, that node of the next sector's lower side
       const Matrix3 back = rotation_about(Vector3::UnitZ(), -gear.pitch());
       for (unsigned int i = 0; i < n; ++i)
         if (is_upper[i])
@@ -149,13 +155,15 @@ namespace vfife
         }
     }
 
+    /** Nodes and facets of a refined flank, first sides along the tooth. */
     FlankGrid make_grid(const GearGeometry              &gear,
                         const BodyMesh                  &mesh,
                         const FlankSide                  side,
                         const std::vector<unsigned int> &number)
     {
-      const char  *name = side == FlankSide::concave ? surface_name::concave : surface_name::convex;
-      unsigned int id   = 0;
+      const char *name = side == FlankSide::concave ? surface_name::concave : surface_name::convex;
+      // the flank's boundary faces
+      unsigned int id = 0;
       for (const auto &boundary : mesh.boundaries)
         if (boundary.second == name)
           id = boundary.first;
@@ -190,6 +198,7 @@ namespace vfife
   GearSector
   refine_gear_sector(const GearGeometry &gear, const GearSector &sector, const unsigned int times)
   {
+    // 1. The sector alone, refined on its manifolds, which may invert cells.
     const auto mesh = open_sector(gear, sector);
     mesh->triangulation.refine_global(times);
 
@@ -202,6 +211,7 @@ namespace vfife
         throw NumericalError(message.str());
       }
 
+    // 2. Its vertices as nodes of this sector or the next, cells with their regions.
     const std::vector<unsigned int> number = number_nodes(gear, *mesh);
     GearSector                      refined;
     for (unsigned int i = 0; i < number.size(); ++i)
@@ -215,6 +225,7 @@ namespace vfife
         refined.hexahedra.push_back(nodes);
         refined.regions.push_back(cell->material_id());
       }
+    // 3. Sets and flanks by boundary and region.
     add_sets(*mesh, sector, number, refined);
     for (const FlankSide side : {FlankSide::concave, FlankSide::convex})
       refined.flanks.push_back(make_grid(gear, *mesh, side, number));
