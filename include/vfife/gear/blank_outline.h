@@ -12,6 +12,7 @@ namespace vfife
    * (distance from the axis, height along it) or by pitch coordinates (L, h): L along the pitch
    * line from its origin, h over it, > 0 towards the tip.
    *
+   * @verbatim
    *   r ^             _.\  heel
    *     |    tip   _-'   \_.
    *     |       _-'   _.-'\     L along the pitch line, h normal to it;
@@ -20,6 +21,7 @@ namespace vfife
    *     |   _.-' \_.-'  root
    *     |_.-'
    *   O +-----------------------> z
+   * @endverbatim
    *
    * Bevel gear: the origin O of the pitch line is the apex, L the cone distance. Cylindrical gear:
    * d = 0, the origin is (pitch radius, 0), L is z. Hypoid gear: the origin is its own pitch apex.

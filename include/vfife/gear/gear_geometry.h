@@ -45,6 +45,7 @@ namespace vfife
    * tooth the lower flank lies at the smaller polar angle, the upper one at the larger. A section
    * L = const has, from the root up,
    *
+   * @verbatim
    *              tip  _______
    *                  /       \          h = a(L)
    *     lower flank /         \ upper flank      h = 0 is on the flanks
@@ -52,6 +53,7 @@ namespace vfife
    *       fillet   (           )
    *     __________/             \__________      fillet parameter 0: root
    *     root land    tooth 0
+   * @endverbatim
    *
    * The pitch surface is a cone or cylinder; all teeth are alike. Flanks are continued a little
    * beyond tip, toe and heel: points are asked for there while offsets are searched for.
