@@ -118,8 +118,9 @@ namespace vfife
 
   std::vector<double> offset_abscissae()
   {
-    std::vector<double> abscissae;
-    for (const dealii::Point<1> &point : dealii::QGaussLobatto<1>(5).get_points())
+    const dealii::QGaussLobatto<1> quadrature(5);
+    std::vector<double>            abscissae;
+    for (const dealii::Point<1> &point : quadrature.get_points())
       abscissae.push_back(point[0]);
     return abscissae;
   }
