@@ -21,18 +21,21 @@ namespace vfife
                      const std::vector<std::string> &involved,
                      const std::string              &message)
   {
+    // An entry that is missing says nothing: what involves it is dropped.
     std::vector<std::string> all = involved;
     all.insert(all.begin(), entry);
     for (const std::string &one : all)
       if (std::find(missing_.begin(), missing_.end(), one) != missing_.end())
         return;
     for (const std::string &one : all)
+      // an entry found wrong before explains this finding too
       for (const Filed &filed : wrong_)
         if (filed.entry == one)
           {
             causes_[filed.cause].hence.push_back(message);
             return;
           }
+    // A cause of its own: later findings that involve its entry follow from it.
     wrong_.push_back({entry, causes_.size()});
     causes_.push_back({entry, message, action, {}});
   }

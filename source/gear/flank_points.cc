@@ -7,7 +7,7 @@
 namespace vfife
 {
   Table
-  compute_flank_points(const GearMember &member, const unsigned lengthwise, const unsigned profile)
+  compute_flank_points(const GearGeometry &gear, const unsigned lengthwise, const unsigned profile)
   {
     if (lengthwise < 2 || profile < 2)
       throw InputError(
@@ -19,17 +19,18 @@ namespace vfife
     for (const char *name : {"normal x", "normal y", "normal z"})
       table.add_column(name, "-");
 
-    const Blank &blank = member.blank();
+    const BlankOutline &blank = gear.blank();
     for (const FlankSide side : {FlankSide::concave, FlankSide::convex})
       for (unsigned i = 0; i < lengthwise; ++i)
         {
-          const double  L = blank.inner_cone_distance() + blank.face_width * i / (lengthwise - 1);
-          const Vector3 start = member.fillet_point(side, L, member.fillet_end(side)).position;
+          const double L = blank.inner_cone_distance() + blank.face_width * i / (lengthwise - 1);
+          // even steps of h between the end of the fillet and the tip
+          const Vector3 start = gear.fillet_point(side, L, gear.fillet_end(side)).position;
           const double  low = blank.cone_coordinates({std::hypot(start[0], start[1]), start[2]})[1];
           for (unsigned j = 0; j < profile; ++j)
             {
               const double       h = low + (blank.addendum(L) - low) * j / (profile - 1);
-              const SurfacePoint p = member.flank_point(side, L, h);
+              const SurfacePoint p = gear.flank_point(side, L, h);
               table.add_row({side == FlankSide::concave ? "concave" : "convex",
                              L,
                              h,

@@ -16,6 +16,7 @@ namespace vfife
     for (const Vector3 &node : nodes)
       points.emplace_back(node[0], node[1], node[2]);
 
+    // deal.II's cell data; nodes without a cell would be left out and all others renumbered
     std::vector<bool>                used(nodes.size(), false);
     std::vector<dealii::CellData<3>> cells(hexahedra.size());
     for (std::size_t e = 0; e < regions.size(); ++e)
@@ -31,6 +32,7 @@ namespace vfife
         throw InputError("mesh " + mesh.name + ": node " + std::to_string(i) +
                          " belongs to no element");
 
+    // It reorders cells whose edges do not agree in direction: that must not have happened.
     mesh.triangulation.create_triangulation(points, cells, dealii::SubCellData());
 
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -42,6 +44,7 @@ namespace vfife
 
   void name_boundaries(BodyMesh &mesh, const std::vector<std::string> &names)
   {
+    // One bit a name: a face belongs to the sets that all its four nodes have.
     std::vector<std::uint32_t> sets_of_node(mesh.triangulation.n_vertices(), 0);
     Assert(names.size() <= most_boundaries, dealii::ExcInternalError());
     for (unsigned int i = 0; i < names.size(); ++i)
@@ -61,6 +64,7 @@ namespace vfife
           std::uint32_t common = ~std::uint32_t(0);
           for (unsigned int v = 0; v < 4; ++v)
             common &= sets_of_node[face->vertex_index(v)];
+          // the first name in the list wins
           unsigned int id = 0;
           for (unsigned int i = names.size(); i > 0; --i)
             if ((common >> (i - 1) & 1u) != 0)

@@ -23,6 +23,8 @@ namespace vfife
       return (x[2] - x[0]).cross(x[3] - x[1]);
     }
 
+    /** Facets of the boundary faces that pass the test, numbered as first met; a node's normal is
+     * the sum of its facets' area vectors, normalised. */
     FacetSurface collect_facets(const dealii::Triangulation<3> &triangulation,
                                 const std::string              &name,
                                 const FaceTest                 &takes)
@@ -36,6 +38,7 @@ namespace vfife
           {
             if (!cell->face(f)->at_boundary())
               continue;
+            // corners of the face, counter-clockwise seen from outside
             FaceNodes              nodes;
             std::array<Vector3, 4> x;
             for (unsigned int v = 0; v < 4; ++v)
@@ -47,6 +50,7 @@ namespace vfife
             if (!takes(cell->face(f)->boundary_id(), nodes, x))
               continue;
 
+            // the same as places among the surface's nodes; new ones are added
             FaceNodes facet;
             for (unsigned int v = 0; v < 4; ++v)
               {
@@ -63,6 +67,7 @@ namespace vfife
             surface.facets.push_back(facet);
           }
 
+      // mean normals, neighbours
       if (surface.facets.empty())
         throw InputError("surface " + name + " has no boundary face");
       for (Vector3 &normal : surface.normals)

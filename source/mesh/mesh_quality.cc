@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/mesh/mesh_quality.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +15,8 @@ namespace vfife
     using Corners = std::array<Vector3, 8>;
 
     /** Jacobian of the trilinear map at a point of the unit cube. */
+    /** dX/dxi of the trilinear map X = sum N_v(xi) x_v at a point of the unit cube, N_v the product
+     * of xi_d or 1 - xi_d. */
     Matrix3 jacobian(const Corners &x, const Vector3 &xi)
     {
       Matrix3 J = Matrix3::Zero();
@@ -46,6 +50,7 @@ namespace vfife
     /** Corners' share: edges, determinants, scaled Jacobian (returned). */
     double measure_corners(const Corners &x, MeshQuality &quality)
     {
+      // det(e1, e2, e3) of the edges that leave a corner, and over their lengths
       double least    = std::numeric_limits<double>::max();
       double shortest = std::numeric_limits<double>::max(), longest = 0.;
       for (unsigned int v = 0; v < 8; ++v)
@@ -83,7 +88,7 @@ namespace vfife
     quality.least_height          = std::numeric_limits<double>::max();
 
     // The determinant is quadratic in each coordinate: two Gauss points a direction are exact.
-    const double gauss[2] = {.5 - .5 / std::sqrt(3.), .5 + .5 / std::sqrt(3.)};
+    const dealii::QGauss<3> gauss(2);
 
     for (const auto &cell : triangulation.active_cell_iterators())
       {
@@ -91,6 +96,7 @@ namespace vfife
         for (unsigned int v = 0; v < 8; ++v)
           x[v] = Vector3(cell->vertex(v)[0], cell->vertex(v)[1], cell->vertex(v)[2]);
 
+        // corners: edges, determinants, scaled Jacobian
         const double scaled = measure_corners(x, quality);
         if (scaled < quality.least_scaled_jacobian)
           {
@@ -101,13 +107,14 @@ namespace vfife
               quality.worst_cell_centre += corner / 8.;
           }
 
+        // inside: least determinant, volume, and volume over the largest face
         double volume = 0.;
-        for (unsigned int q = 0; q < 8; ++q)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
           {
-            const Vector3 point(gauss[q & 1u], gauss[(q >> 1) & 1u], gauss[q >> 2]);
-            const double  determinant = jacobian(x, point).determinant();
+            const auto  &xi           = gauss.point(q);
+            const double determinant  = jacobian(x, {xi[0], xi[1], xi[2]}).determinant();
             quality.least_determinant = std::min(quality.least_determinant, determinant);
-            volume += determinant / 8.;
+            volume += gauss.weight(q) * determinant;
           }
         quality.volume += volume;
         quality.least_height = std::min(quality.least_height, volume / largest_face(x));

@@ -6,7 +6,7 @@
 #include "../tests.h"
 #include "surfaces.h"
 
-#include <vfife/gear/tooth_contact.h>
+#include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_body.h>
 
 #include <tuple>

@@ -5,7 +5,7 @@
 #include "gap_search.h"
 #include "paper_pair.h"
 
-#include <vfife/gear/contact_analysis.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
 
 #include <limits>
 

@@ -2,7 +2,7 @@
 #ifndef vfife_tests_gear_gap_search_h
 #define vfife_tests_gear_gap_search_h
 
-#include <vfife/gear/gear_pair.h>
+#include <vfife/gear/spiral_bevel/gear_pair.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "paper_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/gear/tooth_contact.h>
+#include <vfife/gear/unloaded_contact/unloaded_contact.h>
 
 using namespace vfife;
 

@@ -4,8 +4,8 @@
 #include "../tests.h"
 #include "paper_pair.h"
 
-#include <vfife/gear/contact_analysis.h>
-#include <vfife/gear/local_contact.h>
+#include <vfife/gear/spiral_bevel/local_contact.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
 
 using namespace vfife;
 

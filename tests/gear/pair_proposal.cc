@@ -3,8 +3,8 @@
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/gear/contact_analysis.h>
-#include <vfife/gear/tooth_form.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
+#include <vfife/gear/unloaded_contact/tooth_form.h>
 
 using namespace vfife;
 

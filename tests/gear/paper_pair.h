@@ -2,7 +2,7 @@
 #ifndef vfife_tests_gear_paper_pair_h
 #define vfife_tests_gear_paper_pair_h
 
-#include <vfife/gear/gear_pair.h>
+#include <vfife/gear/spiral_bevel/gear_pair.h>
 
 /** The pair of the paper: its Tables 1 and 2 with the contradictions settled as doc/gear.md says.
  */

@@ -23,10 +23,11 @@ namespace
   /** Lagrange polynomial k of the offset abscissae. */
   double lagrange(const unsigned int k, const double x)
   {
-    double value = 1.;
+    static const std::vector<double> abscissae = offset_abscissae();
+    double                           value     = 1.;
     for (unsigned int j = 0; j < 5; ++j)
       if (j != k)
-        value *= (x - offset_abscissae[j]) / (offset_abscissae[k] - offset_abscissae[j]);
+        value *= (x - abscissae[j]) / (abscissae[k] - abscissae[j]);
     return value;
   }
 

@@ -2,7 +2,7 @@
 #ifndef vfife_tests_mesh_paper_members_h
 #define vfife_tests_mesh_paper_members_h
 
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/spiral_bevel/gear_member.h>
 
 /** The pair of the paper (27/79), with the ratios of roll and the turn of the pinion's convex flank
  * as derived. */

@@ -5,7 +5,7 @@
 
 #include "paper_members.h"
 
-#include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 
 #include <deal.II/grid/grid_generator.h>

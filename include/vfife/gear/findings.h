@@ -2,11 +2,21 @@
 #ifndef vfife_gear_findings_h
 #define vfife_gear_findings_h
 
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace vfife
 {
+  /** A message made of text and numbers. */
+  template <typename... Parts>
+  std::string text_of(const Parts &...parts)
+  {
+    std::ostringstream message;
+    (message << ... << parts);
+    return message.str();
+  }
+
   /**
    * Contradictions in what a user gave, each filed once: a finding that involves an entry which is
    * already found wrong follows from that one and is no cause of its own; a finding that involves a

@@ -3,16 +3,16 @@
 #define vfife_gear_flank_points_h
 
 #include <vfife/base/text/table.h>
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/gear_geometry.h>
 
 namespace vfife
 {
   /**
-   * Points of the generated flanks of tooth 0 from toe to heel and from the start of the flank to
+   * Points of the true flanks of tooth 0 from toe to heel and from the start of the flank to
    * the tip, @p lengthwise x @p profile points a side (at least 2 each): side, L, h, position [mm]
    * and unit normal out of the metal, in the body frame.
    */
-  Table compute_flank_points(const GearMember &member, unsigned lengthwise, unsigned profile);
+  Table compute_flank_points(const GearGeometry &gear, unsigned lengthwise, unsigned profile);
 } // namespace vfife
 
 #endif

@@ -11,11 +11,12 @@
 namespace vfife
 {
   /**
-   * Damped Newton iteration for the few equations of gear geometry. @p equations(x, residual,
-   * jacobian) fills residual [n] and jacobian [n x n]; the residual must be scaled so that its norm
-   * is a fair measure. Unknowns are angles [rad] and ratios, all of order one. Returns whether it
-   * converged: the last step, below 1e-9, is still taken, which by quadratic convergence leaves
-   * only round-off.
+   * Damped Newton iteration for the few equations of gear geometry; roots of one unknown are left
+   * to Boost.Math, which has no solver for several. @p equations(x, residual, jacobian) fills
+   * residual [n] and jacobian [n x n]; the residual must be scaled so that its norm is a fair
+   * measure. Unknowns are angles [rad] and ratios, all of order one. Returns whether it converged:
+   * the last step, below 1e-9, is still taken, which by quadratic convergence leaves only
+   * round-off.
    */
   template <int n, typename Equations>
   bool solve_newton(const Equations &equations, Eigen::Matrix<double, n, 1> &x)

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/mesh/files/mesh_import.h>
+
+#include "file_mesh.h"
 
 #include <algorithm>
 #include <cctype>
@@ -50,6 +51,7 @@ namespace vfife
       {
         std::ifstream in(path_);
         std::string   line;
+        // keywords choose what the data lines that follow mean; ** is a comment
         while (std::getline(in, line))
           {
             ++line_;
@@ -99,6 +101,7 @@ namespace vfife
         return found->second;
       }
 
+      /** *KEYWORD, OPTION=VALUE, ...: says which function takes the data lines that follow. */
       void read_keyword(const std::vector<std::string> &words)
       {
         options_.clear();
@@ -132,6 +135,8 @@ namespace vfife
           refuse("*INCLUDE is not followed: put the mesh into one file");
       }
 
+      /** Hexahedra are elements, 4-node shells surfaces; other volume elements are refused, others
+       * passed over. */
       void start_elements()
       {
         const std::string type = upper(options_["TYPE"]);
@@ -155,6 +160,7 @@ namespace vfife
 
       void read_hexahedron(const std::vector<std::string> &words)
       {
+        // corners run round the bottom and the top; lexicographic is x fastest
         constexpr unsigned int place[8] = {0, 1, 3, 2, 4, 5, 7, 6};
         pending_.insert(pending_.end(), words.begin(), words.end());
         if (pending_.size() < 9)
@@ -186,6 +192,7 @@ namespace vfife
         read_set(words, element_sets_, element_index_);
       }
 
+      /** Members of the present set: a range, or numbers and names of sets read before. */
       void read_set(const std::vector<std::string>                        &words,
                     const Members                                         &sets,
                     const std::unordered_map<unsigned long, unsigned int> &index)
@@ -225,6 +232,7 @@ namespace vfife
         if (words.size() < 2 || words[1].size() != 2 || upper(words[1])[0] != 'S' ||
             words[1][1] < '1' || words[1][1] > '6')
           refuse("a line of *SURFACE must be an element or ELSET, and a face S1 to S6");
+        // the elements of a set, or one by its number
         std::vector<unsigned int> elements;
         const auto                set = element_sets_.find(words[0]);
         if (set != element_sets_.end())
@@ -244,6 +252,7 @@ namespace vfife
       /** Sorted groups; nodes that no hexahedron uses (of shells, reference points) go. */
       void finish()
       {
+        // nodes in the order in which elements use them
         const unsigned int        none = -1;
         std::vector<unsigned int> index(mesh_.nodes.size(), none);
         std::vector<Vector3>      nodes;
@@ -265,6 +274,7 @@ namespace vfife
               used.push_back(index[member]);
           members = used;
         };
+        // sets and surfaces in the new numbers, without what belongs to no hexahedron
         const auto hand_over = [](Members &members, std::vector<FileMesh::Group> &groups) {
           for (auto &group : members)
             {

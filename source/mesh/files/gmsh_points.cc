@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/mesh/files/mesh_import.h>
+#include "file_mesh.h"
 
 #include <array>
 #include <fstream>
@@ -39,6 +39,7 @@ namespace vfife
     private:
       static constexpr int point_type = 15;
 
+      /** Format 4: points of the geometry with their physical groups. */
       void read_entities()
       {
         std::size_t points, others;
@@ -57,6 +58,7 @@ namespace vfife
           }
       }
 
+      /** Number and coordinates a line. */
       void read_nodes_2()
       {
         std::size_t n, id;
@@ -69,6 +71,7 @@ namespace vfife
           }
       }
 
+      /** Blocks of one entity each: numbers first, then coordinates. */
       void read_nodes_4()
       {
         std::size_t blocks, n, unused;
@@ -91,6 +94,7 @@ namespace vfife
           }
       }
 
+      /** Number, type, tags (the first is the physical group), nodes. */
       void read_elements_2()
       {
         std::size_t n, id, node;
@@ -112,6 +116,7 @@ namespace vfife
           }
       }
 
+      /** Blocks of one entity and one type each. */
       void read_elements_4()
       {
         std::size_t blocks, n, id, node;

@@ -20,78 +20,7 @@ namespace vfife
     const Choices<WriteMesh> formats = {{"vtu", &write_vtu},
                                         {"msh", &write_gmsh},
                                         {"inp", &write_abaqus}};
-
-    void add_body(const ExportedBody &body, const unsigned int number, ExportedMesh &all)
-    {
-      const BodyMesh &mesh = *body.mesh;
-      if (mesh.triangulation.has_hanging_nodes())
-        throw InputError("export of " + body.name +
-                         ": a locally refined mesh (hanging nodes) cannot be exported");
-      const unsigned int first_node = all.nodes.size(), first_element = all.elements.size();
-      for (const auto &x : mesh.triangulation.get_vertices())
-        all.nodes.push_back(body.placement(Vector3(x[0], x[1], x[2])));
-      for (const auto &set : mesh.node_sets)
-        {
-          all.node_sets.push_back({body.name + " " + set.first, set.second});
-          for (unsigned int &node : all.node_sets.back().nodes)
-            node += first_node;
-        }
-
-      std::map<unsigned int, unsigned int> region_of_id, surface_of_id;
-      const auto name_of = [](const std::map<unsigned int, std::string> &names,
-                              const unsigned int                         id,
-                              const std::string                         &other) {
-        const auto found = names.find(id);
-        return found == names.end() ? other : found->second;
-      };
-      for (const auto &cell : mesh.triangulation.active_cell_iterators())
-        {
-          const unsigned int element = first_element + cell->active_cell_index();
-          CellNodes          nodes;
-          for (unsigned int v = 0; v < 8; ++v)
-            nodes[v] = first_node + cell->vertex_index(v);
-          all.elements.push_back(nodes);
-          all.sector.push_back(mesh.sector[cell->active_cell_index()]);
-          all.body.push_back(number);
-
-          const auto region = region_of_id.emplace(cell->material_id(), all.regions.size());
-          if (region.second)
-            all.regions.push_back(
-              {body.name + " " + name_of(mesh.regions, cell->material_id(), "body"), number, {}});
-          all.regions[region.first->second].elements.push_back(element);
-
-          for (unsigned int f = 0; f < 6; ++f)
-            {
-              if (!cell->face(f)->at_boundary())
-                continue;
-              const auto id      = cell->face(f)->boundary_id();
-              const auto surface = surface_of_id.emplace(id, all.surfaces.size());
-              if (surface.second)
-                all.surfaces.push_back(
-                  {body.name + " " + name_of(mesh.boundaries, id, "outside"), {}});
-              all.surfaces[surface.first->second].faces.push_back({element, f});
-            }
-        }
-    }
   } // namespace
-
-  std::array<unsigned int, 4> ExportedMesh::face_nodes(const Face &face) const
-  {
-    constexpr unsigned int outward[6][4] = {
-      {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-    std::array<unsigned int, 4> result;
-    for (unsigned int v = 0; v < 4; ++v)
-      result[v] = elements[face.element][outward[face.face][v]];
-    return result;
-  }
-
-  ExportedMesh collect(const std::vector<ExportedBody> &bodies)
-  {
-    ExportedMesh all;
-    for (unsigned int i = 0; i < bodies.size(); ++i)
-      add_body(bodies[i], i, all);
-    return all;
-  }
 
   std::vector<std::string> export_formats()
   {
@@ -108,6 +37,7 @@ namespace vfife
     for (const auto &row : formats)
       if (row.first == format)
         {
+          // coordinates of 100 mm to 1e-13 mm
           out.precision(15);
           row.second(out, collect(bodies), bodies);
           return;

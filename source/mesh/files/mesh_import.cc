@@ -6,6 +6,8 @@
 #include <vfife/mesh/files/mesh_import.h>
 #include <vfife/mesh/mesh_quality.h>
 
+#include "file_mesh.h"
+
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -49,7 +51,9 @@ namespace vfife
     {
       FileMesh                                     mesh;
       std::map<std::string, std::vector<unsigned>> surfaces, regions;
-      std::vector<unsigned int>                    index(triangulation.n_vertices(), -1);
+      // place of each vertex among the nodes that are used
+      std::vector<unsigned int> index(triangulation.n_vertices(), -1);
+      // physical names where the file has them
       const auto name_of = [&](const unsigned int dimension, const unsigned int id) {
         const auto &of_dimension = names[dimension];
         const auto  found        = of_dimension.find(id);
@@ -109,6 +113,7 @@ namespace vfife
         throw InputError(path + ": has other volume elements than hexahedra, or none");
       if (format != GridInput::msh)
         return take_over(triangulation, GroupNames());
+      // what deal.II passes over: names of groups, and physical points
       GroupNames names = read_group_names(path);
       FileMesh   mesh  = take_over(triangulation, names);
       add_gmsh_points(path, names[0], mesh);
@@ -144,6 +149,7 @@ namespace vfife
     /** deal.II wants opposite edges of a cell to point the same way in all cells. */
     void orient(const std::string &path, FileMesh &mesh)
     {
+      // an inverted element is told by its volume, before the order of its edges is touched
       std::vector<dealii::Point<3>> points;
       for (const Vector3 &x : mesh.nodes)
         points.emplace_back(x[0], x[1], x[2]);
@@ -163,11 +169,14 @@ namespace vfife
 
   std::unique_ptr<BodyMesh> read_body(const std::string &path)
   {
+    // 1. What stands in the file, cells in deal.II's order of edges.
     FileMesh file = read_file(path);
     orient(path, file);
 
     auto mesh  = std::make_unique<BodyMesh>();
     mesh->name = path.substr(path.rfind('/') + 1);
+    // 2. Regions are numbered from 1; an element belongs to the first one that has it. Their nodes
+    // are node sets as well.
     std::vector<unsigned int> regions(file.elements.size(), 0);
     for (unsigned int i = 0; i < file.regions.size(); ++i)
       {
@@ -183,6 +192,7 @@ namespace vfife
     create_triangulation(*mesh, file.nodes, file.elements, regions);
     mesh->sector.assign(file.elements.size(), 0);
 
+    // 3. Node sets, and surfaces with their node sets.
     for (const auto &groups : {file.node_sets, file.surfaces})
       for (const auto &group : groups)
         mesh->node_sets[group.name].insert(mesh->node_sets[group.name].end(),
@@ -200,6 +210,7 @@ namespace vfife
     if (names.size() <= most_boundaries)
       name_boundaries(*mesh, names);
 
+    // 4. Corners may be right-handed where the middle is inverted: Gauss points are looked at too.
     const MeshQuality quality = compute_mesh_quality(mesh->triangulation);
     if (!(quality.least_determinant > 0.))
       {

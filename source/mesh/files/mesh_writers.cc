@@ -2,7 +2,6 @@
 #include "mesh_writers.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <ostream>
 #include <set>
@@ -31,8 +30,10 @@ namespace vfife
         out << indices[i] + 1 << (i + 1 == indices.size() || i % 16 == 15 ? "\n" : ", ");
     }
 
+    /** Hexahedra (VTK's type 12), then the faces of the surfaces (type 9). */
     void write_vtu_cells(std::ostream &out, const ExportedMesh &mesh)
     {
+      // one list of corners, and where each cell's end
       std::vector<unsigned int> connectivity, offsets;
       std::vector<std::uint8_t> types;
       for (const CellNodes &nodes : mesh.elements)
@@ -61,6 +62,7 @@ namespace vfife
   void
   write_vtu(std::ostream &out, const ExportedMesh &mesh, const std::vector<ExportedBody> &bodies)
   {
+    // Cells are the elements and, behind them, the faces of all surfaces.
     std::size_t n_faces = 0;
     for (const auto &surface : mesh.surfaces)
       n_faces += surface.faces.size();
@@ -82,6 +84,7 @@ namespace vfife
     out << "</DataArray>\n</Points>\n";
     write_vtu_cells(out, mesh);
 
+    // numbers of cells: those of a face are its element's
     std::vector<unsigned int> region(n_cells, 0), sector(mesh.sector), body(mesh.body);
     for (std::size_t i = 0; i < mesh.regions.size(); ++i)
       for (const unsigned int element : mesh.regions[i].elements)
@@ -96,6 +99,7 @@ namespace vfife
     write_vtu_array(out, "UInt32", "body", body);
     write_vtu_array(out, "UInt32", "region", region);
     write_vtu_array(out, "UInt32", "tooth", sector);
+    // surfaces and node sets as arrays of 0 and 1
     std::size_t first = n_elements;
     for (const auto &surface : mesh.surfaces)
       {
@@ -117,6 +121,7 @@ namespace vfife
 
   void write_gmsh(std::ostream &out, const ExportedMesh &mesh, const std::vector<ExportedBody> &)
   {
+    // Physical groups are numbered from 1 in each dimension: 0 node sets, 2 surfaces, 3 regions.
     const std::size_t n_regions = mesh.regions.size(), n_surfaces = mesh.surfaces.size();
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"
         << n_regions + n_surfaces + mesh.node_sets.size() << '\n';
@@ -140,6 +145,7 @@ namespace vfife
           << '\n';
     out << "$EndNodes\n$Elements\n" << n_elements << '\n';
 
+    // elements: hexahedra (type 5), faces (3), points (15), with the number of their group
     std::size_t number = 0;
     id                 = 0;
     for (const auto &region : mesh.regions)
@@ -175,21 +181,6 @@ namespace vfife
     out << "$EndElements\n";
   }
 
-  std::string abaqus_name(const std::string &name)
-  {
-    std::string result;
-    for (const char c : name)
-      if (c == '-')
-        result += "_MINUS";
-      else if (c == '+')
-        result += "_PLUS";
-      else
-        result += std::isalnum(static_cast<unsigned char>(c)) != 0
-                    ? static_cast<char>(std::toupper(static_cast<unsigned char>(c)))
-                    : '_';
-    return result;
-  }
-
   void
   write_abaqus(std::ostream &out, const ExportedMesh &mesh, const std::vector<ExportedBody> &bodies)
   {
@@ -211,6 +202,7 @@ namespace vfife
             out << '\n';
           }
       }
+    // an element set of each body, made of its regions
     for (std::size_t b = 0; b < bodies.size(); ++b)
       {
         out << "*ELSET, ELSET=" << abaqus_name(bodies[b].name) << '\n';
@@ -229,6 +221,7 @@ namespace vfife
         for (const auto &face : surface.faces)
           out << face.element + 1 << ", S" << abaqus_face[face.face] << '\n';
       }
+    // materials once, sections for each body
     std::set<std::string> written;
     for (const ExportedBody &body : bodies)
       {

@@ -2,7 +2,9 @@
 #ifndef vfife_mesh_mesh_writers_h
 #define vfife_mesh_mesh_writers_h
 
-#include <vfife/mesh/files/mesh_export.h>
+#include <vfife/mesh/files/exported_mesh.h>
+
+#include <iosfwd>
 
 namespace vfife
 {

@@ -9,13 +9,15 @@ namespace vfife
   namespace
   {
     /** Inward direction of the mid-surface's generatrix, (r, z). */
-    Vector2 web_direction_of(const GearBodyOptions &options)
+    Vector2 web_direction_of(const WebShape &shape)
     {
-      const double sign = options.web_direction == WebDirection::back ? 1. : -1.;
-      return {-std::sin(options.web_angle), sign * std::cos(options.web_angle)};
+      const double sign = shape.web_direction == WebDirection::back ? 1. : -1.;
+      return {-std::sin(shape.web_angle), sign * std::cos(shape.web_angle)};
     }
   } // namespace
 
+  // Where wall and web meet at the angle a, the arc touches both at R / tan(a / 2) from their
+  // corner; its centre lies on the bisector, R / sin(a / 2) from it.
   double ConicalWeb::Fillet::tangent() const
   {
     const double angle = std::acos(std::max(-1., std::min(1., along_wall.dot(along_web))));
@@ -38,66 +40,70 @@ namespace vfife
                       std::sin(whole);
   }
 
-  double ConicalWeb::turn_from_wall(const Blank &blank, const GearBodyOptions &options)
+  double ConicalWeb::turn_from_wall(const BlankOutline &blank, const WebShape &shape)
   {
     // The toe face's outward normal is -L, that of the underside nearly -h.
-    const Vector2 L_h = blank.cone_coordinates(web_direction_of(options));
-    return options.web_attachment == WebAttachment::toe ? std::atan2(-L_h[1], -L_h[0])
-                                                        : std::atan2(L_h[0], -L_h[1]);
+    const Vector2 L_h = blank.cone_direction(web_direction_of(shape));
+    return shape.web_attachment == WebAttachment::toe ? std::atan2(-L_h[1], -L_h[0])
+                                                      : std::atan2(L_h[0], -L_h[1]);
   }
 
-  ConicalWeb::ConicalWeb(const Blank           &blank,
-                         const GearBodyOptions &options,
-                         const double           toe_root_height,
-                         const double           heel_root_height)
-    : direction_(web_direction_of(options))
+  ConicalWeb::ConicalWeb(const BlankOutline &blank,
+                         const WebShape     &shape,
+                         const double        toe_root_height,
+                         const double        heel_root_height)
+    : direction_(web_direction_of(shape))
     , normal_(-direction_[1], direction_[0])
-    , hub_radius_(options.hub_radius)
+    , hub_radius_(shape.hub_radius)
   {
+    // 1. The wall: at the toe the mitre, which halves the turn from the toe's end to the web;
+    // otherwise the underside of the rim, a line at the rim's thickness under the roots.
     const double inner = blank.inner_cone_distance(), outer = blank.outer_cone_distance;
-    const bool   at_toe = options.web_attachment == WebAttachment::toe;
+    const bool   at_toe = shape.web_attachment == WebAttachment::toe;
     if (at_toe)
       {
-        slope_  = std::tan(.5 * turn_from_wall(blank, options));
+        // halving the turn: the place counts depth along -h, and L grows by tan(turn / 2) with it
+        slope_  = std::tan(.5 * turn_from_wall(blank, shape));
         origin_ = blank.meridian_point({inner, toe_root_height});
-        wall_   = blank.meridian_point({slope_, -1.});
+        wall_   = blank.meridian_direction({slope_, -1.});
       }
     else
       {
         const double rise = (heel_root_height - toe_root_height) / (outer - inner);
-        wall_             = blank.meridian_point({1., rise});
-        origin_ =
-          blank.meridian_point({0., toe_root_height - options.rim_thickness - rise * inner});
+        // the place counts L; the line rises as the roots do
+        wall_   = blank.meridian_direction({1., rise});
+        origin_ = blank.meridian_point({0., toe_root_height - shape.rim_thickness - rise * inner});
       }
     if (normal_.dot(wall_) < 0.)
       normal_ = -normal_;
 
-    // Shape of both ends about the mid-surface's foot, which is not placed yet.
+    // 2. Shape of both ends about the mid-surface's foot, which is not placed yet.
     centre_ = Vector2::Zero();
     for (const unsigned int face : {0, 1})
       {
-        const double sign = face == 0 ? -1. : 1., n = sign * options.web_thickness / 2;
+        const double sign = face == 0 ? -1. : 1., n = sign * shape.web_thickness / 2;
         const double foot  = n / wall_.dot(normal_);
         rim_fillets_[face] = {foot * wall_,
                               sign * wall_.normalized(),
                               direction_,
-                              options.rim_fillet_radius};
+                              shape.rim_fillet_radius};
         wall_places_[face] = foot + sign * rim_fillets_[face].tangent() / wall_.norm();
       }
-    const double middle = options.web_attachment == WebAttachment::toe ? .5 * options.rim_thickness
-                          : options.web_attachment == WebAttachment::middle
+    // 3. The foot: in the middle of the rim's depth, of the underside, or at the heel's end.
+    const double middle = shape.web_attachment == WebAttachment::toe ? .5 * shape.rim_thickness
+                          : shape.web_attachment == WebAttachment::middle
                             ? .5 * (inner + outer) - .5 * (wall_places_[0] + wall_places_[1])
                             : outer - wall_places_[1];
     centre_             = wall_point(middle);
     for (const unsigned int face : {0, 1})
       {
-        const double sign = face == 0 ? -1. : 1., n = sign * options.web_thickness / 2;
+        const double sign = face == 0 ? -1. : 1., n = sign * shape.web_thickness / 2;
         rim_fillets_[face].corner += centre_;
         wall_places_[face] += middle;
         hub_fillets_[face] = {centre_ + n * normal_ + end(n) * direction_,
                               {0., sign},
                               -direction_,
-                              options.hub_fillet_radius};
+                              shape.hub_fillet_radius};
       }
   }
 
@@ -133,6 +139,7 @@ namespace vfife
 
   Vector2 ConicalWeb::face_point(const Fillet &at_rim, const Fillet &at_hub, const double u) const
   {
+    // arc, straight part, arc
     const double start = straight_start(), stop = straight_end();
     if (u < start)
       return at_rim.point(u / start);

@@ -3,38 +3,38 @@
 #include <vfife/mesh/gear/flank_surface.h>
 #include <vfife/mesh/node_set_names.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <cmath>
 
 namespace vfife
 {
   namespace
   {
-    constexpr unsigned int n_points = sizeof(offset_abscissae) / sizeof(offset_abscissae[0]);
-
     /** Far below the offsets (micrometres) and above round-off of coordinates of 100 mm. */
     constexpr double offset_tolerance = 1e-11;
 
     /**
      * Distance along the unit vector @p direction from @p point to the flank. Newton: intersect the
-     * tangent plane, then take the flank point at the cone coordinates reached.
+     * tangent plane, then take the flank point at the (L, h) reached.
      */
-    double distance_to_flank(const GearMember &member,
-                             const FlankSide   side,
-                             const Vector3    &point,
-                             const Vector3    &direction)
+    double distance_to_flank(const GearGeometry &gear,
+                             const FlankSide     side,
+                             const Vector3      &point,
+                             const Vector3      &direction)
     {
       double delta = 0.;
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
         {
           const Vector3      y    = point + delta * direction;
-          const Vector2      L_h  = member.blank().cone_coordinates({std::hypot(y[0], y[1]), y[2]});
-          const SurfacePoint x    = member.flank_point(side, L_h[0], L_h[1]);
+          const Vector2      L_h  = gear.blank().cone_coordinates({std::hypot(y[0], y[1]), y[2]});
+          const SurfacePoint x    = gear.flank_point(side, L_h[0], L_h[1]);
           const double       step = (x.position - y).dot(x.normal) / direction.dot(x.normal);
           delta += step;
           if (std::abs(step) < offset_tolerance)
             return delta;
         }
-      throw NumericalError(member.name() + ": no offset from a facet to the true flank found");
+      throw NumericalError(gear.name() + ": no offset from a facet to the true flank found");
     }
 
     /** Bilinear weights in the order of FacetSurface. */
@@ -44,13 +44,13 @@ namespace vfife
     }
 
     /** Nodes, facets and rows of tooth 0. */
-    FacetSurface make_first_tooth(const GearMember &member, const FlankGrid &grid)
+    FacetSurface make_first_tooth(const GearGeometry &gear, const FlankGrid &grid)
     {
       FacetSurface tooth;
       tooth.nodes = grid.nodes;
       for (const Vector2 &L_h : grid.L_h)
         {
-          const SurfacePoint point = member.flank_point(grid.side, L_h[0], L_h[1]);
+          const SurfacePoint point = gear.flank_point(grid.side, L_h[0], L_h[1]);
           tooth.positions.push_back(point.position);
           tooth.normals.push_back(-point.normal); // out of the metal
         }
@@ -81,6 +81,7 @@ namespace vfife
             {
               if (tooth.neighbours[f][side] != FacetSurface::no_facet)
                 continue;
+              // middle of this side against that of the opposite one
               const Vector2 here  = grid.L_h[k[side]] + grid.L_h[k[(side + 1) % 4]];
               const Vector2 there = grid.L_h[k[(side + 2) % 4]] + grid.L_h[k[(side + 3) % 4]];
               if (side % 2 == 0)
@@ -92,13 +93,15 @@ namespace vfife
       return edges;
     }
 
-    void add_offsets(const GearMember &member, const FlankSide side, FacetSurface &tooth)
+    void add_offsets(const GearGeometry &gear, const FlankSide side, FacetSurface &tooth)
     {
-      tooth.offset_points = n_points;
+      const std::vector<double> abscissae = offset_abscissae();
+      tooth.offset_points                 = abscissae.size();
       for (const auto &facet : tooth.facets)
-        for (const double eta : offset_abscissae)
-          for (const double xi : offset_abscissae)
+        for (const double eta : abscissae)
+          for (const double xi : abscissae)
             {
+              // point of the facet and direction of its normal field
               const auto weights = bilinear_weights(xi, eta);
               Vector3    point = Vector3::Zero(), normal = Vector3::Zero();
               for (unsigned int k = 0; k < 4; ++k)
@@ -108,26 +111,37 @@ namespace vfife
                 }
               const bool corner = (xi == 0. || xi == 1.) && (eta == 0. || eta == 1.);
               tooth.offsets.push_back(
-                corner ? 0. : distance_to_flank(member, side, point, normal.normalized()));
+                corner ? 0. : distance_to_flank(gear, side, point, normal.normalized()));
             }
     }
   } // namespace
 
-  FacetSurface make_flank_surface(const GearMember  &member,
-                                  const FlankGrid   &grid,
-                                  const unsigned int nodes_per_sector)
+  std::vector<double> offset_abscissae()
   {
-    FacetSurface tooth = make_first_tooth(member, grid);
-    add_offsets(member, grid.side, tooth);
+    const dealii::QGaussLobatto<1> quadrature(5);
+    std::vector<double>            abscissae;
+    for (const dealii::Point<1> &point : quadrature.get_points())
+      abscissae.push_back(point[0]);
+    return abscissae;
+  }
+
+  FacetSurface make_flank_surface(const GearGeometry &gear,
+                                  const FlankGrid    &grid,
+                                  const unsigned int  nodes_per_sector)
+  {
+    // Tooth 0 once: nodes, offsets, which sides are edges of the flank.
+    FacetSurface tooth = make_first_tooth(gear, grid);
+    add_offsets(gear, grid.side, tooth);
     find_neighbours(tooth);
     const auto edges = find_edges(grid, tooth);
 
     FacetSurface surface;
     surface.name = grid.side == FlankSide::concave ? surface_name::concave : surface_name::convex;
-    surface.n_groups      = member.blank().teeth;
+    surface.n_groups      = gear.blank().teeth;
     surface.offset_points = tooth.offset_points;
     surface.offsets       = tooth.offsets;
 
+    // Its copies share the rows of offsets.
     const unsigned int per_tooth = tooth.nodes.size();
     for (unsigned int k = 0; k < surface.n_groups; ++k)
       {

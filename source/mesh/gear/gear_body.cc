@@ -2,13 +2,15 @@
 #include <vfife/mesh/gear/flank_surface.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/gear/gear_manifolds.h>
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/gear_sector_builder.h>
+#include <vfife/mesh/gear/refined_sector.h>
 #include <vfife/mesh/node_set_names.h>
 
 namespace vfife
 {
   namespace
   {
+    /** Names of the cells' material ids, as they stand in files. */
     std::map<unsigned int, std::string> gear_region_names()
     {
       return {{static_cast<unsigned int>(GearRegion::tooth), "teeth"},
@@ -16,17 +18,27 @@ namespace vfife
               {static_cast<unsigned int>(GearRegion::web), "web"},
               {static_cast<unsigned int>(GearRegion::hub), "hub"}};
     }
+
+    /** The template, refined as often as asked for. */
+    GearSector make_gear_sector(const GearGeometry &gear, const GearBodyOptions &options)
+    {
+      const GearSector sector = GearSectorBuilder(gear, options).build();
+      return options.refinements == 0 ? sector
+                                      : refine_gear_sector(gear, sector, options.refinements);
+    }
   } // namespace
 
-  std::unique_ptr<BodyMesh> make_gear_body(const GearMember &member, const GearBodyOptions &asked)
+  std::unique_ptr<BodyMesh> make_gear_body(const GearGeometry &gear, const GearBodyOptions &asked)
   {
-    asked.check(member.name(), member.blank());
-    const GearBodyOptions options   = asked.with_counts_of_size(member);
-    const GearSector      sector    = make_gear_sector(member, options);
-    const unsigned int    n_sectors = member.blank().teeth, n_nodes = sector.nodes.size();
+    asked.check(gear.name(), gear.blank());
+    // 1. The template of one sector.
+    const GearBodyOptions options   = asked.with_counts_of_size(gear);
+    const GearSector      sector    = make_gear_sector(gear, options);
+    const unsigned int    n_sectors = gear.blank().teeth, n_nodes = sector.nodes.size();
 
+    // 2. Its copies, turned about the axis; a node of the next sector is that of sector k + 1.
     auto mesh       = std::make_unique<BodyMesh>();
-    mesh->name      = member.name();
+    mesh->name      = gear.name();
     mesh->n_sectors = n_sectors;
 
     std::vector<Vector3>   nodes;
@@ -47,23 +59,25 @@ namespace vfife
           }
         mesh->sector.insert(mesh->sector.end(), sector.hexahedra.size(), k);
       }
+    // 3. The triangulation, with material ids.
     std::vector<unsigned int> regions;
     for (unsigned int k = 0; k < n_sectors; ++k)
       regions.insert(regions.end(), sector.regions.begin(), sector.regions.end());
     create_triangulation(*mesh, nodes, hexahedra, regions);
     mesh->regions = gear_region_names();
 
+    // 4. Sets and surfaces of all sectors, then boundary ids and manifolds, which need the sets.
     for (const auto &set : sector.node_sets)
       for (unsigned int k = 0; k < n_sectors; ++k)
         for (const unsigned int node : set.second)
           mesh->node_sets[set.first].push_back(node + k * n_nodes);
     for (const FlankGrid &grid : sector.flanks)
       {
-        FacetSurface surface         = make_flank_surface(member, grid, n_nodes);
+        FacetSurface surface         = make_flank_surface(gear, grid, n_nodes);
         mesh->surfaces[surface.name] = std::move(surface);
       }
     name_boundaries(*mesh, gear_boundaries());
-    attach_gear_manifolds(*mesh, member);
+    attach_gear_manifolds(*mesh, gear);
     return mesh;
   }
 } // namespace vfife

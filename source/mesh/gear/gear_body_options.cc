@@ -1,8 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/mesh/gear/conical_web.h>
-#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/gear/gear_body_options.h>
 
 #include <cmath>
 #include <sstream>
@@ -33,7 +32,7 @@ namespace vfife
     constexpr double largest_grading = 10.;
 
     /** Root radius at cone distance L. */
-    Vector2 root_point(const Blank &blank, const double L)
+    Vector2 root_point(const BlankOutline &blank, const double L)
     {
       return blank.meridian_point({L, -blank.dedendum(L)});
     }
@@ -64,6 +63,7 @@ namespace vfife
       return text.str();
     }
 
+    /** Numbers of cells that the layout can do with. */
     void check_counts(const GearBodyOptions &options, const Refusal &refuse)
     {
       const auto at_least =
@@ -89,7 +89,9 @@ namespace vfife
         at_least("cells lengthwise", options.cells_lengthwise, options.web_layers + 2);
     }
 
-    void check_conical(const GearBodyOptions &options, const Blank &blank, const Refusal &refuse)
+    /** Sizes of a web that contradict each other or leave no room. */
+    void
+    check_conical(const GearBodyOptions &options, const BlankOutline &blank, const Refusal &refuse)
     {
       refuse.unless(options.web_thickness > 0.,
                     "Body/web thickness",
@@ -102,6 +104,7 @@ namespace vfife
                     "Body/bore radius",
                     millimetres(options.bore_radius) + " is not smaller than the hub radius " +
                       millimetres(options.hub_radius));
+      // the web must leave its wall at an angle
       const bool   at_toe = options.web_attachment == WebAttachment::toe;
       const double turn   = ConicalWeb::turn_from_wall(blank, options);
       refuse.unless(std::abs(turn) <= largest_turn,
@@ -114,6 +117,7 @@ namespace vfife
                              " deg to it; at least 15 deg are needed"
                          : ", it would run into the rim; choose another direction or attachment"));
 
+      // its foot must fit on the wall: the depth of the rim at the toe, the underside elsewhere
       const double     inner = blank.inner_cone_distance(), outer = blank.outer_cone_distance;
       const ConicalWeb web(blank, options, -blank.dedendum(inner), -blank.dedendum(outer));
       const double     first = web.wall_place(0.), last = web.wall_place(1.);
@@ -134,6 +138,7 @@ namespace vfife
                       "the foot of the web with its fillets is " + millimetres(last - first) +
                         " long and does not fit on the rim's underside, " +
                         millimetres(blank.face_width) + " long");
+      // hub inside the foot, a straight part between the fillets, a hub as long as the web's end
       const double start = std::min(web.point(0., 0.)[0], web.point(0., 1.)[0]);
       refuse.unless(options.hub_radius < start,
                     "Body/hub radius",
@@ -273,7 +278,7 @@ namespace vfife
                    Range::between(1. / largest_grading, largest_grading));
   }
 
-  void GearBodyOptions::check(const std::string &section, const Blank &blank) const
+  void GearBodyOptions::check(const std::string &section, const BlankOutline &blank) const
   {
     const Refusal refuse(section);
     refuse.unless(element_size == 0. || element_size >= least_size_part * blank.face_width,
@@ -283,7 +288,8 @@ namespace vfife
     if (element_size == 0.)
       check_counts(*this, refuse);
 
-    const double  L     = blank.inner_cone_distance();
+    const double L = blank.inner_cone_distance();
+    // under the root: the bore of a solid body, or a rim that does not reach the axis
     const Vector2 inner = root_point(blank, L);
     if (web == WebKind::solid)
       {

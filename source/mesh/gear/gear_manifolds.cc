@@ -28,16 +28,16 @@ namespace vfife
       return {x[0], x[1], x[2]};
     }
 
-    Vector2 cone_coordinates(const GearMember &member, const Vector3 &x)
+    Vector2 cone_coordinates(const GearGeometry &gear, const Vector3 &x)
     {
-      return member.blank().cone_coordinates({std::hypot(x[0], x[1]), x[2]});
+      return gear.blank().cone_coordinates({std::hypot(x[0], x[1]), x[2]});
     }
 
     /** Rotation from the tooth that has @p here near it on tooth 0 to the tooth of @p there. */
-    Matrix3 rotation_between(const GearMember &member, const Vector3 &here, const Vector3 &there)
+    Matrix3 rotation_between(const GearGeometry &gear, const Vector3 &here, const Vector3 &there)
     {
       const double angle = std::atan2(there[1], there[0]) - std::atan2(here[1], here[0]);
-      return rotation_about(Vector3::UnitZ(), member.pitch() * std::round(angle / member.pitch()));
+      return rotation_about(Vector3::UnitZ(), gear.pitch() * std::round(angle / gear.pitch()));
     }
 
     dealii::Point<3> turned(const Matrix3 &rotation, const Vector3 &x)
@@ -47,15 +47,15 @@ namespace vfife
     }
   } // namespace
 
-  FlankManifold::FlankManifold(const GearMember &member, const FlankSide side)
-    : member_(member)
+  FlankManifold::FlankManifold(const GearGeometry &gear, const FlankSide side)
+    : gear_(gear.clone())
     , side_(side)
   {
   }
 
   std::unique_ptr<dealii::Manifold<3>> FlankManifold::clone() const
   {
-    return std::make_unique<FlankManifold>(member_, side_);
+    return std::make_unique<FlankManifold>(*this);
   }
 
   dealii::Point<3> FlankManifold::get_new_point(const Points  &surrounding_points,
@@ -63,39 +63,41 @@ namespace vfife
   {
     Vector2 mean = Vector2::Zero();
     for (std::size_t i = 0; i < weights.size(); ++i)
-      mean += weights[i] * cone_coordinates(member_, vector_of(surrounding_points[i]));
+      mean += weights[i] * cone_coordinates(*gear_, vector_of(surrounding_points[i]));
 
+    // All points are of one tooth: the first one tells which.
     const Vector3 first = vector_of(surrounding_points[0]);
-    const Vector2 L_h   = cone_coordinates(member_, first);
+    const Vector2 L_h   = cone_coordinates(*gear_, first);
     const Matrix3 rotation =
-      rotation_between(member_, member_.flank_point(side_, L_h[0], L_h[1]).position, first);
-    return turned(rotation, member_.flank_point(side_, mean[0], mean[1]).position);
+      rotation_between(*gear_, gear_->flank_point(side_, L_h[0], L_h[1]).position, first);
+    return turned(rotation, gear_->flank_point(side_, mean[0], mean[1]).position);
   }
 
-  FilletManifold::FilletManifold(const GearMember &member, const FlankSide side)
-    : member_(member)
+  FilletManifold::FilletManifold(const GearGeometry &gear, const FlankSide side)
+    : gear_(gear.clone())
     , side_(side)
   {
   }
 
   std::unique_ptr<dealii::Manifold<3>> FilletManifold::clone() const
   {
-    return std::make_unique<FilletManifold>(member_, side_);
+    return std::make_unique<FilletManifold>(*this);
   }
 
-  double FilletManifold::blade_edge_angle(const Vector3 &position) const
+  double FilletManifold::fillet_parameter(const Vector3 &position) const
   {
     // The foot of the point on the profile L = const, by Gauss and Newton's method: at the bottom
     // the height is stationary in lambda, the distance along the profile is not.
     constexpr double difference = 1e-4, tolerance = 1e-11;
-    const double     L   = cone_coordinates(member_, position)[0];
-    const double     end = member_.fillet_end(side_);
+    const double     L   = cone_coordinates(*gear_, position)[0];
+    const double     end = gear_->fillet_end(side_);
     const auto       x   = [&](const double lambda) {
-      return member_.fillet_point(side_, L, lambda).position;
+      return gear_->fillet_point(side_, L, lambda).position;
     };
     double lambda = .5 * end;
     for (unsigned int iteration = 0; iteration < 50; ++iteration)
       {
+        // Gauss-Newton step (x - x(lambda)) . x' / |x'|^2 with a difference for the tangent x'
         const double low       = std::max(0., lambda - difference),
                      high      = std::min(end, lambda + difference);
         const Vector3 tangent  = (x(high) - x(low)) / (high - low);
@@ -105,41 +107,41 @@ namespace vfife
         if (std::abs(lambda - previous) < tolerance)
           return lambda;
       }
-    throw NumericalError(member_.name() + ": a surface node has no place on the fillet");
+    throw NumericalError(gear_->name() + ": a surface node has no place on the fillet");
   }
 
   dealii::Point<3> FilletManifold::get_new_point(const Points  &surrounding_points,
                                                  const Weights &weights) const
   {
+    // on tooth 0, by the fillet's middle, which is near enough to tell teeth apart
     const Vector3 first    = vector_of(surrounding_points[0]);
-    const Matrix3 rotation = rotation_between(member_,
-                                              member_
-                                                .fillet_point(side_,
-                                                              cone_coordinates(member_, first)[0],
-                                                              .5 * member_.fillet_end(side_))
-                                                .position,
-                                              first);
-    double        L = 0., lambda = 0.;
+    const Matrix3 rotation = rotation_between(
+      *gear_,
+      gear_->fillet_point(side_, cone_coordinates(*gear_, first)[0], .5 * gear_->fillet_end(side_))
+        .position,
+      first);
+    double L = 0., lambda = 0.;
     for (std::size_t i = 0; i < weights.size(); ++i)
       {
         const Vector3 x = rotation.transpose() * vector_of(surrounding_points[i]);
-        L += weights[i] * cone_coordinates(member_, x)[0];
-        lambda += weights[i] * blade_edge_angle(x);
+        L += weights[i] * cone_coordinates(*gear_, x)[0];
+        lambda += weights[i] * fillet_parameter(x);
       }
-    lambda = std::min(member_.fillet_end(side_), std::max(0., lambda));
-    return turned(rotation, member_.fillet_point(side_, L, lambda).position);
+    lambda = std::min(gear_->fillet_end(side_), std::max(0., lambda));
+    return turned(rotation, gear_->fillet_point(side_, L, lambda).position);
   }
 
-  void attach_gear_manifolds(BodyMesh &mesh, const GearMember &member)
+  void attach_gear_manifolds(BodyMesh &mesh, const GearGeometry &gear)
   {
+    // everything is a surface of revolution, but for flanks and fillets
     dealii::Triangulation<3> &triangulation = mesh.triangulation;
     triangulation.reset_all_manifolds();
     triangulation.set_all_manifold_ids(revolution);
     triangulation.set_manifold(revolution, dealii::CylindricalManifold<3>(2));
-    triangulation.set_manifold(concave_flank, FlankManifold(member, FlankSide::concave));
-    triangulation.set_manifold(convex_flank, FlankManifold(member, FlankSide::convex));
-    triangulation.set_manifold(concave_fillet, FilletManifold(member, FlankSide::concave));
-    triangulation.set_manifold(convex_fillet, FilletManifold(member, FlankSide::convex));
+    triangulation.set_manifold(concave_flank, FlankManifold(gear, FlankSide::concave));
+    triangulation.set_manifold(convex_flank, FlankManifold(gear, FlankSide::convex));
+    triangulation.set_manifold(concave_fillet, FilletManifold(gear, FlankSide::concave));
+    triangulation.set_manifold(convex_fillet, FilletManifold(gear, FlankSide::convex));
 
     // Fillets last: they keep the edge to the flank, flanks keep the tip.
     const std::vector<std::pair<std::string, ManifoldIds>> order[2] = {

@@ -3,6 +3,8 @@
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/gear/gear_section.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <array>
 #include <cmath>
 
@@ -16,18 +18,19 @@ namespace vfife
     /** Chords of a fillet of the web. */
     constexpr unsigned int n_arc = 32;
 
-    std::vector<GearSection> compute_sections(const GearMember &member)
+    /** Evenly from toe to heel. */
+    std::vector<GearSection> compute_sections(const GearGeometry &gear)
     {
-      const Blank             &blank = member.blank();
+      const BlankOutline      &blank = gear.blank();
       std::vector<GearSection> sections;
       for (unsigned int i = 0; i <= n_sections; ++i)
         sections.push_back(compute_gear_section(
-          member, blank.inner_cone_distance() + blank.face_width * i / n_sections, 1));
+          gear, blank.inner_cone_distance() + blank.face_width * i / n_sections, 1));
       return sections;
     }
 
     /** (r, z) of the rim's lower border under section @p i. */
-    Vector2 rim_bottom(const Blank                    &blank,
+    Vector2 rim_bottom(const BlankOutline             &blank,
                        const GearBodyOptions          &options,
                        const ConicalWeb               &web,
                        const std::vector<GearSection> &sections,
@@ -41,6 +44,7 @@ namespace vfife
           const double  depth = (root[0] - options.bore_radius) / std::cos(blank.pitch_angle);
           return blank.meridian_point({L, h - depth});
         }
+      // as the mesh goes: straight down, or leaning by the mitre at the toe
       const double to_toe = 1. - double(i) / n_sections;
       if (options.web == WebKind::none)
         return blank.meridian_point({L, h - options.rim_thickness});
@@ -50,6 +54,7 @@ namespace vfife
       return web.wall_point(L);
     }
 
+    /** Both faces of the web, front face inwards, back face outwards. */
     std::vector<Vector2> web_outline(const ConicalWeb &web)
     {
       std::vector<double> along;
@@ -66,7 +71,8 @@ namespace vfife
       return outline;
     }
 
-    std::vector<MeridianPart> compute_parts(const Blank                    &blank,
+    /** Outlines of teeth, rim, web and hub from the sections' roots. */
+    std::vector<MeridianPart> compute_parts(const BlankOutline             &blank,
                                             const GearBodyOptions          &options,
                                             const std::vector<GearSection> &sections)
     {
@@ -102,27 +108,28 @@ namespace vfife
     /** Of one tooth over a unit of L: what stands over the root at height @p h, per unit of angle.
      */
     using Four = Eigen::Vector4d;
-    Four integrate_height(const Blank &blank, const double L, const double root, const double h)
+    Four
+    integrate_height(const BlankOutline &blank, const double L, const double root, const double h)
     {
-      const double c = std::cos(blank.pitch_angle), s = std::sin(blank.pitch_angle);
-      Four         sum = Four::Zero();
-      for (const double side : {-1., 1.}) // two Gauss points: exact for the third degree
+      static const dealii::QGauss<1> quadrature(2); // exact for the third degree
+      Four                           sum = Four::Zero();
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          const double at = .5 * (root + h) + side * .5 / std::sqrt(3.) * (h - root);
-          const double r = L * s + at * c, z = L * c - at * s;
-          sum += .5 * (h - root) * r * Four(1., r * r, z, z * z);
+          const Vector2 r_z = blank.meridian_point({L, root + quadrature.point(q)[0] * (h - root)});
+          const double  r = r_z[0], z = r_z[1];
+          sum += quadrature.weight(q) * (h - root) * r * Four(1., r * r, z, z * z);
         }
       return sum;
     }
 
     /** Points (h, angle) of a flank of tooth 0 from the fillet's bottom to the tip, angles near
      * @p angle. */
-    std::vector<Vector2> compute_profile(const GearMember &member,
-                                         const FlankSide   side,
-                                         const double      L,
-                                         const double      angle)
+    std::vector<Vector2> compute_profile(const GearGeometry &gear,
+                                         const FlankSide     side,
+                                         const double        L,
+                                         const double        angle)
     {
-      const Blank         &blank = member.blank();
+      const BlankOutline  &blank = gear.blank();
       std::vector<Vector2> profile;
       const auto           add = [&](const Vector3 &x) {
         const double own = std::atan2(x[1], x[0]);
@@ -130,26 +137,28 @@ namespace vfife
                              angle + std::remainder(own - angle, 2. * pi));
       };
       for (unsigned int i = 0; i <= n_fillet; ++i)
-        add(member.fillet_point(side, L, member.fillet_end(side) * i / n_fillet).position);
+        add(gear.fillet_point(side, L, gear.fillet_end(side) * i / n_fillet).position);
       const double start = profile.back()[0], tip = blank.addendum(L);
       for (unsigned int i = 1; i <= n_flank; ++i)
-        add(member.flank_point(side, L, start + (tip - start) * i / n_flank).position);
+        add(gear.flank_point(side, L, start + (tip - start) * i / n_flank).position);
       return profile;
     }
 
     /** Over a section of tooth 0 above the root, per unit of L. */
-    Four integrate_section(const GearMember &member, const GearSection &section)
+    Four integrate_section(const GearGeometry &gear, const GearSection &section)
     {
-      const double L       = section.cone_distance;
-      auto         outline = compute_profile(member, member.lower_side(), L, section.lower[0][1]);
-      const auto   upper   = compute_profile(member, member.upper_side(), L, section.upper[0][1]);
+      const double L = section.cone_distance;
+      // The outline of the tooth and its half slots: root land, lower flank up, upper flank down,
+      // root land; int F(h) d(angle) by trapezoids, F the integral over h.
+      auto       outline = compute_profile(gear, gear.lower_side(), L, section.lower[0][1]);
+      const auto upper   = compute_profile(gear, gear.upper_side(), L, section.upper[0][1]);
       outline.insert(outline.end(), upper.rbegin(), upper.rend());
       outline.insert(outline.begin(), Vector2(section.root_height, section.left_angle));
       outline.emplace_back(section.root_height, section.left_angle + section.pitch);
       Four sum = Four::Zero(), last = Four::Zero();
       for (std::size_t i = 1; i < outline.size(); ++i)
         {
-          const Four next = integrate_height(member.blank(), L, section.root_height, outline[i][0]);
+          const Four next = integrate_height(gear.blank(), L, section.root_height, outline[i][0]);
           sum += .5 * (last + next) * (outline[i][1] - outline[i - 1][1]);
           last = next;
         }
@@ -157,10 +166,10 @@ namespace vfife
     }
   } // namespace
 
-  std::vector<MeridianPart> compute_meridian(const GearMember      &member,
+  std::vector<MeridianPart> compute_meridian(const GearGeometry    &gear,
                                              const GearBodyOptions &options)
   {
-    return compute_parts(member.blank(), options, compute_sections(member));
+    return compute_parts(gear.blank(), options, compute_sections(gear));
   }
 
   Table make_meridian_table()
@@ -173,26 +182,27 @@ namespace vfife
     return table;
   }
 
-  void add_meridian_rows(const GearMember &member, const GearBodyOptions &options, Table &table)
+  void add_meridian_rows(const GearGeometry &gear, const GearBodyOptions &options, Table &table)
   {
-    for (const MeridianPart &part : compute_meridian(member, options))
+    for (const MeridianPart &part : compute_meridian(gear, options))
       for (const Vector2 &corner : part.corners)
-        table.add_row({member.name(), part.name, corner[0], corner[1]});
+        table.add_row({gear.name(), part.name, corner[0], corner[1]});
   }
 
-  SolidIntegrals compute_true_integrals(const GearMember &member, const GearBodyOptions &options)
+  SolidIntegrals compute_true_integrals(const GearGeometry &gear, const GearBodyOptions &options)
   {
-    const std::vector<GearSection> sections = compute_sections(member);
+    const std::vector<GearSection> sections = compute_sections(gear);
     Four                           teeth    = Four::Zero();
     for (unsigned int i = 0; i <= n_sections; ++i)
       {
+        // sections along L by Simpson's rule
         const double simpson = i == 0 || i == n_sections ? 1. : (i % 2 == 1 ? 4. : 2.);
-        teeth += simpson / 3. * integrate_section(member, sections[i]);
+        teeth += simpson / 3. * integrate_section(gear, sections[i]);
       }
-    teeth *= member.blank().face_width / n_sections * member.blank().teeth;
+    teeth *= gear.blank().face_width / n_sections * gear.blank().teeth;
 
     SolidIntegrals sum{teeth[0], teeth[1], teeth[2], teeth[3]};
-    for (const MeridianPart &part : compute_parts(member.blank(), options, sections))
+    for (const MeridianPart &part : compute_parts(gear.blank(), options, sections))
       if (part.name != "teeth")
         sum += compute_solid_integrals(part.corners);
     return sum;

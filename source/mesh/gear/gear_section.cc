@@ -15,7 +15,8 @@ namespace vfife
     constexpr double fraction_of_P = .6;
 
     /** (h, angle) of a surface point; the angle is the one nearest to @p near_angle. */
-    Vector2 section_coordinates(const Blank &blank, const Vector3 &x, const double near_angle)
+    Vector2
+    section_coordinates(const BlankOutline &blank, const Vector3 &x, const double near_angle)
     {
       const double r     = std::hypot(x[0], x[1]);
       const double angle = std::atan2(x[1], x[0]);
@@ -23,72 +24,74 @@ namespace vfife
               near_angle + std::remainder(angle - near_angle, 2. * pi)};
     }
 
-    std::vector<Vector2> compute_profile(const GearMember  &member,
-                                         const FlankSide    side,
-                                         const double       L,
-                                         const unsigned int flank_rows,
-                                         const double       grading,
-                                         const double       near_angle)
+    /** Profile of a flank from the fillet's bottom to the tip, points (h, angle). */
+    std::vector<Vector2> compute_profile(const GearGeometry &gear,
+                                         const FlankSide     side,
+                                         const double        L,
+                                         const unsigned int  flank_rows,
+                                         const double        grading,
+                                         const double        near_angle)
     {
-      const Blank &blank = member.blank();
-      const double end   = member.fillet_end(side);
+      const BlankOutline &blank = gear.blank();
+      const double        end   = gear.fillet_end(side);
 
       std::vector<Vector2> profile;
       for (const double lambda : {0., fraction_of_P * end})
         profile.push_back(
-          section_coordinates(blank, member.fillet_point(side, L, lambda).position, near_angle));
+          section_coordinates(blank, gear.fillet_point(side, L, lambda).position, near_angle));
 
+      // rows of equal or graded height between the end of the fillet and the tip
       const double start_height =
-        section_coordinates(blank, member.fillet_point(side, L, end).position, near_angle)[0];
+        section_coordinates(blank, gear.fillet_point(side, L, end).position, near_angle)[0];
       const double tip_height = blank.addendum(L);
       if (!(start_height < tip_height))
         {
           std::ostringstream message;
-          message << member.name() << ": at cone distance " << L
-                  << " mm the flank starts at height " << start_height
-                  << " mm, not below the tip at " << tip_height << " mm";
+          message << gear.name() << ": at cone distance " << L << " mm the flank starts at height "
+                  << start_height << " mm, not below the tip at " << tip_height << " mm";
           throw InputError(message.str());
         }
       for (const double part : graded_places(flank_rows, grading))
         {
           const double  h = start_height + (tip_height - start_height) * part;
-          const Vector3 x = member.flank_point(side, L, h).position;
+          const Vector3 x = gear.flank_point(side, L, h).position;
           profile.emplace_back(h, section_coordinates(blank, x, near_angle)[1]);
         }
       return profile;
     }
   } // namespace
 
-  GearSection compute_gear_section(const GearMember  &member,
-                                   const double       cone_distance,
-                                   const unsigned int flank_rows,
-                                   const double       grading)
+  GearSection compute_gear_section(const GearGeometry &gear,
+                                   const double        cone_distance,
+                                   const unsigned int  flank_rows,
+                                   const double        grading)
   {
-    const double  L = cone_distance;
+    const double L = cone_distance;
+    // Polar angles repeat: all are taken next to that of the lower flank at mid-face.
     const Vector3 start =
-      member.flank_point(member.lower_side(), member.blank().mean_cone_distance, 0.).position;
+      gear.flank_point(gear.lower_side(), gear.blank().mean_cone_distance, 0.).position;
     const double near_angle = std::atan2(start[1], start[0]);
 
     GearSection section;
     section.cone_distance = L;
-    section.pitch         = member.pitch();
-    section.lower =
-      compute_profile(member, member.lower_side(), L, flank_rows, grading, near_angle);
-    section.upper =
-      compute_profile(member, member.upper_side(), L, flank_rows, grading, near_angle);
+    section.pitch         = gear.pitch();
+    section.lower = compute_profile(gear, gear.lower_side(), L, flank_rows, grading, near_angle);
+    section.upper = compute_profile(gear, gear.upper_side(), L, flank_rows, grading, near_angle);
 
+    // The root land joins the fillets of a slot at their mean height; its centre is half-way
+    // between the upper fillet of the tooth below and the lower one of this tooth.
     const Vector2 below = section.lower.front(), above = section.upper.front();
     section.root_height = .5 * (below[0] + above[0]);
     section.left_angle  = .5 * (above[1] + below[1] - section.pitch);
     if (!(above[1] < below[1] + section.pitch))
-      throw InputError(member.name() +
+      throw InputError(gear.name() +
                        ": the fillets of a slot overlap: reduce the blade edge radius");
     if (!(section.lower.back()[1] < section.upper.back()[1]))
-      throw InputError(member.name() + ": the tooth is pointed below its tip");
+      throw InputError(gear.name() + ": the tooth is pointed below its tip");
     return section;
   }
 
-  Vector3 position_of(const Blank &blank, const double L, const double h, const double angle)
+  Vector3 position_of(const BlankOutline &blank, const double L, const double h, const double angle)
   {
     const Vector2 r_z = blank.meridian_point({L, h});
     return {r_z[0] * std::cos(angle), r_z[0] * std::sin(angle), r_z[1]};

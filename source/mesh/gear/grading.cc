@@ -22,6 +22,7 @@ namespace vfife
 
   std::vector<double> graded_places(const unsigned int n, const double ratio)
   {
+    // sizes ratio^(i / (n - 1)), i = 0 ... n - 1
     std::vector<double> powers(n, 0.);
     for (unsigned int i = 1; i < n; ++i)
       powers[i] = double(i) / (n - 1);
@@ -30,6 +31,7 @@ namespace vfife
 
   std::vector<double> graded_places_from_both_ends(const unsigned int n, const double ratio)
   {
+    // rising from both ends: powers 0 ... 1 ... 0
     const unsigned int  middle = (n - 1) / 2;
     std::vector<double> powers(n, 0.);
     if (middle > 0)

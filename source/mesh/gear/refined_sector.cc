@@ -2,7 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/gear/gear_manifolds.h>
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/refined_sector.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/node_set_names.h>
 
@@ -34,15 +34,17 @@ namespace vfife
     }
 
     /** The sector as a body of its own, with nodes on its upper side face. */
-    std::unique_ptr<BodyMesh> open_sector(const GearMember &member, const GearSector &sector)
+    std::unique_ptr<BodyMesh> open_sector(const GearGeometry &gear, const GearSector &sector)
     {
       auto mesh  = std::make_unique<BodyMesh>();
-      mesh->name = member.name();
+      mesh->name = gear.name();
 
+      // Nodes that belong to the next sector are copied onto the upper side face; the copies are
+      // members of the same sets, and of one more by which they are known after refinement.
       std::vector<Vector3>      nodes = sector.nodes;
       std::vector<CellNodes>    cells = sector.hexahedra;
       const unsigned int        none  = -1;
-      const Matrix3             turn  = rotation_about(Vector3::UnitZ(), member.pitch());
+      const Matrix3             turn  = rotation_about(Vector3::UnitZ(), gear.pitch());
       std::vector<unsigned int> copies(nodes.size(), none);
       mesh->node_sets = sector.node_sets;
       for (CellNodes &cell : cells)
@@ -68,16 +70,18 @@ namespace vfife
             if (copies[node] != none)
               set.second.push_back(copies[node]);
         }
+      // boundaries by these sets, true surfaces by manifolds
       create_triangulation(*mesh, nodes, cells, sector.regions);
       name_boundaries(*mesh, sector_boundaries());
-      attach_gear_manifolds(*mesh, member);
+      attach_gear_manifolds(*mesh, gear);
       return mesh;
     }
 
     /** For each vertex the node of the refined sector: numbers in the order of vertices, those of
      * the upper side being the next sector's. */
-    std::vector<unsigned int> number_nodes(const GearMember &member, const BodyMesh &mesh)
+    std::vector<unsigned int> number_nodes(const GearGeometry &gear, const BodyMesh &mesh)
     {
+      // vertices on the upper side face, and on other unnamed faces, among them the lower side
       const unsigned int upper_id = sector_boundaries().size(), n = mesh.triangulation.n_vertices();
       std::vector<bool>  is_upper(n, false), is_side(n, false);
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -86,6 +90,7 @@ namespace vfife
             for (unsigned int v = 0; v < 4; ++v)
               (face->boundary_id() == upper_id ? is_upper : is_side)[face->vertex_index(v)] = true;
 
+      // all but the upper side's are nodes of this sector
       std::vector<unsigned int> number(n), side_nodes;
       unsigned int              count = 0;
       for (unsigned int i = 0; i < n; ++i)
@@ -96,7 +101,8 @@ namespace vfife
           if (is_side[i])
             side_nodes.push_back(i);
         }
-      const Matrix3 back = rotation_about(Vector3::UnitZ(), -member.pitch());
+      // an upper vertex is, turned back by a pitch, that node of the next sector's lower side
+      const Matrix3 back = rotation_about(Vector3::UnitZ(), -gear.pitch());
       for (unsigned int i = 0; i < n; ++i)
         if (is_upper[i])
           {
@@ -107,7 +113,7 @@ namespace vfife
                        matching_tolerance * matching_tolerance;
               });
             if (match == side_nodes.end())
-              throw NumericalError(member.name() + ": the refined sides of a sector do not match");
+              throw NumericalError(gear.name() + ": the refined sides of a sector do not match");
             number[i] = GearSector::next_sector(number[*match]);
           }
       return number;
@@ -149,13 +155,15 @@ namespace vfife
         }
     }
 
-    FlankGrid make_grid(const GearMember                &member,
+    /** Nodes and facets of a refined flank, first sides along the tooth. */
+    FlankGrid make_grid(const GearGeometry              &gear,
                         const BodyMesh                  &mesh,
                         const FlankSide                  side,
                         const std::vector<unsigned int> &number)
     {
-      const char  *name = side == FlankSide::concave ? surface_name::concave : surface_name::convex;
-      unsigned int id   = 0;
+      const char *name = side == FlankSide::concave ? surface_name::concave : surface_name::convex;
+      // the flank's boundary faces
+      unsigned int id = 0;
       for (const auto &boundary : mesh.boundaries)
         if (boundary.second == name)
           id = boundary.first;
@@ -167,10 +175,10 @@ namespace vfife
         {
           const Vector3 &x = surface.positions[i];
           grid.nodes.push_back(number[surface.nodes[i]]);
-          grid.L_h.push_back(member.blank().cone_coordinates({std::hypot(x[0], x[1]), x[2]}));
+          grid.L_h.push_back(gear.blank().cone_coordinates({std::hypot(x[0], x[1]), x[2]}));
         }
       // Along L on the upper flank, against it on the lower, as in the unrefined grid.
-      const double along = side == member.upper_side() ? 1. : -1.;
+      const double along = side == gear.upper_side() ? 1. : -1.;
       for (auto facet : surface.facets)
         {
           const auto rise = [&](const unsigned int k) {
@@ -188,21 +196,23 @@ namespace vfife
   } // namespace
 
   GearSector
-  refine_gear_sector(const GearMember &member, const GearSector &sector, const unsigned int times)
+  refine_gear_sector(const GearGeometry &gear, const GearSector &sector, const unsigned int times)
   {
-    const auto mesh = open_sector(member, sector);
+    // 1. The sector alone, refined on its manifolds, which may invert cells.
+    const auto mesh = open_sector(gear, sector);
     mesh->triangulation.refine_global(times);
 
     const MeshQuality quality = compute_mesh_quality(mesh->triangulation);
     if (!(quality.least_determinant > 0.))
       {
         std::ostringstream message;
-        message << member.name() << ": refinement inverts a cell at "
+        message << gear.name() << ": refinement inverts a cell at "
                 << quality.worst_cell_centre.transpose() << " mm (body frame)";
         throw NumericalError(message.str());
       }
 
-    const std::vector<unsigned int> number = number_nodes(member, *mesh);
+    // 2. Its vertices as nodes of this sector or the next, cells with their regions.
+    const std::vector<unsigned int> number = number_nodes(gear, *mesh);
     GearSector                      refined;
     for (unsigned int i = 0; i < number.size(); ++i)
       if (!GearSector::is_next(number[i]))
@@ -215,9 +225,10 @@ namespace vfife
         refined.hexahedra.push_back(nodes);
         refined.regions.push_back(cell->material_id());
       }
+    // 3. Sets and flanks by boundary and region.
     add_sets(*mesh, sector, number, refined);
     for (const FlankSide side : {FlankSide::concave, FlankSide::convex})
-      refined.flanks.push_back(make_grid(member, *mesh, side, number));
+      refined.flanks.push_back(make_grid(gear, *mesh, side, number));
     return refined;
   }
 } // namespace vfife

@@ -12,12 +12,14 @@ namespace vfife
     using Sizes  = std::array<double, 3>;
     using Counts = std::array<unsigned int, 3>;
 
+    /** An entry for a length [mm], with its default. */
     struct SizeEntry
     {
       const char *name, *meaning;
       double      value;
     };
 
+    /** An entry for a number of cells, with its default and bounds. */
     struct CountEntry
     {
       const char  *name, *meaning;
@@ -40,6 +42,7 @@ namespace vfife
 
   namespace
   {
+    /** All shapes, a row each. */
     const std::vector<PrimitiveShape> &shape_table()
     {
       static const std::vector<PrimitiveShape> table = {

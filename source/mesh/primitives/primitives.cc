@@ -25,8 +25,9 @@ namespace vfife
     require(*std::min_element(counts.begin(), counts.end()) > 0,
             "block: at least one cell is needed in each direction");
 
-    auto mesh                 = std::make_unique<BodyMesh>();
-    mesh->name                = "block";
+    auto mesh  = std::make_unique<BodyMesh>();
+    mesh->name = "block";
+    // nodes are numbered x fastest; a cell is found at its lower corner
     const Counts       stride = {{1, counts[0] + 1, (counts[0] + 1) * (counts[1] + 1)}};
     const unsigned int n      = stride[2] * (counts[2] + 1);
 
@@ -57,6 +58,7 @@ namespace vfife
     create_triangulation(*mesh, nodes, hexahedra);
     mesh->sector.assign(hexahedra.size(), 0);
 
+    // sides: first and last nodes along each direction
     const char *axes = "xyz";
     for (unsigned int d = 0; d < 3; ++d)
       {

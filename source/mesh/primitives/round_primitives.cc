@@ -57,6 +57,7 @@ namespace vfife
             nodes.push_back(rotation * Vector3(inner + (outer - inner) * i / counts[0],
                                                0.,
                                                height * layer / counts[2]));
+        // cells between this sector's nodes and those of the next, the last one's being the first
         const unsigned int here = k * per_sector, next = (k + 1) % counts[1] * per_sector;
         for (unsigned int layer = 0; layer < counts[2]; ++layer)
           for (unsigned int i = 0; i < counts[0]; ++i)
@@ -103,6 +104,7 @@ namespace vfife
      * squares. */
     Vector2 disc_core_point(const Vector2 &square)
     {
+      // half-way between the square of half-side m and the arc of radius m over its side
       const double m = square.cwiseAbs().maxCoeff();
       if (m == 0.)
         return Vector2::Zero();
@@ -123,6 +125,8 @@ namespace vfife
       unsigned int                             border = 0; ///< nodes around
     };
 
+    /** The core is a bulged square of n x n cells; as many cells as it has border nodes lead in
+     * rows from its border straight to the circle. */
     Disc divide_disc(const unsigned int n, const unsigned int rows)
     {
       Disc       disc;
@@ -134,6 +138,7 @@ namespace vfife
         for (unsigned int i = 0; i < n; ++i)
           disc.cells.push_back({{node(i, j), node(i + 1, j), node(i, j + 1), node(i + 1, j + 1)}});
 
+      // border of the core, where the first row starts
       std::vector<unsigned int> previous; // counter-clockwise from the corner (-1, -1)
       for (unsigned int i = 0; i < n; ++i)
         previous.push_back(node(i, 0));
@@ -145,6 +150,7 @@ namespace vfife
         previous.push_back(node(0, j));
       disc.border = previous.size();
 
+      // rows: from the core's border to the circle, at equal angles
       const std::vector<unsigned int> core = previous;
       for (unsigned int row = 1; row <= rows; ++row)
         {
@@ -198,6 +204,7 @@ namespace vfife
     create_triangulation(*mesh, nodes, hexahedra);
     mesh->sector.assign(hexahedra.size(), 0);
 
+    // named sides by the node's place in its layer: the circle comes last
     const unsigned int centre = (counts[0] + 1) * (counts[0] + 1) / 2;
     for (unsigned int layer = 0; layer <= counts[2]; ++layer)
       mesh->node_sets["axis"].push_back(centre + layer * per_layer);
@@ -247,9 +254,11 @@ namespace vfife
       unsigned int           border = 0; ///< nodes of the sphere
     };
 
+    /** Shells of cells between core and sphere, on all six sides of the cube. */
     void add_shells(const unsigned int n, const unsigned int rows, Ball &ball)
     {
       const unsigned int stride[3] = {1, n + 1, (n + 1) * (n + 1)}, n_core = ball.nodes.size();
+      // nodes on the surface of the core and the directions in which the sphere lies above them
       std::vector<unsigned int> shell(n_core, n_core); // place of a surface node among them
       std::vector<Vector3>      directions;
       std::vector<unsigned int> surface;
@@ -270,6 +279,7 @@ namespace vfife
             ball.nodes.push_back((1. - part) * ball.nodes[surface[i]] + part * directions[i]);
           }
 
+      // node of a shell above a surface node of the core; row 0 is the core itself
       const auto node_of = [&](const unsigned int node, const unsigned int row) {
         return row == 0 ? node : n_core + (row - 1) * ball.border + shell[node];
       };

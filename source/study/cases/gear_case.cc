@@ -4,7 +4,7 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/gear/tooth_contact.h>
+#include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/study/cases/body_figures.h>

@@ -2,7 +2,7 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
-#include <vfife/gear/tooth_form.h>
+#include <vfife/gear/unloaded_contact/tooth_form.h>
 #include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/gear/tooth_contact_study.h>

@@ -4,29 +4,11 @@
 
 #include <vfife/mesh/body_mesh.h>
 
-#include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace vfife
 {
-  /** Hexahedra and named parts as they stand in a file; indices from 0. */
-  struct FileMesh
-  {
-    struct Group
-    {
-      std::string               name;
-      std::vector<unsigned int> members; ///< sorted nodes or elements
-    };
-
-    std::vector<Vector3>   nodes;
-    std::vector<CellNodes> elements;  ///< lexicographic
-    std::vector<Group>     node_sets; ///< of nodes
-    std::vector<Group>     surfaces;  ///< of the nodes of boundary faces
-    std::vector<Group>     regions;   ///< of elements
-  };
-
   /**
    * A body from a file of 8-node hexahedra, lengths in mm; the format by the end of the file's
    * name:
@@ -39,14 +21,6 @@ namespace vfife
    * opened or read, has other volume elements than hexahedra, or an inverted one.
    */
   std::unique_ptr<BodyMesh> read_body(const std::string &path);
-
-  /** The part of read_body() that reads Abaqus files. */
-  FileMesh read_abaqus(const std::string &path);
-
-  /** The part that reads physical points of Gmsh files, @p names by their numbers, as node sets. */
-  void add_gmsh_points(const std::string                         &path,
-                       const std::map<unsigned int, std::string> &names,
-                       FileMesh                                  &mesh);
 } // namespace vfife
 
 #endif

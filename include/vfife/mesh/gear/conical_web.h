@@ -2,12 +2,39 @@
 #ifndef vfife_mesh_gear_conical_web_h
 #define vfife_mesh_gear_conical_web_h
 
-#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/gear/gear_geometry.h>
 
 #include <array>
 
 namespace vfife
 {
+  enum class WebDirection
+  {
+    apex, ///< from the rim inward and towards the apex
+    back  ///< from the rim inward and towards the back
+  };
+
+  /** Where the web leaves the rim. */
+  enum class WebAttachment
+  {
+    toe,    ///< the toe's end under the root
+    middle, ///< the middle of the underside
+    heel    ///< the heel's end of the underside
+  };
+
+  /** A conical web between rim and hub: sizes in the meridian plane. */
+  struct WebShape
+  {
+    double web_thickness = 5.;          ///< normal to the web [mm]
+    double web_angle = 70. * pi / 180.; ///< of the mid-surface generatrix to the gear axis [rad]
+    WebDirection  web_direction     = WebDirection::back;
+    WebAttachment web_attachment    = WebAttachment::toe;
+    double        rim_thickness     = 8.5; ///< under the root [mm]
+    double        rim_fillet_radius = 0.;  ///< of the web's faces at the rim; 0: none [mm]
+    double        hub_fillet_radius = 0.;  ///< of the web's faces at the hub; 0: none [mm]
+    double        hub_radius        = 60.; ///< [mm]
+  };
+
   /**
    * Meridian (r, z) of a straight conical web between the rim's wall and the hub. A point has the
    * fraction x through the web (0 front face, towards the apex; 1 back face) and the fraction u of
@@ -22,10 +49,10 @@ namespace vfife
   {
   public:
     /** @p toe_root_height, @p heel_root_height: h of the root land at both ends [mm]. */
-    ConicalWeb(const Blank           &blank,
-               const GearBodyOptions &options,
-               double                 toe_root_height,
-               double                 heel_root_height);
+    ConicalWeb(const BlankOutline &blank,
+               const WebShape     &shape,
+               double              toe_root_height,
+               double              heel_root_height);
 
     /** dL/d(depth) of the mitre, the depth counted along -h under the root; 0 for the underside. */
     double mitre_slope() const;
@@ -47,7 +74,7 @@ namespace vfife
     double length() const;
 
     /** Signed angle from the normal of the rim's end or underside to the web [rad]. */
-    static double turn_from_wall(const Blank &blank, const GearBodyOptions &options);
+    static double turn_from_wall(const BlankOutline &blank, const WebShape &shape);
 
   private:
     /** Arc between the wall and a face of the web, both straight, that meet at @p corner. */

@@ -2,7 +2,10 @@
 #ifndef vfife_mesh_gear_flank_surface_h
 #define vfife_mesh_gear_flank_surface_h
 
+#include <vfife/base/facet_surface.h>
 #include <vfife/mesh/gear/gear_sector.h>
+
+#include <vector>
 
 namespace vfife
 {
@@ -12,12 +15,12 @@ namespace vfife
    * by Newton's method along the facet's normal field. Node i of the sector is node i + k *
    * nodes_per_sector of tooth k. Rows of the table are shared by all teeth.
    */
-  FacetSurface make_flank_surface(const GearMember &member,
-                                  const FlankGrid  &grid,
-                                  unsigned int      nodes_per_sector);
+  FacetSurface make_flank_surface(const GearGeometry &gear,
+                                  const FlankGrid    &grid,
+                                  unsigned int        nodes_per_sector);
 
-  /** Gauss-Lobatto points of [0, 1] at which offsets are tabulated. */
-  constexpr double offset_abscissae[5] = {0., 0.17267316464601143, 0.5, 0.82732683535398857, 1.};
+  /** The five Gauss-Lobatto points of [0, 1] at which offsets are tabulated. */
+  std::vector<double> offset_abscissae();
 } // namespace vfife
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef vfife_mesh_gear_gear_manifolds_h
 #define vfife_mesh_gear_gear_manifolds_h
 
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <deal.II/grid/manifold.h>
@@ -12,14 +12,14 @@
 namespace vfife
 {
   /**
-   * The true flanks of one side of all teeth, in cone coordinates (L, h): a new point has the
-   * weighted mean of them and lies on the generated flank. Toe, heel and tip (h linear in L) are
+   * The true flanks of one side of all teeth, in coordinates (L, h) of the blank: a new point has
+   * the weighted mean of them and lies on the true flank. Toe, heel and tip (h linear in L) are
    * kept.
    */
   class FlankManifold : public dealii::Manifold<3>
   {
   public:
-    FlankManifold(const GearMember &member, FlankSide side);
+    FlankManifold(const GearGeometry &gear, FlankSide side);
 
     std::unique_ptr<dealii::Manifold<3>> clone() const override;
 
@@ -28,18 +28,19 @@ namespace vfife
                   const dealii::ArrayView<const double>           &weights) const override;
 
   private:
-    GearMember member_;
-    FlankSide  side_;
+    std::shared_ptr<const GearGeometry> gear_; ///< shared by copies; never changed
+    FlankSide                           side_;
   };
 
   /**
-   * The true fillets of one side of all teeth, in (L, lambda): cone distance and blade edge angle.
-   * The start of the flank (largest lambda) and the bottom (lambda = 0) are kept.
+   * The true fillets of one side of all teeth, in (L, lambda): place along the pitch line and
+   * parameter of the fillet. The start of the flank (largest lambda) and the bottom (lambda = 0)
+   * are kept.
    */
   class FilletManifold : public dealii::Manifold<3>
   {
   public:
-    FilletManifold(const GearMember &member, FlankSide side);
+    FilletManifold(const GearGeometry &gear, FlankSide side);
 
     std::unique_ptr<dealii::Manifold<3>> clone() const override;
 
@@ -48,12 +49,12 @@ namespace vfife
     get_new_point(const dealii::ArrayView<const dealii::Point<3>> &surrounding_points,
                   const dealii::ArrayView<const double>           &weights) const override;
 
-    /** lambda of a point of the fillet of tooth 0 [rad]. */
-    double blade_edge_angle(const Vector3 &position) const;
+    /** lambda of a point of the fillet of tooth 0. */
+    double fillet_parameter(const Vector3 &position) const;
 
   private:
-    GearMember member_;
-    FlankSide  side_;
+    std::shared_ptr<const GearGeometry> gear_; ///< shared by copies; never changed
+    FlankSide                           side_;
   };
 
   /**
@@ -62,7 +63,7 @@ namespace vfife
    * z, which keeps cones and cylinders of revolution and the tooth number's symmetry. New nodes
    * inside a cell are deal.II's transfinite mean of its refined faces.
    */
-  void attach_gear_manifolds(BodyMesh &mesh, const GearMember &member);
+  void attach_gear_manifolds(BodyMesh &mesh, const GearGeometry &gear);
 } // namespace vfife
 
 #endif

@@ -3,7 +3,8 @@
 #define vfife_mesh_gear_gear_meridian_h
 
 #include <vfife/base/text/table.h>
-#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/gear/gear_geometry.h>
+#include <vfife/mesh/gear/gear_body_options.h>
 #include <vfife/mesh/solid_integrals.h>
 
 #include <string>
@@ -23,20 +24,20 @@ namespace vfife
    * down to the bore), web with its fillets (arcs of many chords) and hub. Everything but the teeth
    * is a solid of revolution.
    */
-  std::vector<MeridianPart> compute_meridian(const GearMember      &member,
+  std::vector<MeridianPart> compute_meridian(const GearGeometry    &gear,
                                              const GearBodyOptions &options);
 
   /** Corners of the parts as rows: body, part, r, z. */
-  void add_meridian_rows(const GearMember &member, const GearBodyOptions &options, Table &table);
+  void add_meridian_rows(const GearGeometry &gear, const GearBodyOptions &options, Table &table);
   /** A table with columns for these rows. */
   Table make_meridian_table();
 
   /**
-   * Integrals over the true body: all teeth between their generated flanks and fillets, by sections
-   * of constant cone distance, and the solids of revolution under them (doc/mesh.md). What a mesh
+   * Integrals over the true body: all teeth between their true flanks and fillets, by sections
+   * of constant L, and the solids of revolution under them (doc/mesh.md). What a mesh
    * converges to.
    */
-  SolidIntegrals compute_true_integrals(const GearMember &member, const GearBodyOptions &options);
+  SolidIntegrals compute_true_integrals(const GearGeometry &gear, const GearBodyOptions &options);
 } // namespace vfife
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef vfife_mesh_gear_gear_section_h
 #define vfife_mesh_gear_gear_section_h
 
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/gear_geometry.h>
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace vfife
 {
   /**
    * Section L = const of tooth 0 and the two half slots beside it. Points are (h, angle): height
-   * over the pitch cone [mm] and polar angle about the axis [rad], increasing from the lower to the
+   * over the pitch line [mm] and polar angle about the axis [rad], increasing from the lower to the
    * upper flank.
    */
   struct GearSection
@@ -29,13 +29,13 @@ namespace vfife
 
   /** @p grading: last over first step of h. Throws InputError where the fillets of a slot overlap
    * or the flank starts over the tip. */
-  GearSection compute_gear_section(const GearMember &member,
-                                   double            cone_distance,
-                                   unsigned int      flank_rows,
-                                   double            grading = 1.);
+  GearSection compute_gear_section(const GearGeometry &gear,
+                                   double              cone_distance,
+                                   unsigned int        flank_rows,
+                                   double              grading = 1.);
 
-  /** Position of a point of cone coordinates (L, h) at polar angle @p angle [mm]. */
-  Vector3 position_of(const Blank &blank, double L, double h, double angle);
+  /** Position of a point (L, h) at polar angle @p angle [mm]. */
+  Vector3 position_of(const BlankOutline &blank, double L, double h, double angle);
 } // namespace vfife
 
 #endif

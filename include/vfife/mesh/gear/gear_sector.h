@@ -2,8 +2,10 @@
 #ifndef vfife_mesh_gear_gear_sector_h
 #define vfife_mesh_gear_gear_sector_h
 
-#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/gear/gear_geometry.h>
+#include <vfife/mesh/body_mesh.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,7 +17,7 @@ namespace vfife
   {
     FlankSide                 side = FlankSide::concave;
     std::vector<unsigned int> nodes; ///< of the sector
-    std::vector<Vector2>      L_h;   ///< cone coordinates of the nodes [mm]
+    std::vector<Vector2>      L_h;   ///< coordinates (L, h) of the nodes [mm]
 
     /** Corners as places in the list of nodes, counter-clockwise seen from outside; the first side
      * runs along the tooth. */
@@ -61,15 +63,6 @@ namespace vfife
   private:
     static constexpr unsigned int next_bit = 1u << 31;
   };
-
-  /** Builds the template; throws NumericalError for an inverted cell, InputError as
-   * compute_gear_section(). */
-  GearSector make_gear_sector(const GearMember &member, const GearBodyOptions &options);
-
-  /** The same sector with each cell divided into eight @p times times, all new nodes of the surface
-   * on the true surfaces (gear_manifolds.h). Throws NumericalError for an inverted cell. */
-  GearSector
-  refine_gear_sector(const GearMember &member, const GearSector &sector, unsigned int times);
 } // namespace vfife
 
 #endif

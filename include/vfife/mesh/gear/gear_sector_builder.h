@@ -3,6 +3,7 @@
 #define vfife_mesh_gear_gear_sector_builder_h
 
 #include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_body_options.h>
 #include <vfife/mesh/gear/gear_section.h>
 #include <vfife/mesh/gear/gear_sector.h>
 
@@ -17,9 +18,10 @@ namespace vfife
   class GearSectorBuilder
   {
   public:
-    GearSectorBuilder(const GearMember &member, const GearBodyOptions &options);
+    /** Throws InputError as compute_gear_section(). */
+    GearSectorBuilder(const GearGeometry &gear, const GearBodyOptions &options);
 
-    /** Only once: the sector is moved out. */
+    /** Only once: the sector is moved out. Throws NumericalError for an inverted cell. */
     GearSector build();
 
   private:
@@ -50,7 +52,7 @@ namespace vfife
     unsigned int first_web_section() const;
     /** Cone distance of section i on the underside, which leaves room for the web there. */
     double underside_place(unsigned int i) const;
-    /** Centre of the slot below the tooth at cone distance L [rad]. */
+    /** Centre of the slot below the tooth at L [rad]. */
     double left_angle_at(double L) const;
 
     Vector3 web_point(double u, unsigned int layer, double angle) const;
@@ -68,7 +70,7 @@ namespace vfife
       return (options_.rim_rows - options_.web_layers) / 2;
     }
 
-    const GearMember        &member_;
+    const GearGeometry      &gear_;
     const GearBodyOptions   &options_;
     const bool               at_toe_, at_underside_; ///< where there is a web
     std::vector<GearSection> sections_;

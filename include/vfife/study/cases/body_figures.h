@@ -3,7 +3,7 @@
 #define vfife_study_cases_body_figures_h
 
 #include <vfife/base/text/table.h>
-#include <vfife/gear/gear_member.h>
+#include <vfife/gear/spiral_bevel/gear_member.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/mesh/solid_integrals.h>

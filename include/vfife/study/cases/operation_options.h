@@ -3,7 +3,7 @@
 #define vfife_study_cases_operation_options_h
 
 #include <vfife/base/types.h>
-#include <vfife/gear/contact_analysis.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #ifndef vfife_study_gear_tooth_contact_study_h
 #define vfife_study_gear_tooth_contact_study_h
 
-#include <vfife/gear/contact_analysis.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/study/study_kind.h>
 
 namespace vfife

@@ -1,0 +1,91 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_mesh_gear_gear_body_options_h
+#define vfife_mesh_gear_gear_body_options_h
+
+#include <vfife/gear/gear_geometry.h>
+#include <vfife/mesh/gear/conical_web.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /** What carries the rim. */
+  enum class WebKind
+  {
+    none,    ///< nothing: the underside of the rim is held
+    conical, ///< a straight cone of constant thickness from the rim to a hub ring
+    solid    ///< solid metal down to the bore (pinion)
+  };
+
+  /**
+   * Body under the teeth and number of cells. The defaults are those of the gear of the full mesh
+   * (doc/mesh.md); a pinion starts from pinion_body_defaults().
+   */
+  struct GearBodyOptions : WebShape
+  {
+    WebKind web         = WebKind::conical;
+    double  bore_radius = 50.; ///< [mm]
+    double  hub_length =
+      36.; ///< along the axis, centred where the mid-surface of the web meets the hub [mm]
+
+    double element_size = 0.; ///< target edge length [mm]; 0: the counts below, as they stand
+
+    unsigned int cells_lengthwise = 12; ///< along the face width
+    unsigned int cells_across     = 5;  ///< across a tooth
+    unsigned int flank_rows       = 8;  ///< from flank start to tip
+    unsigned int rim_rows =
+      5; ///< from root to underside of the rim, or to the bore of a solid body
+    unsigned int web_layers     = 3;  ///< through the thickness of the web
+    unsigned int web_rows       = 11; ///< along the web, the coarsening row included
+    unsigned int fillet_rows    = 2;  ///< along each fillet of the web, besides web_rows
+    unsigned int hub_rows       = 3;  ///< from hub radius to bore
+    unsigned int hub_side_cells = 4;  ///< along the axis on either side of the web
+    unsigned int refinements    = 0;  ///< times that every cell is divided into eight
+
+    /** Height of the flank row at the tip over that at the fillet; depth of the rim row at the bore
+     * or underside over that at the root, where the web at the toe does not place the rows. */
+    double grading_towards_fillet = 1.;
+    /** Width of the columns in the middle of the tooth over that at the flanks. */
+    double grading_towards_flank = 1.;
+
+    /** Declares the subsections Body and Mesh in the current section. */
+    void declare(dealii::ParameterHandler &prm);
+
+    /** Throws InputError (entries under @p section, e.g. "Gear pair/Gear") when sizes contradict
+     * each other or @p blank. */
+    void check(const std::string &section, const BlankOutline &blank) const;
+
+    /** The same with the counts that the element size asks for, each at least as small as check()
+     * allows; unchanged where no size is given. */
+    GearBodyOptions with_counts_of_size(const GearGeometry &gear) const;
+
+    /** Columns of cells of a sector's rim: across the tooth, and two on either side for fillet and
+     * root land. */
+    unsigned int columns() const
+    {
+      return cells_across + 4;
+    }
+    /** Whether the web's first row joins three columns into one (needs a multiple of three). */
+    bool coarsens() const
+    {
+      return columns() % 3 == 0;
+    }
+
+  private:
+    void declare_counts(dealii::ParameterHandler &prm);
+    void declare_gradings(dealii::ParameterHandler &prm);
+  };
+
+  /** A pinion of the full mesh: solid down to a bore of 20 mm. */
+  GearBodyOptions pinion_body_defaults();
+
+  /** The same body with few cells (pair of the paper: about 18,000), for quick runs. */
+  GearBodyOptions coarse(GearBodyOptions options);
+} // namespace vfife
+
+#endif

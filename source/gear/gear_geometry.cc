@@ -1,0 +1,25 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/gear/gear_geometry.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  FlankSide GearGeometry::upper_side() const
+  {
+    return opposite(lower_side());
+  }
+
+  double GearGeometry::pitch() const
+  {
+    return blank().pitch();
+  }
+
+  double GearGeometry::tooth_thickness(const double L, const double h) const
+  {
+    const Vector3 lower = flank_point(lower_side(), L, h).position;
+    const Vector3 upper = flank_point(upper_side(), L, h).position;
+    return std::hypot(lower[0], lower[1]) *
+           std::remainder(std::atan2(upper[1], upper[0]) - std::atan2(lower[1], lower[0]), 2. * pi);
+  }
+} // namespace vfife

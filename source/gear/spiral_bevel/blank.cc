@@ -1,0 +1,166 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/gear/findings.h>
+#include <vfife/gear/spiral_bevel/blank.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    const Choices<Hand> hands = {{"right", Hand::right}, {"left", Hand::left}};
+
+    /** The mean cone distance is printed with two decimals, the outer one often from the module. */
+    constexpr double cone_distance_tolerance = 0.005;
+
+    /** Numbers with units, for messages. */
+    std::string degrees(const double angle)
+    {
+      std::ostringstream text;
+      text << angle * 180. / pi << " deg";
+      return text.str();
+    }
+
+    std::string millimetres(const double length)
+    {
+      std::ostringstream text;
+      text << length << " mm";
+      return text.str();
+    }
+  } // namespace
+
+  const char *name_of(const Hand hand)
+  {
+    return hand == Hand::left ? "left" : "right";
+  }
+
+  void Blank::declare(dealii::ParameterHandler &prm)
+  {
+    declare_integer(prm, "number of teeth", teeth, "Number of teeth; 0: not given");
+    declare_choice(prm, "hand of spiral", hand, hands, "Hand of the spiral");
+    const auto declare_angle = [&](const char *name, double &angle, const char *meaning) {
+      declare_quantity(prm, name, angle, "deg", meaning, Range::between(0., 90.));
+    };
+    declare_angle("pitch angle",
+                  pitch_angle,
+                  "Angle of the pitch cone to the axis; 0: derived from the numbers of teeth");
+    declare_angle("face angle", face_angle, "Angle of the tip cone to the axis; 0: not given");
+    declare_angle("root angle", root_angle, "Angle of the root cone to the axis; 0: not given");
+    const auto declare_length = [&](const char *name, double &length, const char *meaning) {
+      declare_quantity(prm, name, length, "mm", meaning, Range::not_negative());
+    };
+    declare_length("mean cone distance",
+                   mean_cone_distance,
+                   "Pitch apex to mid-face along the pitch cone; 0: not given");
+    declare_length("outer cone distance",
+                   outer_cone_distance,
+                   "Pitch apex to the heel along the pitch cone; 0: not given");
+    declare_length("face width",
+                   face_width,
+                   "Length of the teeth along the pitch cone; 0: not given");
+    declare_length("mean addendum",
+                   mean_addendum,
+                   "Tip over the pitch cone at the mean cone distance; 0: not given");
+    declare_length("mean dedendum",
+                   mean_dedendum,
+                   "Root under the pitch cone at the mean cone distance; 0: not given");
+    declare_angle("mean spiral angle",
+                  spiral_angle,
+                  "Spiral angle at the mean cone distance; compared with what the machine settings "
+                  "cut; 0: not given");
+  }
+
+  void Blank::examine(const std::string &section, Findings &findings) const
+  {
+    // what is missing says nothing about the rest
+    const auto require = [&](const std::string &name, const double value) {
+      if (!(value > 0.))
+        findings.add_missing(section, name);
+    };
+    require("number of teeth", teeth);
+    require("face angle", face_angle);
+    require("root angle", root_angle);
+    require("mean cone distance", mean_cone_distance);
+    require("outer cone distance", outer_cone_distance);
+    require("face width", face_width);
+    require("mean addendum", mean_addendum);
+    require("mean dedendum", mean_dedendum);
+
+    const auto refuse_if = [&](const bool                      wrong,
+                               const std::string              &name,
+                               const std::vector<std::string> &others,
+                               const std::string              &message) {
+      std::vector<std::string> involved;
+      for (const std::string &other : others)
+        involved.push_back(section + "/" + other);
+      if (wrong)
+        findings.add(Findings::Action::stop, section + "/" + name, involved, message);
+    };
+    // surest findings first: numbers of teeth, then order of the cones, lengths, heights at the toe
+    refuse_if(teeth < 5,
+              "number of teeth",
+              {},
+              "Number of teeth " + std::to_string(teeth) + " is below 5");
+    refuse_if(pitch_angle >= pi / 2,
+              "pitch angle",
+              {},
+              "Pitch angle " + degrees(pitch_angle) + " is not below 90 deg");
+    refuse_if(pitch_angle > 0. && root_angle >= pitch_angle,
+              "root angle",
+              {"pitch angle", "number of teeth"},
+              "Root angle " + degrees(root_angle) + " is not below the pitch angle " +
+                degrees(pitch_angle) + (root_angle > pitch_angle ? "; is it the face angle?" : ""));
+    refuse_if(pitch_angle > 0. && face_angle <= pitch_angle,
+              "face angle",
+              {"pitch angle", "number of teeth"},
+              "Face angle " + degrees(face_angle) + " is not above the pitch angle " +
+                degrees(pitch_angle) + (face_angle < pitch_angle ? "; is it the root angle?" : ""));
+    refuse_if(face_angle > pi / 2,
+              "face angle",
+              {},
+              "Face angle " + degrees(face_angle) + " exceeds 90 deg");
+    refuse_if(face_width >= outer_cone_distance,
+              "face width",
+              {"outer cone distance"},
+              "Face width " + millimetres(face_width) + " is not below the outer cone distance " +
+                millimetres(outer_cone_distance));
+    const double middle = outer_cone_distance - face_width / 2;
+    refuse_if(std::abs(mean_cone_distance - middle) > cone_distance_tolerance * face_width,
+              "mean cone distance",
+              {"outer cone distance", "face width"},
+              "Mean cone distance " + millimetres(mean_cone_distance) +
+                " contradicts outer cone distance less half the face width, " +
+                millimetres(middle));
+    const double inner = inner_cone_distance();
+    refuse_if(addendum(inner) <= 0.,
+              "mean addendum",
+              {"face angle", "pitch angle", "number of teeth", "face width"},
+              "Mean addendum " + millimetres(mean_addendum) + " with the face angle " +
+                degrees(face_angle) + " leaves no addendum at the toe");
+    refuse_if(dedendum(inner) <= 0.,
+              "mean dedendum",
+              {"root angle", "pitch angle", "number of teeth", "face width"},
+              "Mean dedendum " + millimetres(mean_dedendum) + " with the root angle " +
+                degrees(root_angle) + " leaves no dedendum at the toe");
+  }
+
+  double pitch_angle_of(const double own_teeth, const double other_teeth, const double shaft_angle)
+  {
+    return std::atan2(std::sin(shaft_angle), other_teeth / own_teeth + std::cos(shaft_angle));
+  }
+
+  double duplex_dedendum_angles(const Blank &gear,
+                                const double cutter_radius,
+                                const double spiral_angle,
+                                const double blade_angle)
+  {
+    // Spread blades cut slots of constant width at the bottom; they taper in depth by so much that
+    // the width at the pitch cone tapers as the circular pitch does.
+    const double A      = gear.mean_cone_distance;
+    const double module = 2. * A * std::sin(gear.pitch_angle) / gear.teeth;
+    return pi * module / (2. * A) * (1. - A * std::sin(spiral_angle) / cutter_radius) /
+           (std::tan(blade_angle) * std::cos(spiral_angle));
+  }
+} // namespace vfife

@@ -1,0 +1,175 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/gear/spiral_bevel/gear_pair_options.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double degree = pi / 180.;
+
+    /** Printed angles have two decimals of a degree; two of them are compared. */
+    constexpr double angle_tolerance = 0.02 * degree;
+
+    /** Part of the sum of dedendum angles by which it may miss the duplex formula. */
+    constexpr double duplex_tolerance = 0.15;
+
+    /** A pitch angle that is given against the one that teeth and shaft angle ask for. */
+    void examine_pitch_angle(const Blank       &own,
+                             const Blank       &other,
+                             const double       shaft_angle,
+                             const std::string &member,
+                             const std::string &section,
+                             Findings          &findings)
+    {
+      if (own.teeth == 0 || other.teeth == 0)
+        return; // reported as missing
+      const double expected = pitch_angle_of(own.teeth, other.teeth, shaft_angle);
+      if (std::abs(expected - own.pitch_angle) > angle_tolerance)
+        findings.add(Findings::Action::stop,
+                     section + "/Blank/pitch angle",
+                     {},
+                     text_of("the ",
+                             member,
+                             "'s pitch angle ",
+                             own.pitch_angle / degree,
+                             " deg contradicts the numbers of teeth ",
+                             own.teeth,
+                             "/",
+                             other.teeth,
+                             " at a shaft angle of ",
+                             shaft_angle / degree,
+                             " deg, which give ",
+                             expected / degree,
+                             " deg"));
+    }
+
+    /** Blames the member whose cradle angle does not cut its hand either. */
+    void
+    examine_hands(const GearPairOptions &options, const std::string &section, Findings &findings)
+    {
+      const Hand hand = options.pinion.blank.hand;
+      if (hand != options.gear.blank.hand || options.pinion.blank.teeth == 0)
+        return; // without anything given the hand is a default
+      const bool is_left     = hand == Hand::left;
+      const bool pinion_fits = (options.pinion.concave.cradle_angle > 0.) == is_left;
+      findings.add(Findings::Action::stop,
+                   section + (pinion_fits ? "/Gear" : "/Pinion") + "/Blank/hand of spiral",
+                   {},
+                   text_of("pinion and gear have the same hand of spiral, ", name_of(hand)));
+    }
+
+    /** Tip of one member against root of the other: clearance, and whether it is the same along the
+     * face. */
+    void examine_clearance(const Blank       &tip,
+                           const Blank       &root,
+                           const double       shaft_angle,
+                           const std::string &tip_section,
+                           const std::string &root_section,
+                           Findings          &findings)
+    {
+      if (root.mean_dedendum <= tip.mean_addendum)
+        findings.add(Findings::Action::stop,
+                     root_section + "/Blank/mean dedendum",
+                     {tip_section + "/Blank/mean addendum"},
+                     text_of("no clearance: mean dedendum ",
+                             root.mean_dedendum,
+                             " mm against mean addendum ",
+                             tip.mean_addendum,
+                             " mm of the mating member"));
+      const double sum = tip.face_angle + root.root_angle;
+      if (std::abs(sum - shaft_angle) > root_angle_tolerance)
+        findings.add(
+          Findings::Action::warn,
+          tip_section + "/Blank/face angle",
+          {root_section + "/Blank/root angle",
+           tip_section + "/Blank/pitch angle",
+           root_section + "/Blank/pitch angle"},
+          text_of("Face angle ",
+                  tip.face_angle / degree,
+                  " deg and the mating root angle ",
+                  root.root_angle / degree,
+                  " deg sum up to ",
+                  sum / degree,
+                  " deg instead of the shaft angle ",
+                  shaft_angle / degree,
+                  " deg: the clearance tapers along the face; the angles are taken as given"));
+    }
+
+    /** Taper of the depth against what a spread-blade gear cutter needs (duplex taper). */
+    void
+    examine_duplex(const GearPairOptions &options, const std::string &section, Findings &findings)
+    {
+      const Blank           &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
+      const MachineSettings &cut = options.gear.convex;
+      if (!options.gear.is_spread_blade() || blank2.teeth == 0 || cut.radial_distance == 0.)
+        return;
+      const CutterPosition position(blank2, cut);
+      const double         duplex =
+        duplex_dedendum_angles(blank2, position.radius, position.spiral_angle, cut.blade_angle);
+      const double sum =
+        blank1.pitch_angle - blank1.root_angle + blank2.pitch_angle - blank2.root_angle;
+      if (std::abs(sum - duplex) > duplex_tolerance * std::abs(duplex))
+        findings.add(
+          Findings::Action::warn,
+          section + "/Gear/Blank/root angle",
+          {section + "/Pinion/Blank/root angle",
+           section + "/Gear/Convex flank/blade angle",
+           section + "/Gear/Convex flank/cradle angle",
+           section + "/Gear/Convex flank/radial distance",
+           section + "/Gear/Convex flank/point radius",
+           section + "/Gear/Blank/pitch angle",
+           section + "/Pinion/Blank/pitch angle",
+           section + "/Gear/Blank/mean cone distance"},
+          text_of("the dedendum angles sum up to ",
+                  sum / degree,
+                  " deg, the duplex formula gives ",
+                  duplex / degree,
+                  " deg for this cutter: teeth and slots do not taper alike; the root angles "
+                  "are taken as given"));
+    }
+  } // namespace
+
+  Findings GearPairOptions::examine(const std::string &section) const
+  {
+    Findings findings;
+    if (proposal.is_given() && (pinion.blank.teeth > 0 || gear.blank.teeth > 0))
+      findings.add(Findings::Action::stop,
+                   section + "/Proposal/pinion teeth",
+                   {},
+                   "a pair is proposed, but blanks are given as well; only one of them can be");
+    const GearPairOptions options = completed();
+    if (proposal.is_given())
+      return findings; // blanks and settings that are proposed fit each other
+    const Blank      &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
+    const std::string pinion_section = section + "/Pinion", gear_section = section + "/Gear";
+    // each member alone, then one against the other
+    examine_pitch_angle(blank1, blank2, shaft_angle, "pinion", pinion_section, findings);
+    examine_pitch_angle(blank2, blank1, shaft_angle, "gear", gear_section, findings);
+    examine_hands(options, section, findings);
+    pinion.examine_spread(pinion_section, findings);
+    gear.examine_spread(gear_section, findings);
+    options.pinion.examine(pinion_section, findings);
+    options.gear.examine(gear_section, findings);
+
+    if (std::abs(blank1.mean_cone_distance - blank2.mean_cone_distance) > 0.005 * blank2.face_width)
+      findings.add(Findings::Action::stop,
+                   pinion_section + "/Blank/mean cone distance",
+                   {gear_section + "/Blank/mean cone distance"},
+                   text_of("the mean cone distances ",
+                           blank1.mean_cone_distance,
+                           " mm of the pinion and ",
+                           blank2.mean_cone_distance,
+                           " mm of the gear differ"));
+    examine_clearance(blank1, blank2, shaft_angle, pinion_section, gear_section, findings);
+    examine_clearance(blank2, blank1, shaft_angle, gear_section, pinion_section, findings);
+    examine_duplex(options, section, findings);
+    if (!(backlash >= 0.))
+      findings.add(Findings::Action::stop,
+                   section + "/Mounting/backlash",
+                   {},
+                   text_of("Backlash ", backlash, " mm is negative"));
+    return findings;
+  }
+} // namespace vfife

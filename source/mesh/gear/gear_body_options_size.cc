@@ -1,0 +1,49 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/mesh/gear/gear_body_options.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  GearBodyOptions GearBodyOptions::with_counts_of_size(const GearGeometry &gear) const
+  {
+    GearBodyOptions sized = *this;
+    if (element_size == 0.)
+      return sized;
+    const auto count = [this](const double length, const unsigned int least) {
+      return std::max<unsigned int>(least, std::lround(length / element_size));
+    };
+    const BlankOutline &blank = gear.blank();
+    const double        L     = blank.mean_cone_distance;
+    sized.element_size        = 0.;
+
+    // teeth at mid-face, then what lies under them, down to bore, underside or hub
+    sized.cells_lengthwise = count(blank.face_width, 1);
+    sized.cells_across     = count(gear.tooth_thickness(L, 0.), 2);
+    sized.flank_rows       = count(blank.addendum(L) + blank.dedendum(L), 1);
+    if (web == WebKind::solid)
+      {
+        const double root = blank.meridian_point({L, -blank.dedendum(L)})[0];
+        sized.rim_rows    = count((root - bore_radius) / std::cos(blank.pitch_angle), 1);
+        return sized;
+      }
+    sized.rim_rows = count(rim_thickness, 1);
+    if (web != WebKind::conical)
+      return sized;
+    // 2, 5, 8 ... cells across let the web be coarser than the teeth.
+    sized.cells_across = std::max(2u, (sized.cells_across + 2) / 3 * 3 - 1);
+    sized.web_layers   = count(web_thickness, 1);
+    (web_attachment == WebAttachment::toe ? sized.rim_rows : sized.cells_lengthwise) =
+      std::max(web_attachment == WebAttachment::toe ? sized.rim_rows : sized.cells_lengthwise,
+               sized.web_layers + 2);
+    const ConicalWeb cone(blank,
+                          *this,
+                          -blank.dedendum(blank.inner_cone_distance()),
+                          -blank.dedendum(blank.outer_cone_distance));
+    sized.web_rows       = count(cone.length(), 2);
+    sized.hub_rows       = count(hub_radius - bore_radius, 1);
+    sized.hub_side_cells = count(.5 * (hub_length - web_thickness / std::sin(web_angle)), 1);
+    return sized;
+  }
+} // namespace vfife

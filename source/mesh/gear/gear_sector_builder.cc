@@ -1,0 +1,384 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/mesh/gear/gear_sector_builder.h>
+#include <vfife/mesh/gear/grading.h>
+#include <vfife/mesh/node_set_names.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Depth of the dip in the base of the tooth block, over the mean transverse module. */
+    constexpr double base_dip = .09;
+    /** Depth under the root at which the columns of the rim are equally wide, over the circular
+     * pitch. */
+    constexpr double blend_depth = .2;
+
+    /** From 0 to 1 with zero slope at both ends. */
+    double smooth_step(const double x)
+    {
+      const double c = std::min(1., std::max(0., x));
+      return c * c * (3. - 2. * c);
+    }
+
+    /** Evenly from toe to heel, one at each end of a cell. */
+    std::vector<GearSection> compute_sections(const GearGeometry    &gear,
+                                              const GearBodyOptions &options)
+    {
+      const BlankOutline      &blank = gear.blank();
+      std::vector<GearSection> sections;
+      for (unsigned int i = 0; i <= options.cells_lengthwise; ++i)
+        sections.push_back(compute_gear_section(gear,
+                                                blank.inner_cone_distance() +
+                                                  blank.face_width * i / options.cells_lengthwise,
+                                                options.flank_rows,
+                                                options.grading_towards_fillet));
+      return sections;
+    }
+  } // namespace
+
+  GearSectorBuilder::GearSectorBuilder(const GearGeometry &gear, const GearBodyOptions &options)
+    : gear_(gear)
+    , options_(options)
+    , at_toe_(options.web == WebKind::conical && options.web_attachment == WebAttachment::toe)
+    , at_underside_(options.web == WebKind::conical && options.web_attachment != WebAttachment::toe)
+    , sections_(compute_sections(gear, options))
+    , across_(graded_places_from_both_ends(options.cells_across, options.grading_towards_flank))
+    , rim_parts_(graded_places(options.rim_rows, at_toe_ ? 1. : options.grading_towards_fillet))
+    , web_(gear.blank(), options, sections_.front().root_height, sections_.back().root_height)
+  {
+  }
+
+  // A section L = const of the sector: rows and columns of the tooth, columns 0 ... last of the rim
+  // below it, which share the row between the points P in the fillets.
+  //
+  //                   o----o----o----o         tip: tooth row flank_rows + 1
+  //                  /     |    |     \        flanks
+  //                 o------o----o------o       start of the flanks: tooth row 1
+  //                /       |    |       \      fillets
+  //               P--------o----o--------P     tooth row 0, which dips: rim columns 2 ... last - 2
+  //    o----o---'          |    |          '---o----o
+  //    |    |              |    |              |    |
+  //    0    1              rim row 0      last - 1  last: column 0 of the next sector
+  //
+  // Column 0 is the centre of the slot, 1 the bottom of the fillet; rim rows go down from there to
+  // the underside or the bore.
+  GearSector GearSectorBuilder::build()
+  {
+    add_tooth();
+    region_ = GearRegion::rim;
+    add_rim();
+    region_ = GearRegion::web;
+    if (at_toe_ || at_underside_)
+      add_web();
+    add_named_ends();
+    add_flank_grid(FlankSide::concave);
+    add_flank_grid(FlankSide::convex);
+    for (auto &set : sector_.node_sets)
+      {
+        auto &nodes = set.second;
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+      }
+    return std::move(sector_);
+  }
+
+  unsigned int GearSectorBuilder::add_node(const Vector3 &position)
+  {
+    sector_.nodes.push_back(position);
+    return sector_.nodes.size() - 1;
+  }
+
+  Vector3 GearSectorBuilder::position(const unsigned int node) const
+  {
+    const Vector3 &x = sector_.nodes[GearSector::index_of(node)];
+    return GearSector::is_next(node) ? Vector3(rotation_about(Vector3::UnitZ(), gear_.pitch()) * x)
+                                     : x;
+  }
+
+  void GearSectorBuilder::add_hexahedron(CellNodes nodes)
+  {
+    // volume spanned by the three edges that leave a corner
+    const auto determinant = [&](const unsigned int corner) {
+      Matrix3 edges;
+      for (unsigned int d = 0; d < 3; ++d)
+        edges.col(d) = position(nodes[corner | (1u << d)]) - position(nodes[corner & ~(1u << d)]);
+      return edges.determinant();
+    };
+    // The blocks are indexed as suits them: one rule makes their cells right-handed.
+    if (determinant(0) < 0.)
+      for (unsigned int v = 0; v < 4; ++v)
+        std::swap(nodes[v], nodes[v + 4]);
+    for (unsigned int v = 0; v < 8; ++v)
+      if (!(determinant(v) > 0.))
+        {
+          std::ostringstream message;
+          message << gear_.name() << ": inverted cell at " << position(nodes[v]).transpose()
+                  << " mm (body frame): change the web, the rim or the number of cells";
+          throw NumericalError(message.str());
+        }
+    sector_.hexahedra.push_back(nodes);
+    sector_.regions.push_back(static_cast<unsigned int>(region_));
+  }
+
+  void GearSectorBuilder::add_to_set(const char *name, const unsigned int node)
+  {
+    if (!GearSector::is_next(node))
+      sector_.node_sets[name].push_back(node);
+  }
+
+  Vector2 GearSectorBuilder::tooth_point(const GearSection &section,
+                                         const unsigned int row,
+                                         const unsigned int column) const
+  {
+    const double x     = across_[column];
+    Vector2      point = (1. - x) * section.lower[row + 1] + x * section.upper[row + 1];
+    if (row == 0)
+      // a parabola between the two P
+      point[0] -= base_dip * gear_.blank().mean_module() * 4. * x * (1. - x);
+    return point;
+  }
+
+  void GearSectorBuilder::add_tooth()
+  {
+    const unsigned int rows = options_.flank_rows + 1, across = options_.cells_across;
+    for (const GearSection &section : sections_)
+      {
+        NodeLayer layer(rows + 1, std::vector<unsigned int>(across + 1));
+        for (unsigned int row = 0; row <= rows; ++row)
+          for (unsigned int c = 0; c <= across; ++c)
+            {
+              const Vector2 point = tooth_point(section, row, c);
+              layer[row][c] =
+                add_node(position_of(gear_.blank(), section.cone_distance, point[0], point[1]));
+            }
+        tooth_.push_back(layer);
+      }
+    // cells between neighbouring sections
+    for (unsigned int i = 0; i + 1 < sections_.size(); ++i)
+      add_row(tooth_[i], tooth_[i + 1]);
+  }
+
+  Vector2 GearSectorBuilder::rim_top(const GearSection &section, const unsigned int column) const
+  {
+    // centre of the slot, bottom of the fillet, and between these the tooth's lowest row
+    const unsigned int last = options_.columns();
+    if (column == 0 || column == last)
+      return {section.root_height, section.left_angle + (column == 0 ? 0. : section.pitch)};
+    if (column == 1)
+      return section.lower.front();
+    if (column == last - 1)
+      return section.upper.front();
+    return tooth_point(section, 0, column - 2);
+  }
+
+  double GearSectorBuilder::rim_depth(const unsigned int i, const unsigned int row) const
+  {
+    const GearSection &section = sections_[i];
+    const double       part    = rim_parts_[row];
+    if (options_.web == WebKind::solid)
+      {
+        const Vector2 root =
+          gear_.blank().meridian_point({section.cone_distance, section.root_height});
+        return part * (root[0] - options_.bore_radius) / std::cos(gear_.blank().pitch_angle);
+      }
+    // a rim with an underside: even or graded rows, unless the web places them
+    const double even = part * options_.rim_thickness;
+    if (!at_toe_)
+      return even;
+    // At the toe the rows stand at the layers of the web, towards the heel they spread evenly.
+    const unsigned int above = rows_above_web(), below = above + options_.web_layers;
+    double             at_toe;
+    if (row < above)
+      at_toe = web_.wall_place(0.) * row / above;
+    else if (row <= below)
+      at_toe = web_.wall_place(double(row - above) / options_.web_layers);
+    else
+      {
+        const double end = web_.wall_place(1.);
+        at_toe = end + (options_.rim_thickness - end) * (row - below) / (options_.rim_rows - below);
+      }
+    const double to_heel = smooth_step(double(i) / options_.cells_lengthwise);
+    return (1. - to_heel) * at_toe + to_heel * even;
+  }
+
+  Vector3 GearSectorBuilder::rim_point(const unsigned int i,
+                                       const unsigned int row,
+                                       const unsigned int column) const
+  {
+    const BlankOutline &blank   = gear_.blank();
+    const GearSection  &section = sections_[i];
+    const Vector2       top     = rim_top(section, column);
+    if (row == 0)
+      return position_of(blank, section.cone_distance, top[0], top[1]);
+
+    // Under the root the columns lose the widths that fillet and land give them: equally wide from
+    // the blend depth on.
+    const double depth          = rim_depth(i, row);
+    const double circular_pitch = blank.circular_pitch(section.cone_distance);
+    const double even           = section.pitch * column / options_.columns();
+    const double blend          = smooth_step(depth / (blend_depth * circular_pitch));
+    const double angle          = (1. - blend) * (top[1] - section.left_angle) + blend * even;
+    if (at_underside_)
+      {
+        // Straight lines from the root to places on the underside that leave room for the web.
+        const double  part   = depth / options_.rim_thickness;
+        const double  place  = underside_place(i);
+        const Vector2 bottom = blank.cone_coordinates(web_.wall_point(place));
+        const double  L      = (1. - part) * section.cone_distance + part * place;
+        return position_of(blank,
+                           L,
+                           (1. - part) * section.root_height + part * bottom[1],
+                           left_angle_at(L) + angle);
+      }
+    // Straight down (along -h), or leaning by the mitre at the toe, less and less towards the heel.
+    const double to_heel = double(i) / options_.cells_lengthwise;
+    const double L =
+      section.cone_distance + (at_toe_ ? (1. - to_heel) * web_.mitre_slope() * depth : 0.);
+    return position_of(blank, L, section.root_height - depth, section.left_angle + angle);
+  }
+
+  unsigned int GearSectorBuilder::first_web_section() const
+  {
+    const unsigned int free = options_.cells_lengthwise - options_.web_layers;
+    return options_.web_attachment == WebAttachment::heel ? free : free / 2;
+  }
+
+  double GearSectorBuilder::underside_place(const unsigned int i) const
+  {
+    const unsigned int first = first_web_section(), last = first + options_.web_layers;
+    const double       inner = gear_.blank().inner_cone_distance(),
+                 outer       = gear_.blank().outer_cone_distance;
+    // sections spread evenly on either side of the web's foot
+    if (i < first)
+      return inner + (web_.wall_place(0.) - inner) * i / first;
+    if (i <= last)
+      return web_.wall_place(double(i - first) / options_.web_layers);
+    return outer + (web_.wall_place(1.) - outer) * (options_.cells_lengthwise - i) /
+                     (options_.cells_lengthwise - last);
+  }
+
+  double GearSectorBuilder::left_angle_at(const double L) const
+  {
+    // linear between the sections next to L, continued beyond the ends
+    const double along = (L - sections_.front().cone_distance) /
+                         (sections_.back().cone_distance - sections_.front().cone_distance) *
+                         options_.cells_lengthwise;
+    const auto i = static_cast<unsigned int>(
+      std::min(options_.cells_lengthwise - 1., std::max(0., std::floor(along))));
+    return sections_[i].left_angle +
+           (along - i) * (sections_[i + 1].left_angle - sections_[i].left_angle);
+  }
+
+  void GearSectorBuilder::add_rim()
+  {
+    const unsigned int rows = options_.rim_rows, columns = options_.columns();
+    for (unsigned int i = 0; i < sections_.size(); ++i)
+      {
+        NodeLayer layer(rows + 1, std::vector<unsigned int>(columns + 1));
+        for (unsigned int row = 0; row <= rows; ++row)
+          {
+            for (unsigned int c = 0; c < columns; ++c)
+              layer[row][c] = row == 0 && c >= 2 && c + 2 <= columns
+                                ? tooth_[i][0][c - 2]
+                                : add_node(rim_point(i, row, c));
+            layer[row][columns] = GearSector::next_sector(layer[row][0]);
+          }
+        rim_.push_back(layer);
+      }
+    for (unsigned int i = 0; i + 1 < sections_.size(); ++i)
+      add_row(rim_[i], rim_[i + 1]);
+  }
+
+  void GearSectorBuilder::add_row(const NodeLayer &first, const NodeLayer &second)
+  {
+    for (unsigned int row = 0; row + 1 < first.size(); ++row)
+      for (unsigned int c = 0; c + 1 < first[row].size(); ++c)
+        add_hexahedron({{first[row][c],
+                         second[row][c],
+                         first[row + 1][c],
+                         second[row + 1][c],
+                         first[row][c + 1],
+                         second[row][c + 1],
+                         first[row + 1][c + 1],
+                         second[row + 1][c + 1]}});
+  }
+
+  void GearSectorBuilder::add_named_ends()
+  {
+    const auto add_layer = [&](const char *name, const NodeLayer &layer) {
+      for (const auto &row : layer)
+        for (const unsigned int node : row)
+          add_to_set(name, node);
+    };
+    // toe and heel: faces of tooth and rim
+    add_layer(node_set::toe, tooth_.front());
+    // The web covers the rows between its faces.
+    const unsigned int above = at_toe_ ? rows_above_web() : options_.rim_rows,
+                       below = at_toe_ ? above + options_.web_layers : above;
+    for (unsigned int row = 0; row <= options_.rim_rows; ++row)
+      if (row <= above || row >= below)
+        add_layer(node_set::toe, {rim_.front()[row]});
+    add_layer(node_set::heel, tooth_.back());
+    add_layer(node_set::heel, rim_.back());
+    // tip, then underside or bore, rim and root land by sections
+    for (const NodeLayer &layer : tooth_)
+      add_layer(node_set::tip, {layer.back()});
+    for (unsigned int i = 0; i < rim_.size(); ++i)
+      {
+        const NodeLayer &layer = rim_[i];
+        // what lies between the faces of a web on the underside is inside
+        if (!at_underside_ || i <= first_web_section() ||
+            i >= first_web_section() + options_.web_layers)
+          add_layer(options_.web == WebKind::solid ? node_set::bore : node_set::rim_underside,
+                    {layer.back()});
+        add_layer(node_set::rim, layer);
+        for (const unsigned int column : {0u, 1u, options_.columns() - 1})
+          add_to_set(node_set::root_land, layer[0][column]);
+      }
+  }
+
+  void GearSectorBuilder::add_flank_grid(const FlankSide side)
+  {
+    const bool upper = side == gear_.upper_side();
+    FlankGrid  grid;
+    grid.side               = side;
+    const unsigned int rows = options_.flank_rows;
+    for (unsigned int i = 0; i < sections_.size(); ++i)
+      for (unsigned int row = 0; row <= rows; ++row)
+        {
+          const auto &profile = upper ? sections_[i].upper : sections_[i].lower;
+          const auto &nodes   = tooth_[i][row + 1];
+          grid.nodes.push_back(upper ? nodes.back() : nodes.front());
+          grid.L_h.emplace_back(sections_[i].cone_distance, profile[row + 2][0]);
+          add_to_set(side == FlankSide::concave ? surface_name::concave : surface_name::convex,
+                     grid.nodes.back());
+          if (i + 1 == sections_.size() || row == rows)
+            continue;
+          // (L, h, polar angle) is right-handed: seen from outside, xi runs along L on the upper
+          // flank, against it on the lower.
+          const unsigned int here = grid.nodes.size() - 1, there = here + rows + 1;
+          if (upper)
+            grid.facets.push_back({{here, there, there + 1, here + 1}});
+          else
+            grid.facets.push_back({{there, here, here + 1, there + 1}});
+        }
+    // fillet: bottom, P and start of the flank of every section
+    const char *fillet =
+      side == FlankSide::concave ? node_set::concave_fillet : node_set::convex_fillet;
+    for (unsigned int i = 0; i < sections_.size(); ++i)
+      {
+        const unsigned int bottom = upper ? options_.columns() - 1 : 1;
+        add_to_set(fillet, rim_[i][0][bottom]);
+        for (const unsigned int row : {0u, 1u})
+          add_to_set(fillet, upper ? tooth_[i][row].back() : tooth_[i][row].front());
+      }
+    sector_.flanks.push_back(grid);
+  }
+} // namespace vfife
