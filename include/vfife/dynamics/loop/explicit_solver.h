@@ -130,7 +130,7 @@ namespace vfife
     RigidWalls             walls_;
     double                 dt_ = 0;
 
-    std::vector<double>                 forces_;
+    NodeField                           forces_;
     ElementMeasures                     measures_; ///< of the state measured last
     std::vector<RigidVelocity>          rigid_;
     std::vector<BodyDamping>            damping_;

@@ -64,9 +64,9 @@ namespace vfife
   /**
    * Central differences for nodes [first, last):
    *   v_+ = ((1 - a) v_- + dt (f/m - slip) + 2 a u)/(1 + a),  a = zeta dt/2,  x += dt v_+,
-   * which centres the damping force at the old time. Arrays of records as in State; mass and
-   * inverse mass of constrained nodes are zero there, so that they add nothing; whoever constrains
-   * them sets them afterwards.
+   * which centres the damping force at the old time. Records of the NodeFields of a State; mass
+   * and inverse mass of constrained nodes are zero there, so that they add nothing; whoever
+   * constrains them sets them afterwards.
    * @p owned: 1 where a node counts in the sums. Instruction sets differ by round-off.
    */
   UpdateSums update_nodes(std::size_t          first,
