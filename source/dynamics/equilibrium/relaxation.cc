@@ -174,9 +174,9 @@ namespace vfife
 
   void Relaxation::place(State &state, ConstraintMotion &constraints) const
   {
-    const NodeField                     zero     = operator_.make_field();
-    NodeField                           velocity = zero;
-    std::vector<ConstraintMotion::Sums> ignored(model_.bodies.size());
+    const NodeField       zero     = operator_.make_field();
+    NodeField             velocity = zero;
+    std::vector<BodySums> ignored(model_.bodies.size());
     constraints.save(state.position, velocity);
     constraints.apply(0.,
                       1.,
@@ -290,7 +290,7 @@ namespace vfife
 
     BodyDamping virtual_damping;
     virtual_damping.zeta = damping;
-    std::vector<ConstraintMotion::Sums> ignored(model_.bodies.size());
+    std::vector<BodySums> ignored(model_.bodies.size());
     constraints.apply(0.,
                       1.,
                       MotionFrame::rotating,

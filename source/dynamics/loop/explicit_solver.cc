@@ -136,7 +136,7 @@ namespace vfife
     std::vector<UpdateSums> sums(model_.bodies.size());
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       for (const std::uint32_t i : state.partition.owned_nodes(b))
-        add_node_moments(ConstraintMotion::axis_of(model_.bodies[b]),
+        add_node_moments(UpdateAxis::of(model_.bodies[b]),
                          operator_.masses()[i],
                          state.node_position(i),
                          state.node_velocity(i),
@@ -145,7 +145,7 @@ namespace vfife
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         sum_over_ranks(sums[b], communicator_);
-        rates.push_back(compute_momentum_rate(ConstraintMotion::axis_of(model_.bodies[b]),
+        rates.push_back(compute_momentum_rate(UpdateAxis::of(model_.bodies[b]),
                                               model_.bodies[b].mass(),
                                               sums[b]));
       }
@@ -225,12 +225,12 @@ namespace vfife
     constraints_.save(state.position, state.velocity);
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
-        sums_[b]        = ConstraintMotion::Sums();
+        sums_[b]        = BodySums();
         sums_[b].update = vfife::update_nodes(state.partition.first_local_node[b],
                                               state.partition.first_local_node[b + 1],
                                               dt_,
                                               damping_[b],
-                                              ConstraintMotion::axis_of(model_.bodies[b]),
+                                              UpdateAxis::of(model_.bodies[b]),
                                               state.partition.owned.data(),
                                               forces_.data(),
                                               state.position.data(),
@@ -264,8 +264,7 @@ namespace vfife
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         const Body &body = model_.bodies[b];
-        rigid_[b] =
-          compute_momentum_rate(ConstraintMotion::axis_of(body), body.mass(), sums_[b].update);
+        rigid_[b] = compute_momentum_rate(UpdateAxis::of(body), body.mass(), sums_[b].update);
         RigidMotion  &motion = state.body_motion[b];
         const Vector3 turn   = dt_ * rigid_[b].omega;
         const double  angle  = turn.norm();

@@ -67,7 +67,7 @@ namespace vfife
     rigid_.resize(model_.bodies.size());
     rates_at_start_.resize(model_.bodies.size());
     audit_.assign(model_.bodies.size(), DampingAudit());
-    sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
+    sums_.assign(model_.bodies.size(), BodySums());
     damping_.assign(model_.bodies.size(), BodyDamping());
   }
 

@@ -27,10 +27,9 @@ namespace vfife
       ledger_.kinetic += s.update.kinetic;
     ledger_.kinetic_relative = ledger_.kinetic;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      ledger_.kinetic_relative -=
-        compute_rigid_kinetic_energy(ConstraintMotion::axis_of(model_.bodies[b]),
-                                     model_.bodies[b].mass(),
-                                     sums_[b].update);
+      ledger_.kinetic_relative -= compute_rigid_kinetic_energy(UpdateAxis::of(model_.bodies[b]),
+                                                               model_.bodies[b].mass(),
+                                                               sums_[b].update);
     ledger_.strain  = strain;
     ledger_.contact = contact_.energy() + walls_.collect_results().energy;
     if (first)

@@ -8,11 +8,6 @@
 
 namespace vfife
 {
-  UpdateAxis ConstraintMotion::axis_of(const Body &body)
-  {
-    return {body.turns_on_axis, body.axis.point, body.axis.direction};
-  }
-
   ConstraintMotion::ConstraintMotion(const Model        &model,
                                      const Partition    &partition,
                                      const Communicator &communicator)
@@ -24,7 +19,7 @@ namespace vfife
         if ((constraint.kind == ConstraintKind::directions) == directions)
           add_constraint(constraint, model, partition);
     for (const Body &body : model.bodies)
-      axes_.push_back(axis_of(body));
+      axes_.push_back(UpdateAxis::of(body));
   }
 
   void ConstraintMotion::add_constraint(const Constraint &constraint,
@@ -272,7 +267,7 @@ namespace vfife
                                const NodeField                &forces,
                                NodeField                      &positions,
                                NodeField                      &velocities,
-                               std::vector<Sums>              &sums)
+                               std::vector<BodySums>          &sums)
   {
     for (Group &group : groups_)
       {

@@ -86,7 +86,7 @@ namespace vfife
                        state_.partition.first_local_node[b + 1],
                        dt,
                        BodyDamping(),
-                       ConstraintMotion::axis_of(model_.bodies[b]),
+                       UpdateAxis::of(model_.bodies[b]),
                        state_.partition.owned.data(),
                        forces_.data(),
                        positions_.data(),

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/dynamics/motion/constraint_motion.h>
 #include <vfife/dynamics/motion/nodal_update.h>
 #include <vfife/element/frame.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
@@ -126,7 +125,7 @@ namespace vfife
                      partition.first_local_node[b + 1],
                      0.5 * operator_.limiting_element().stable_step(),
                      damping,
-                     ConstraintMotion::axis_of(body),
+                     UpdateAxis::of(body),
                      partition.owned.data(),
                      forces_.data(),
                      positions_.data(),

@@ -2,7 +2,7 @@
 #ifndef vfife_dynamics_loads_contact_system_h
 #define vfife_dynamics_loads_contact_system_h
 
-#include <vfife/dynamics/motion/nodal_update.h>
+#include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/model/state.h>
 
 #include <array>

@@ -60,18 +60,10 @@ namespace vfife
     /** Remembers the old positions and velocities, before update_nodes(). */
     void save(const NodeField &positions, const NodeField &velocities);
 
-    /** Power and moments of the constrained nodes of one body in one step; drive_power is done on
-     * the body. */
-    struct Sums
-    {
-      UpdateSums update;
-      double     drive_power  = 0; ///< [mJ/s]
-      double     drive_torque = 0; ///< about the axis [N mm]
-    };
-
     /**
      * Moves the constrained nodes from the saved state at @p time to time + dt. @p damping: one
-     * entry a body. Adds to @p sums (one a body). Collective where there is a rigid hub.
+     * entry a body. Adds power and moments of the constrained nodes to @p sums (one a body).
+     * Collective where there is a rigid hub.
      */
     void apply(double                          time,
                double                          dt,
@@ -80,7 +72,7 @@ namespace vfife
                const NodeField                &forces,
                NodeField                      &positions,
                NodeField                      &velocities,
-               std::vector<Sums>              &sums);
+               std::vector<BodySums>          &sums);
 
     /** Adds momentum and inertia of the constrained nodes in the present state to @p sums (one a
      * body). */
@@ -89,9 +81,6 @@ namespace vfife
     /** Leaves of the forces at constrained nodes the tangential part where the node may turn (@p
      * rotation_is_free), of a rigid hub its share of the hub's torque; else nothing. Collective. */
     void project(const NodeField &positions, NodeField &forces, bool rotation_is_free) const;
-
-    /** The line of update sums for a body. */
-    static UpdateAxis axis_of(const Body &body);
 
   private:
     struct Node
@@ -148,7 +137,7 @@ namespace vfife
                          const Vector3     &x,
                          const Vector3     &v,
                          const UpdateAxis  &axis,
-                         Sums              &sums);
+                         BodySums          &sums);
 
     const Communicator     &communicator_;
     std::vector<Group>      groups_;
