@@ -13,7 +13,7 @@ namespace
 {
   void set_velocity(State &state, const std::uint32_t i, const Vector3 &v)
   {
-    Eigen::Map<Vector3>(state.velocity.data() + 4 * static_cast<std::size_t>(i)) = v;
+    state.velocity.set(i, v);
   }
 
   void tumble()

@@ -133,20 +133,19 @@ namespace
     VfifeOperator      vfife(model, frame, stiffness, alone);
 
     // Turned far and strained by about a percent.
-    const Partition    &partition = vfife.partition();
-    const Matrix3       turn      = rotation_about(Vector3(1, -2, 2) / 3., 2.);
-    std::vector<double> positions(vfife.array_size(), 0.), forces(vfife.array_size(), 1.);
+    const Partition &partition = vfife.partition();
+    const Matrix3    turn      = rotation_about(Vector3(1, -2, 2) / 3., 2.);
+    NodeField        positions = vfife.make_field(), forces = vfife.make_field();
     for (unsigned int b = 0; b < 2; ++b)
       for (unsigned int i = 0; i < model.bodies[b].n_nodes(); ++i)
-        Eigen::Map<Vector3>(
-          positions.data() +
-          4 * static_cast<std::size_t>(partition.local_node[model.bodies[b].first_node + i])) =
-          turn * (model.bodies[b].node_positions()[i] + 0.005 * random_vector()) +
-          Vector3(40, -20, 10);
-    vfife.compute_internal_forces(positions.data(), forces.data());
-    std::vector<double> measured(vfife.array_size(), 1.);
-    const double        energy =
-      vfife.measure_internal_forces(positions.data(), measured.data()).strain_energy;
+        positions.set(partition.local_node[model.bodies[b].first_node + i],
+                      turn * (model.bodies[b].node_positions()[i] + 0.005 * random_vector()) +
+                        Vector3(40, -20, 10));
+    for (std::size_t i = 0; i < forces.n_nodes(); ++i)
+      forces.set(i, Vector3::Ones()); // is overwritten
+    NodeField measured = forces;
+    vfife.compute_internal_forces(positions, forces);
+    const double energy = vfife.measure_internal_forces(positions, measured).strain_energy;
 
     std::vector<Vector3> reference(partition.n_local(), Vector3::Zero());
     std::vector<double>  masses(partition.n_local(), 0.);
@@ -160,8 +159,7 @@ namespace
           for (unsigned int i = 0; i < 8; ++i)
             {
               local[i] = partition.local_node[body.first_node + body.elements()[e][i]];
-              x.col(i) = Eigen::Map<const Vector3>(positions.data() +
-                                                   4 * static_cast<std::size_t>(local[i]));
+              x.col(i) = positions.value(local[i]);
             }
           const Matrix24        K = compute_stiffness(X, material, stiffness);
           const HexahedronNodes f = compute_internal_forces(K, X, x, frame);
@@ -177,11 +175,7 @@ namespace
     double error = 0, mass_error = 0;
     for (std::uint32_t i = 0; i < partition.n_local(); ++i)
       {
-        error =
-          std::max(error,
-                   (Eigen::Map<const Vector3>(forces.data() + 4 * static_cast<std::size_t>(i)) -
-                    reference[i])
-                     .norm());
+        error      = std::max(error, (forces.value(i) - reference[i]).norm());
         mass_error = std::max(mass_error, std::abs(vfife.masses()[i] / masses[i] - 1));
       }
     // Coordinates of 50 mm in cells of 1 mm strained by 1e-2 lose four digits of sixteen.

@@ -63,9 +63,7 @@ int main(int argc, char **argv)
     for (unsigned int b = 0; b < 2; ++b)
       {
         Vector3 p = Vector3::Zero();
-        for (std::uint32_t i = state.partition.first_local_node[b];
-             i < state.partition.first_local_node[b + 1];
-             ++i)
+        for (const std::uint32_t i : state.partition.nodes(b))
           p += masses[i] * state.node_velocity(i);
         velocity[b] = p[0] / mass;
         total += p;

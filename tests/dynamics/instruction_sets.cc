@@ -126,19 +126,21 @@ namespace
   {
     const Communicator alone(MPI_COMM_SELF);
     VfifeOperator vfife(model, FrameKind::polar, StiffnessKind::incompatible_modes, alone, layout);
-    const Partition    &partition = vfife.partition();
-    std::vector<double> positions(vfife.array_size(), 0.), forces(vfife.array_size());
-    const Matrix3       turn = rotation_about(Vector3(1, -2, 2) / 3., 2.);
-    for (std::size_t i = 0; i < partition.n_local(); ++i)
+    const Partition &partition = vfife.partition();
+    NodeField        positions = vfife.make_field(), forces = vfife.make_field();
+    const Matrix3    turn = rotation_about(Vector3(1, -2, 2) / 3., 2.);
+    for (const std::uint32_t i : partition.nodes())
       {
         const Vector3 X = model.bodies[0].node_positions()[partition.global_node[i]];
-        Eigen::Map<Vector3>(positions.data() + 4 * i) =
-          turn * (X + strain * Vector3(std::sin(X[1]), std::sin(2 * X[2]), std::cos(X[0])));
+        positions.set(i,
+                      turn *
+                        (X + strain * Vector3(std::sin(X[1]), std::sin(2 * X[2]), std::cos(X[0]))));
       }
-    vfife.compute_internal_forces(positions.data(), forces.data());
+    vfife.compute_internal_forces(positions, forces);
     std::vector<double> sorted;
     for (const std::uint32_t local : partition.local_node)
-      sorted.insert(sorted.end(), &forces[4 * local], &forces[4 * local] + 3);
+      for (unsigned int c = 0; c < 3; ++c)
+        sorted.push_back(forces.value(local)[c]);
     return sorted;
   }
 

@@ -63,28 +63,24 @@ int main(int argc, char **argv)
       velocity[n] = rate * (cylindrical * field.slope);
       acceleration[n] =
         rate * rate * (cylindrical * (field.curvature + 2. * Vector3::UnitZ().cross(field.slope)));
-      const std::uint32_t i = run.state.partition.local_node[n];
-      Eigen::Map<Vector3>(run.state.position.data() + 4 * static_cast<std::size_t>(i)) =
-        placement(x) + cylindrical * field.value;
+      run.state.position.set(run.state.partition.local_node[n],
+                             placement(x) + cylindrical * field.value);
     }
 
   StandingPattern pattern(model, run.communicator);
   pattern.update(run.state);
-  const std::size_t         size = run.state.position.size();
-  std::vector<double>       velocities(size, 0.), forces(size, 0.);
-  const std::vector<double> masses(size / 4, 2.);
+  const std::size_t         size = run.state.position.n_nodes();
+  NodeField                 velocities(size), forces(size);
+  const std::vector<double> masses(size, 2.);
   pattern.add_velocities(velocities);
   pattern.add_forces(masses, forces);
   double wrong_velocity = 0., wrong_force = 0., largest = 0.;
   for (unsigned int n = 0; n < body.n_nodes(); ++n)
     {
-      const std::size_t i = 4 * static_cast<std::size_t>(run.state.partition.local_node[n]);
-      largest             = std::max(largest, velocity[n].norm());
-      wrong_velocity =
-        std::max(wrong_velocity, (Eigen::Map<Vector3>(velocities.data() + i) - velocity[n]).norm());
-      wrong_force =
-        std::max(wrong_force,
-                 (Eigen::Map<Vector3>(forces.data() + i) + 2. * acceleration[n]).norm());
+      const std::uint32_t i = run.state.partition.local_node[n];
+      largest               = std::max(largest, velocity[n].norm());
+      wrong_velocity        = std::max(wrong_velocity, (velocities.value(i) - velocity[n]).norm());
+      wrong_force = std::max(wrong_force, (forces.value(i) + 2. * acceleration[n]).norm());
     }
   // error of the fourth-order differences, (waves h)^4/30 with h = 2 pi/27
   const double error = std::pow(waves * 2. * pi / 27., 4) / 30.;

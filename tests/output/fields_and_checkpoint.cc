@@ -94,8 +94,7 @@ namespace
   {
     State state;
     state.partition = make_partition(model, rank, size);
-    state.position.assign(4 * state.partition.n_local(), 0.);
-    state.velocity = state.contact_force = state.position;
+    state.position = state.velocity = state.contact_force = NodeField(state.partition.n_local());
     for (std::size_t i = 0; i < state.partition.n_local(); ++i)
       {
         const unsigned int node = state.partition.global_node[i];
@@ -111,11 +110,8 @@ namespace
           }
         else
           x[0] *= 1 + strain;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            state.position[4 * i + c] = x[c];
-            state.velocity[4 * i + c] = v[c];
-          }
+        state.position.set(i, x);
+        state.velocity.set(i, v);
       }
     state.time = 1e-3;
     state.step = 100;
@@ -161,7 +157,7 @@ namespace
   void check_fields(const Model &model, State state, const OutputFolder &folder)
   {
     for (std::size_t i = 0; i < state.partition.n_local(); ++i)
-      state.contact_force[4 * i] = 1;
+      state.contact_force.set(i, Vector3::UnitX());
     FieldWriter writer(folder, model, 50, StiffnessKind::incompatible_modes, FrameKind::polar);
     check("fields: due", writer.due(state) || !folder.is_writer());
     writer.observe(model, state);

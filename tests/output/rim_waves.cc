@@ -49,6 +49,7 @@ namespace
     now.rotation    = turn * ring.placement.rotation;
     now.translation = ring.axis.point;
     state.body_motion.push_back(now);
+    state.position = state.velocity = NodeField(n);
     for (unsigned int i = 0; i < n; ++i)
       {
         state.partition.global_node.push_back(i);
@@ -61,9 +62,8 @@ namespace
           Vector3(3, 2 * std::sin(10 * alpha), 5 * std::cos(alpha) - 4 * std::sin(3 * alpha));
         const Vector3 moved = ring.placement.rotation * (X + compute_cylindrical_axes(ring, X) * u);
         const Vector3 x     = ring.axis.point + turn * moved;
-        state.position.insert(state.position.end(), {x[0], x[1], x[2], 0.});
+        state.position.set(i, x);
       }
-    state.velocity.assign(4 * n, 0.);
     state.time = 1e-3;
     state.step = 10;
     return state;

@@ -3,6 +3,8 @@
 #define vfife_model_state_h
 
 #include <vfife/base/types.h>
+#include <vfife/model/node_field.h>
+#include <vfife/model/partition.h>
 
 #include <array>
 #include <cstdint>
@@ -11,23 +13,6 @@
 
 namespace vfife
 {
-  /** Which nodes and elements this rank holds. Local nodes are grouped by body. */
-  struct Partition
-  {
-    std::vector<std::uint32_t> global_node;      ///< local node -> node of the model
-    std::vector<std::uint32_t> local_node;       ///< node of the model -> local node, or absent
-    std::vector<std::uint8_t>  owned;            ///< 1 where this rank counts the node in sums
-    std::vector<std::uint32_t> first_local_node; ///< per body, and one past the last
-    std::vector<std::uint32_t> elements;         ///< elements of the model, sorted
-
-    static constexpr std::uint32_t absent = static_cast<std::uint32_t>(-1);
-
-    std::size_t n_local() const
-    {
-      return global_node.size();
-    }
-  };
-
   /** Energies since the start of the run [mJ]. Work is counted as received by the bodies,
    * dissipation as lost. */
   struct EnergyLedger
@@ -115,19 +100,17 @@ namespace vfife
   };
 
   /**
-   * The moving part of a run on this rank. Records of four doubles a local node: position [x y z
-   * 1/m], velocity [vx vy vz m] (1/m and m are 0 at constrained nodes). Positions are at `time`,
-   * velocities at time - dt/2.
+   * The moving part of a run on this rank. Positions are at `time`, velocities at time - dt/2.
    */
   struct State
   {
-    double              time = 0; ///< [s]
-    std::uint64_t       step = 0;
-    double              dt   = 0; ///< [s]
-    Partition           partition;
-    std::vector<double> position, velocity;
-    std::vector<double> contact_force; ///< [fx fy fz 0] a local node [N], valid when an observer
-                                       ///< asked for this instant
+    double        time = 0; ///< [s]
+    std::uint64_t step = 0;
+    double        dt   = 0; ///< [s]
+    Partition     partition;
+    NodeField     position;      ///< [mm]; number: 1/m [1/t], 0 at constrained nodes
+    NodeField     velocity;      ///< [mm/s]; number: m [t], 0 at constrained nodes
+    NodeField     contact_force; ///< [N], valid when an observer asked for this instant
     /** Mean rigid motion of each body, body frame -> fixed frame now: its momentum's rotation,
      * integrated. */
     std::vector<RigidMotion> body_motion;
@@ -135,11 +118,11 @@ namespace vfife
 
     Vector3 node_position(const std::uint32_t local) const
     {
-      return {position[4 * local], position[4 * local + 1], position[4 * local + 2]};
+      return position.value(local);
     }
     Vector3 node_velocity(const std::uint32_t local) const
     {
-      return {velocity[4 * local], velocity[4 * local + 1], velocity[4 * local + 2]};
+      return velocity.value(local);
     }
   };
 } // namespace vfife

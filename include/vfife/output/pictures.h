@@ -10,9 +10,9 @@ namespace vfife
   /**
    * Draws plots and pictures of the run whose results are in @p folder, into its subfolder
    * "pictures", and writes report.html, by make_report.py of share/vfife/report (in a build tree:
-   * source/report). It is run by the first Python, of PATH and /usr/bin, that has numpy, matplotlib,
-   * Jinja2 and meshio. Works on the writing rank only and waits for the script. Nothing is thrown: where
-   * pictures cannot be drawn, a line of @p log says why.
+   * source/report). It is run by the first Python, of PATH and /usr/bin, that has numpy,
+   * matplotlib, Jinja2 and meshio. Works on the writing rank only and waits for the script. Nothing
+   * is thrown: where pictures cannot be drawn, a line of @p log says why.
    */
   void draw_pictures(const OutputFolder &folder, Log &log);
 } // namespace vfife

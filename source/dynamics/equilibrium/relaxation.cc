@@ -42,20 +42,18 @@ namespace vfife
     /** The sums over this rank's nodes. */
     StepSums add_steps(const Partition           &partition,
                        const std::vector<double> &masses,
-                       const std::vector<double> &velocity,
-                       const std::vector<double> &previous_forces,
-                       const std::vector<double> &forces)
+                       const NodeField           &velocity,
+                       const NodeField           &previous_forces,
+                       const NodeField           &forces)
     {
       StepSums sums;
-      for (std::size_t i = 0; i < partition.n_local(); ++i)
-        if (partition.owned[i])
-          {
-            const Eigen::Map<const Vector3> f(forces.data() + 4 * i),
-              f_old(previous_forces.data() + 4 * i), v(velocity.data() + 4 * i);
-            sums.force_square() += f.squaredNorm();
-            sums.work_of_change() -= v.dot(f - f_old);
-            sums.kinetic() += masses[i] * v.squaredNorm();
-          }
+      for (const std::uint32_t i : partition.owned_nodes())
+        {
+          const Vector3 f = forces.value(i), v = velocity.value(i);
+          sums.force_square() += f.squaredNorm();
+          sums.work_of_change() -= v.dot(f - previous_forces.value(i));
+          sums.kinetic() += masses[i] * v.squaredNorm();
+        }
       return sums;
     }
   } // namespace
@@ -76,20 +74,20 @@ namespace vfife
     , log_(log)
     , torques_(model, vfife.partition())
     , loads_(model, vfife, communicator)
-    , forces_(vfife.array_size())
-    , no_velocity_(vfife.array_size(), 0.)
+    , forces_(vfife.make_field())
+    , no_velocity_(vfife.make_field())
   {
   }
 
-  void Relaxation::add_applied(const State &state, const Loads &loads, std::vector<double> &forces)
+  void Relaxation::add_applied(const State &state, const Loads &loads, NodeField &forces)
   {
-    torques_.add_part(loads.torque, state.position.data(), forces.data());
+    torques_.add_part(loads.torque, state.position, forces);
     if (loads.pattern != nullptr)
       loads.pattern->add_forces(operator_.masses(), forces);
     if (loads.part)
-      loads_.add_part(*loads.part, state.position.data(), forces.data());
+      loads_.add_part(*loads.part, state.position, forces);
     else
-      loads_.add_forces(0., state.position.data(), forces.data());
+      loads_.add_forces(0., state.position, forces);
     if (!loads.centrifugal)
       return;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
@@ -97,23 +95,21 @@ namespace vfife
         const Axis  &axis   = model_.bodies[b].axis;
         const double square = model_.bodies[b].rate * model_.bodies[b].rate;
         if (square > 0)
-          for (std::uint32_t i = state.partition.first_local_node[b];
-               i < state.partition.first_local_node[b + 1];
-               ++i)
+          for (const std::uint32_t i : state.partition.nodes(b))
             {
               const Vector3 r = state.node_position(i) - axis.point;
-              Eigen::Map<Vector3>(forces.data() + 4 * static_cast<std::size_t>(i)) +=
-                operator_.masses()[i] * square * (r - axis.direction.dot(r) * axis.direction);
+              forces.add(i,
+                         operator_.masses()[i] * square *
+                           (r - axis.direction.dot(r) * axis.direction));
             }
       }
   }
 
-  double Relaxation::norm(const std::vector<double> &forces, const Partition &partition) const
+  double Relaxation::norm(const NodeField &forces, const Partition &partition) const
   {
     double sum = 0;
-    for (std::size_t i = 0; i < partition.n_local(); ++i)
-      if (partition.owned[i])
-        sum += Eigen::Map<const Vector3>(forces.data() + 4 * i).squaredNorm();
+    for (const std::uint32_t i : partition.owned_nodes())
+      sum += forces.value(i).squaredNorm();
     return std::sqrt(communicator_.sum(sum));
   }
 
@@ -137,32 +133,31 @@ namespace vfife
     return masses;
   }
 
-  void Relaxation::add_contact(State &state, const bool search, std::vector<double> &forces)
+  void Relaxation::add_contact(State &state, const bool search, NodeField &forces)
   {
     const std::vector<RigidVelocity> at_rest(model_.bodies.size());
     if (search)
-      contact_.search(state.body_motion, at_rest, state.position.data(), 0.);
-    contact_.add_forces(
-      state.body_motion, state.position.data(), no_velocity_.data(), state.dt, forces.data());
-    walls_.add_forces(state.position.data(), forces.data());
+      contact_.search(state.body_motion, at_rest, state.position, 0.);
+    contact_.add_forces(state.body_motion, state.position, no_velocity_, state.dt, forces);
+    walls_.add_forces(state.position, forces);
   }
 
-  void Relaxation::compute_forces(State &state, const Loads &loads, std::vector<double> &forces)
+  NodeField Relaxation::compute_forces(State &state, const Loads &loads)
   {
-    forces.resize(operator_.array_size());
-    operator_.compute_internal_forces(state.position.data(), forces.data());
+    NodeField forces = operator_.make_field();
+    operator_.compute_internal_forces(state.position, forces);
     if (loads.contact)
       add_contact(state, true, forces);
     add_applied(state, loads, forces);
     ConstraintMotion(model_, state.partition, communicator_)
-      .project(state.position.data(), forces.data(), !loads.hold_rotation);
+      .project(state.position, forces, !loads.hold_rotation);
+    return forces;
   }
 
-  double Relaxation::compute_residual(const State               &state,
-                                      const Loads               &loads,
-                                      const std::vector<double> &forces)
+  double
+  Relaxation::compute_residual(const State &state, const Loads &loads, const NodeField &forces)
   {
-    std::vector<double> applied(operator_.array_size(), 0.);
+    NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
     const double round_off = compute_round_off(state, compute_masses(loads, state.dt));
     return norm(forces, state.partition) /
@@ -179,25 +174,25 @@ namespace vfife
 
   void Relaxation::place(State &state, ConstraintMotion &constraints) const
   {
-    const std::vector<double>           zero(state.position.size(), 0.);
-    std::vector<double>                 velocity = zero;
-    std::vector<ConstraintMotion::Sums> ignored(model_.bodies.size());
-    constraints.save(state.position.data(), velocity.data());
+    const NodeField       zero     = operator_.make_field();
+    NodeField             velocity = zero;
+    std::vector<BodySums> ignored(model_.bodies.size());
+    constraints.save(state.position, velocity);
     constraints.apply(0.,
                       1.,
                       MotionFrame::rotating,
                       std::vector<BodyDamping>(model_.bodies.size()),
-                      zero.data(),
-                      state.position.data(),
-                      velocity.data(),
+                      zero,
+                      state.position,
+                      velocity,
                       ignored);
   }
 
   double Relaxation::compute_round_off(const State &state, const std::vector<double> &masses) const
   {
-    std::vector<double> forces(operator_.array_size(), 0.);
-    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
-      Eigen::Map<Vector3>(forces.data() + 4 * i) = masses[i] * state.node_position(i);
+    NodeField forces = operator_.make_field();
+    for (const std::uint32_t i : state.partition.nodes())
+      forces.set(i, masses[i] * state.node_position(i));
     return 4. * std::numeric_limits<double>::epsilon() * norm(forces, state.partition);
   }
 
@@ -217,22 +212,22 @@ namespace vfife
     // equilibrium in the old place.
     place(state, constraints);
 
-    std::vector<double> applied(operator_.array_size(), 0.);
+    NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
     const double applied_norm = norm(applied, state.partition),
                  round_off    = compute_round_off(state, masses);
 
-    std::vector<double> velocity(operator_.array_size(), 0.), previous(operator_.array_size(), 0.);
-    const bool          adaptive = !(options_.virtual_damping > 0);
-    double              damping  = adaptive ? 1. : options_.virtual_damping * state.dt;
-    RelaxationReport    report;
-    std::string         history;
+    NodeField        velocity = operator_.make_field(), previous = operator_.make_field();
+    const bool       adaptive = !(options_.virtual_damping > 0);
+    double           damping  = adaptive ? 1. : options_.virtual_damping * state.dt;
+    RelaxationReport report;
+    std::string      history;
     for (;; ++report.steps)
       {
         const bool searches = report.steps % search_interval == 0;
         if (searches)
           constraints.turn_bodies(model_, state);
-        operator_.compute_internal_forces(state.position.data(), forces_.data());
+        operator_.compute_internal_forces(state.position, forces_);
         if (loads.contact)
           add_contact(state, searches, forces_);
         add_applied(state, loads, forces_);
@@ -241,7 +236,7 @@ namespace vfife
         const double reference =
           std::max(applied_norm > round_off ? applied_norm : norm(forces_, state.partition),
                    round_off / options_.tolerance);
-        constraints.project(state.position.data(), forces_.data(), !loads.hold_rotation);
+        constraints.project(state.position, forces_, !loads.hold_rotation);
 
         StepSums sums = add_steps(state.partition, masses, velocity, previous, forces_);
         communicator_.sum(sums.values);
@@ -281,28 +276,28 @@ namespace vfife
                         const std::vector<double> &masses,
                         const double               damping,
                         ConstraintMotion          &constraints,
-                        std::vector<double>       &velocity)
+                        NodeField                 &velocity)
   {
-    constraints.save(state.position.data(), velocity.data());
+    constraints.save(state.position, velocity);
     const double keep = (1. - 0.5 * damping) / (1. + 0.5 * damping),
                  gain = 1. / (1. + 0.5 * damping);
-    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
-      for (std::size_t k = 4 * i; k < 4 * i + 3; ++k)
-        {
-          velocity[k] = keep * velocity[k] + gain * forces_[k] / masses[i];
-          state.position[k] += velocity[k];
-        }
+    for (const std::uint32_t i : state.partition.nodes())
+      {
+        const Vector3 v = keep * velocity.value(i) + gain * forces_.value(i) / masses[i];
+        velocity.set(i, v);
+        state.position.add(i, v);
+      }
 
     BodyDamping virtual_damping;
     virtual_damping.zeta = damping;
-    std::vector<ConstraintMotion::Sums> ignored(model_.bodies.size());
+    std::vector<BodySums> ignored(model_.bodies.size());
     constraints.apply(0.,
                       1.,
                       MotionFrame::rotating,
                       std::vector<BodyDamping>(model_.bodies.size(), virtual_damping),
-                      forces_.data(),
-                      state.position.data(),
-                      velocity.data(),
+                      forces_,
+                      state.position,
+                      velocity,
                       ignored);
   }
 } // namespace vfife

@@ -36,15 +36,11 @@ namespace vfife
         const Body &body = model_.bodies[b];
         if (!has_pattern(body))
           continue;
-        const std::uint32_t first = partition.first_local_node[b],
-                            last  = partition.first_local_node[b + 1];
         // Neighbouring sectors may be on other ranks: everybody gets the whole body, once.
         std::vector<double> positions(3 * static_cast<std::size_t>(body.n_nodes()), 0.);
-        for (std::uint32_t i = first; i < last; ++i)
-          if (partition.owned[i])
-            Eigen::Map<Vector3>(positions.data() +
-                                3 * (partition.global_node[i] - body.first_node)) =
-              state.node_position(i) - body.axis.point;
+        for (const std::uint32_t i : partition.owned_nodes(b))
+          Eigen::Map<Vector3>(positions.data() + 3 * (partition.global_node[i] - body.first_node)) =
+            state.node_position(i) - body.axis.point;
         communicator_.sum(positions);
 
         // Sectors follow each other in the positive sense of the mesh's z axis.
@@ -57,7 +53,7 @@ namespace vfife
         for (unsigned int s = 0; s < back.size(); ++s)
           back[s] = rotation_about(axis, -angle * (static_cast<double>(s) - reach));
 
-        for (std::uint32_t i = first; i < last; ++i)
+        for (const std::uint32_t i : partition.nodes(b))
           {
             const unsigned int node   = partition.global_node[i] - body.first_node;
             const unsigned int sector = node / per_sector;
@@ -79,20 +75,17 @@ namespace vfife
   }
 
 
-  void StandingPattern::add_forces(const std::vector<double> &masses,
-                                   std::vector<double>       &forces) const
+  void StandingPattern::add_forces(const std::vector<double> &masses, NodeField &forces) const
   {
     for (const Node &node : nodes_)
-      Eigen::Map<Vector3>(forces.data() + 4 * static_cast<std::size_t>(node.local)) -=
-        masses[node.local] * node.acceleration;
+      forces.add(node.local, -masses[node.local] * node.acceleration);
   }
 
 
-  void StandingPattern::add_velocities(std::vector<double> &velocities) const
+  void StandingPattern::add_velocities(NodeField &velocities) const
   {
     for (const Node &node : nodes_)
-      Eigen::Map<Vector3>(velocities.data() + 4 * static_cast<std::size_t>(node.local)) +=
-        node.velocity;
+      velocities.add(node.local, node.velocity);
   }
 
 

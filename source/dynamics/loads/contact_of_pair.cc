@@ -44,51 +44,44 @@ namespace vfife
 
   double ContactSide::largest_deformation(const Partition   &partition,
                                           const RigidMotion &motion,
-                                          const double      *all_positions) const
+                                          const NodeField   &all_positions) const
   {
     double largest = 0.;
     for (std::size_t i = 0; i < local.size(); ++i)
       if (local[i] != Partition::absent && partition.owned[local[i]])
-        {
-          const Vector3 x =
-            Eigen::Map<const Vector3>(all_positions + 4 * static_cast<std::size_t>(local[i]));
-          largest = std::max(largest, (x - motion(surface->positions[i])).squaredNorm());
-        }
+        largest =
+          std::max(largest,
+                   (all_positions.value(local[i]) - motion(surface->positions[i])).squaredNorm());
     return std::sqrt(largest);
   }
 
   void ContactSide::collect_motion(const Partition &partition,
-                                   const double    *local_positions,
-                                   const double    *local_velocities,
+                                   const NodeField &local_positions,
+                                   const NodeField &local_velocities,
                                    const bool       with_velocities)
   {
     for (const unsigned int i : *active)
       {
         const std::uint32_t node  = local[i];
         const bool          owned = node != Partition::absent && partition.owned[node];
-        const std::size_t   from  = owned ? 4 * static_cast<std::size_t>(node) : 0;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            positions[3 * i + c] = owned ? local_positions[from + c] : 0.;
-            forces[3 * i + c]    = 0.;
-          }
+        const auto          take  = [&](const NodeField &from, std::vector<double> &to) {
+          Eigen::Map<Vector3>(to.data() + 3 * i) = owned ? from.value(node) : Vector3(0, 0, 0);
+        };
+        take(local_positions, positions);
         if (with_velocities)
-          for (unsigned int c = 0; c < 3; ++c)
-            velocities[3 * i + c] = owned ? local_velocities[from + c] : 0.;
+          take(local_velocities, velocities);
+        std::fill_n(forces.data() + 3 * i, 3, 0.);
       }
   }
 
-  void ContactSide::distribute_forces(double *local_forces) const
+  void ContactSide::distribute_forces(NodeField &local_forces) const
   {
     for (const unsigned int i : *active)
       {
         // Few active nodes carry force: the others' places in the large array are not touched.
-        const double *f = forces.data() + 3 * static_cast<std::size_t>(i);
-        if (local[i] == Partition::absent || (f[0] == 0. && f[1] == 0. && f[2] == 0.))
-          continue;
-        double *target = local_forces + 4 * static_cast<std::size_t>(local[i]);
-        for (unsigned int c = 0; c < 3; ++c)
-          target[c] += f[c];
+        const Eigen::Map<const Vector3> f(forces.data() + 3 * static_cast<std::size_t>(i));
+        if (local[i] != Partition::absent && !(f[0] == 0. && f[1] == 0. && f[2] == 0.))
+          local_forces.add(local[i], f);
       }
   }
 

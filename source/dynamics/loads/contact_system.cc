@@ -106,7 +106,7 @@ namespace vfife
 
   void ContactSystem::search(const std::vector<RigidMotion>   &body_motion,
                              const std::vector<RigidVelocity> &rates,
-                             const double                     *positions,
+                             const NodeField                  &positions,
                              const double                      duration)
   {
     if (pairs_.empty())
@@ -144,10 +144,10 @@ namespace vfife
   }
 
   void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,
-                                 const double                   *positions,
-                                 const double                   *velocities,
+                                 const NodeField                &positions,
+                                 const NodeField                &velocities,
                                  const double                    dt,
-                                 double                         *forces)
+                                 NodeField                      &forces)
   {
     if (pairs_.empty())
       return;

@@ -9,19 +9,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    Vector3 record(const double *values, const std::uint32_t local)
-    {
-      return Eigen::Map<const Vector3>(values + 4 * static_cast<std::size_t>(local));
-    }
-
-    void add_record(double *values, const std::uint32_t local, const Vector3 &v)
-    {
-      Eigen::Map<Vector3>(values + 4 * static_cast<std::size_t>(local)) += v;
-    }
-  } // namespace
-
   NodalLoads::NodalLoads(const Model &model, VfifeOperator &vfife, const Communicator &communicator)
     : model_(model)
     , operator_(vfife)
@@ -55,9 +42,9 @@ namespace vfife
         groups_.push_back(std::move(group));
       }
     if (!groups_.empty())
-      forces_.assign(vfife.array_size(), 0.);
+      forces_ = vfife.make_field();
     if (has_pressure_)
-      face_forces_.assign(vfife.array_size(), 0.);
+      face_forces_ = vfife.make_field();
   }
 
   void NodalLoads::add_faces(const Load &load, Group &group) const
@@ -90,34 +77,33 @@ namespace vfife
             group.load->vector.maxCoeff() * node.weight / (4 * fraction * fraction);
   }
 
-  void NodalLoads::add_moment(const Group &group, const Vector3 &moment, const double *positions)
+  void NodalLoads::add_moment(const Group &group, const Vector3 &moment, const NodeField &positions)
   {
     MomentSums sums;
     for (const Node &node : group.nodes)
       if (node.owned)
-        sums.add(node.weight, record(positions, node.local));
+        sums.add(node.weight, positions.value(node.local));
     communicator_.sum(sums.values);
     const auto [centre, turn] = sums.solve(moment, group.load->name);
     for (const Node &node : group.nodes)
-      add_record(forces_.data(),
-                 node.local,
-                 node.weight * turn.cross(record(positions, node.local) - centre));
+      forces_.add(node.local, node.weight * turn.cross(positions.value(node.local) - centre));
   }
 
-  void NodalLoads::add_pressure(const Group &group, const double pressure, const double *positions)
+  void
+  NodalLoads::add_pressure(const Group &group, const double pressure, const NodeField &positions)
   {
     for (const Face &face : group.faces)
       {
         Vector3 x[4];
         for (unsigned int i = 0; i < 4; ++i)
-          x[i] = record(positions, face.local[i]);
+          x[i] = positions.value(face.local[i]);
         const Vector3 force = -0.25 * pressure * compute_vector_area(x[0], x[1], x[2], x[3]);
         for (const std::uint32_t local : face.local)
-          add_record(face_forces_.data(), local, force);
+          face_forces_.add(local, force);
       }
   }
 
-  void NodalLoads::add(const Group &group, const double factor, const double *positions)
+  void NodalLoads::add(const Group &group, const double factor, const NodeField &positions)
   {
     const Load &load = *group.load;
     switch (load.kind)
@@ -125,7 +111,7 @@ namespace vfife
       case LoadKind::force:
       case LoadKind::acceleration:
         for (const Node &node : group.nodes)
-          add_record(forces_.data(), node.local, factor * node.weight * load.vector);
+          forces_.add(node.local, factor * node.weight * load.vector);
         break;
       case LoadKind::moment:
         add_moment(group, factor * load.vector, positions);
@@ -138,18 +124,17 @@ namespace vfife
       }
   }
 
-  void NodalLoads::add_springs(const double *positions, double *forces) const
+  void NodalLoads::add_springs(const NodeField &positions, NodeField &forces) const
   {
     for (const Group &group : groups_)
       if (group.load->kind == LoadKind::spring)
         for (const Node &node : group.nodes)
-          add_record(forces,
-                     node.local,
+          forces.add(node.local,
                      -node.weight *
-                       group.load->vector.cwiseProduct(record(positions, node.local) - node.start));
+                       group.load->vector.cwiseProduct(positions.value(node.local) - node.start));
   }
 
-  double NodalLoads::compute_spring_energy(const double *positions) const
+  double NodalLoads::compute_spring_energy(const NodeField &positions) const
   {
     double energy = 0;
     for (const Group &group : groups_)
@@ -157,50 +142,48 @@ namespace vfife
         for (const Node &node : group.nodes)
           if (node.owned)
             {
-              const Vector3 way = record(positions, node.local) - node.start;
+              const Vector3 way = positions.value(node.local) - node.start;
               energy += 0.5 * node.weight * group.load->vector.dot(way.cwiseAbs2());
             }
     return communicator_.sum(energy);
   }
 
-  void NodalLoads::finish(const double *positions, double *forces)
+  void NodalLoads::finish(const NodeField &positions, NodeField &forces)
   {
     add_springs(positions, forces);
     if (has_pressure_)
       {
-        operator_.add_over_ranks(face_forces_.data());
-        for (std::size_t i = 0; i < forces_.size(); ++i)
-          forces_[i] += face_forces_[i];
-        std::fill(face_forces_.begin(), face_forces_.end(), 0.);
+        operator_.add_over_ranks(face_forces_);
+        forces_ += face_forces_;
+        face_forces_.set_zero();
       }
-    for (std::size_t i = 0; i < forces_.size(); ++i)
-      forces[i] += forces_[i];
+    if (!forces_.empty())
+      forces += forces_;
   }
 
-  void NodalLoads::add_forces(const double time, const double *positions, double *forces)
+  void NodalLoads::add_forces(const double time, const NodeField &positions, NodeField &forces)
   {
-    std::fill(forces_.begin(), forces_.end(), 0.);
+    forces_.set_zero();
     for (const Group &group : groups_)
       add(group, group.load->history.value(time), positions);
     finish(positions, forces);
   }
 
-  void NodalLoads::add_part(const double part, const double *positions, double *forces)
+  void NodalLoads::add_part(const double part, const NodeField &positions, NodeField &forces)
   {
-    std::fill(forces_.begin(), forces_.end(), 0.);
+    forces_.set_zero();
     for (const Group &group : groups_)
       add(group, part, positions);
     finish(positions, forces);
   }
 
-  double NodalLoads::half_power(const double *velocities) const
+  double NodalLoads::half_power(const NodeField &velocities) const
   {
     const Partition &partition = operator_.partition();
     double           power     = 0;
     if (!forces_.empty())
-      for (std::size_t i = 0; i < partition.n_local(); ++i)
-        if (partition.owned[i])
-          power += 0.5 * record(forces_.data(), i).dot(record(velocities, i));
+      for (const std::uint32_t i : partition.owned_nodes())
+        power += 0.5 * forces_.value(i).dot(velocities.value(i));
     return power;
   }
 } // namespace vfife

@@ -67,7 +67,7 @@ namespace vfife
         masses[node.local] += wall.penalty * node.area / (4 * fraction * fraction);
   }
 
-  void RigidWalls::add_forces(const double *positions, double *forces)
+  void RigidWalls::add_forces(const NodeField &positions, NodeField &forces)
   {
     for (Wall &wall : walls_)
       {
@@ -75,12 +75,11 @@ namespace vfife
         const Vector3 &n = wall.definition->normal, &p = wall.definition->point;
         for (const Node &node : wall.nodes)
           {
-            const std::size_t i     = 4 * static_cast<std::size_t>(node.local);
-            const double      depth = -n.dot(Eigen::Map<const Vector3>(positions + i) - p);
+            const double depth = -n.dot(positions.value(node.local) - p);
             if (!(depth > 0))
               continue;
             const double force = wall.penalty * node.area * depth;
-            Eigen::Map<Vector3>(forces + i) += force * n;
+            forces.add(node.local, force * n);
             wall.penetration = std::max(wall.penetration, depth);
             if (node.owned)
               {

@@ -26,21 +26,21 @@ namespace vfife
       }
   }
 
-  void
-  TorqueLoads::add(Load &load, const double torque, const double *positions, double *forces) const
+  void TorqueLoads::add(Load            &load,
+                        const double     torque,
+                        const NodeField &positions,
+                        NodeField       &forces) const
   {
     for (Node &node : load.nodes)
       {
-        const std::size_t i = 4 * static_cast<std::size_t>(node.local);
-        const Vector3     x(positions[i], positions[i + 1], positions[i + 2]);
-        const Vector3     tangent = load.axis.direction.cross(x - load.axis.point).normalized();
-        node.force                = (torque * node.area / load.area_moment) * tangent;
-        for (unsigned int c = 0; c < 3; ++c)
-          forces[i + c] += node.force[c];
+        const Vector3 r       = positions.value(node.local) - load.axis.point;
+        const Vector3 tangent = load.axis.direction.cross(r).normalized();
+        node.force            = (torque * node.area / load.area_moment) * tangent;
+        forces.add(node.local, node.force);
       }
   }
 
-  void TorqueLoads::add_forces(const double time, const double *positions, double *forces)
+  void TorqueLoads::add_forces(const double time, const NodeField &positions, NodeField &forces)
   {
     for (Load &load : loads_)
       add(load,
@@ -49,20 +49,19 @@ namespace vfife
           forces);
   }
 
-  void TorqueLoads::add_part(const double part, const double *positions, double *forces)
+  void TorqueLoads::add_part(const double part, const NodeField &positions, NodeField &forces)
   {
     for (Load &load : loads_)
       add(load, part * load.value, positions, forces);
   }
 
-  double TorqueLoads::half_power(const double *velocities) const
+  double TorqueLoads::half_power(const NodeField &velocities) const
   {
     double power = 0;
     for (const Load &load : loads_)
       for (const Node &node : load.nodes)
         if (node.owned)
-          power += 0.5 * node.force.dot(Eigen::Map<const Vector3>(
-                           velocities + 4 * static_cast<std::size_t>(node.local)));
+          power += 0.5 * node.force.dot(velocities.value(node.local));
     return power;
   }
 } // namespace vfife

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vfife
 {
@@ -41,7 +42,7 @@ namespace vfife
     , torques_(model, operator_.partition())
     , loads_(model, operator_, communicator)
     , walls_(model, operator_.partition(), communicator)
-    , forces_(operator_.array_size())
+    , forces_(operator_.make_field())
     , approach_(model)
     , contact_watch_(log)
     , element_step_(find_element_step(model, options.step_bound, operator_, communicator, log))
@@ -87,34 +88,31 @@ namespace vfife
     state.time      = 0;
     state.step      = 0;
     state.dt        = dt_;
-    state.position.assign(operator_.array_size(), 0.);
-    state.velocity.assign(operator_.array_size(), 0.);
+    state.position  = operator_.make_field();
+    state.velocity  = operator_.make_field();
     state.body_motion.clear();
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         const Body &body = model_.bodies[b];
         state.body_motion.push_back(body.placement);
-        for (std::uint32_t i = state.partition.first_local_node[b];
-             i < state.partition.first_local_node[b + 1];
-             ++i)
+        for (const std::uint32_t i : state.partition.nodes(b))
           {
-            const Vector3 x = body.placement(
-              body.node_positions()[state.partition.global_node[i] - body.first_node]);
-            Eigen::Map<Vector3>(state.position.data() + 4 * static_cast<std::size_t>(i)) = x;
-            state.position[4 * static_cast<std::size_t>(i) + 3] = 1. / operator_.masses()[i];
-            state.velocity[4 * static_cast<std::size_t>(i) + 3] = operator_.masses()[i];
+            state.position.set(
+              i,
+              body.placement(
+                body.node_positions()[state.partition.global_node[i] - body.first_node]));
+            state.position.set_number(i, 1. / operator_.masses()[i]);
+            state.velocity.set_number(i, operator_.masses()[i]);
           }
       }
     constraints_.clear_masses(state);
     set_rigid_velocities(state);
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       if (!model_.bodies[b].initial_velocity.empty())
-        for (std::uint32_t i = state.partition.first_local_node[b];
-             i < state.partition.first_local_node[b + 1];
-             ++i)
-          Eigen::Map<Vector3>(state.velocity.data() + 4 * static_cast<std::size_t>(i)) +=
-            model_.bodies[b]
-              .initial_velocity[state.partition.global_node[i] - model_.bodies[b].first_node];
+        for (const std::uint32_t i : state.partition.nodes(b))
+          state.velocity.add(i,
+                             model_.bodies[b].initial_velocity[state.partition.global_node[i] -
+                                                               model_.bodies[b].first_node]);
   }
 
   void ExplicitSolver::set_rigid_velocities(State &state) const
@@ -123,15 +121,12 @@ namespace vfife
       {
         const Body   &body = model_.bodies[b];
         const Matrix3 back = rotation_about(body.axis.direction, -body.rate * dt_);
-        for (std::uint32_t i = state.partition.first_local_node[b];
-             i < state.partition.first_local_node[b + 1];
-             ++i)
+        for (const std::uint32_t i : state.partition.nodes(b))
           {
             // The chord of the step before time zero: central differences then start without an
             // error of first order.
             const Vector3 r = state.node_position(i) - body.axis.point;
-            Eigen::Map<Vector3>(state.velocity.data() + 4 * static_cast<std::size_t>(i)) =
-              body.velocity + (r - back * r) / dt_;
+            state.velocity.set(i, body.velocity + (r - back * r) / dt_);
           }
       }
   }
@@ -140,20 +135,17 @@ namespace vfife
   {
     std::vector<UpdateSums> sums(model_.bodies.size());
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      for (std::uint32_t i = state.partition.first_local_node[b];
-           i < state.partition.first_local_node[b + 1];
-           ++i)
-        if (state.partition.owned[i])
-          add_node_moments(ConstraintMotion::axis_of(model_.bodies[b]),
-                           operator_.masses()[i],
-                           state.node_position(i),
-                           state.node_velocity(i),
-                           sums[b]);
+      for (const std::uint32_t i : state.partition.owned_nodes(b))
+        add_node_moments(UpdateAxis::of(model_.bodies[b]),
+                         operator_.masses()[i],
+                         state.node_position(i),
+                         state.node_velocity(i),
+                         sums[b]);
     std::vector<RigidVelocity> rates;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         sum_over_ranks(sums[b], communicator_);
-        rates.push_back(compute_momentum_rate(ConstraintMotion::axis_of(model_.bodies[b]),
+        rates.push_back(compute_momentum_rate(UpdateAxis::of(model_.bodies[b]),
                                               model_.bodies[b].mass(),
                                               sums[b]));
       }
@@ -182,26 +174,24 @@ namespace vfife
     {
       const auto scope = timers_.time(timers_.section("element forces"));
       if (measured)
-        measures_ = operator_.measure_internal_forces(state.position.data(), forces_.data());
+        measures_ = operator_.measure_internal_forces(state.position, forces_);
       else
-        operator_.compute_internal_forces(state.position.data(), forces_.data());
+        operator_.compute_internal_forces(state.position, forces_);
     }
     {
       const auto scope = timers_.time(timers_.section("contact"));
       if (state.step % search_interval == 0 || search_now_)
-        contact_.search(state.body_motion, rigid_, state.position.data(), search_interval * dt_);
+        contact_.search(state.body_motion, rigid_, state.position, search_interval * dt_);
       search_now_ = false;
       if (measured)
         state.contact_force = forces_;
-      contact_.add_forces(
-        state.body_motion, state.position.data(), state.velocity.data(), dt_, forces_.data());
+      contact_.add_forces(state.body_motion, state.position, state.velocity, dt_, forces_);
       if (measured)
-        for (std::size_t i = 0; i < forces_.size(); ++i)
-          state.contact_force[i] = forces_[i] - state.contact_force[i];
+        state.contact_force = forces_ - std::move(state.contact_force);
     }
-    walls_.add_forces(state.position.data(), forces_.data());
-    torques_.add_forces(state.time, state.position.data(), forces_.data());
-    loads_.add_forces(state.time, state.position.data(), forces_.data());
+    walls_.add_forces(state.position, forces_);
+    torques_.add_forces(state.time, state.position, forces_);
+    loads_.add_forces(state.time, state.position, forces_);
   }
 
   void ExplicitSolver::set_damping(const State &state)
@@ -231,17 +221,16 @@ namespace vfife
   {
     const auto scope = timers_.time(timers_.section("nodal update"));
     powers_          = StepPowers();
-    powers_.torque =
-      torques_.half_power(state.velocity.data()) + loads_.half_power(state.velocity.data());
-    constraints_.save(state.position.data(), state.velocity.data());
+    powers_.torque   = torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
+    constraints_.save(state.position, state.velocity);
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
-        sums_[b]        = ConstraintMotion::Sums();
+        sums_[b]        = BodySums();
         sums_[b].update = vfife::update_nodes(state.partition.first_local_node[b],
                                               state.partition.first_local_node[b + 1],
                                               dt_,
                                               damping_[b],
-                                              ConstraintMotion::axis_of(model_.bodies[b]),
+                                              UpdateAxis::of(model_.bodies[b]),
                                               state.partition.owned.data(),
                                               forces_.data(),
                                               state.position.data(),
@@ -251,12 +240,11 @@ namespace vfife
                        dt_,
                        MotionFrame::fixed,
                        damping_,
-                       forces_.data(),
-                       state.position.data(),
-                       state.velocity.data(),
+                       forces_,
+                       state.position,
+                       state.velocity,
                        sums_);
-    powers_.torque +=
-      torques_.half_power(state.velocity.data()) + loads_.half_power(state.velocity.data());
+    powers_.torque += torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
 
     drive_torque_  = 0;
     powers_.torque = communicator_.sum(powers_.torque);
@@ -276,8 +264,7 @@ namespace vfife
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         const Body &body = model_.bodies[b];
-        rigid_[b] =
-          compute_momentum_rate(ConstraintMotion::axis_of(body), body.mass(), sums_[b].update);
+        rigid_[b] = compute_momentum_rate(UpdateAxis::of(body), body.mass(), sums_[b].update);
         RigidMotion  &motion = state.body_motion[b];
         const Vector3 turn   = dt_ * rigid_[b].omega;
         const double  angle  = turn.norm();

@@ -10,25 +10,27 @@ namespace vfife
 {
   namespace
   {
-    /** Passes three numbers a node of the model out of, or into, the ranks' records of four. */
-    void pass_records(ByteStream          &stream,
-                      const Partition     &partition,
-                      const Communicator  &communicator,
-                      std::vector<double> &records)
+    /** Passes the vectors of a field by node of the model. */
+    void pass_vectors(ByteStream         &stream,
+                      const Partition    &partition,
+                      const Communicator &communicator,
+                      NodeField          &field)
     {
       std::vector<double> all(3 * partition.local_node.size(), 0.);
-      for (std::size_t i = 0; !stream.reads() && i < partition.n_local(); ++i)
-        if (partition.owned[i])
-          std::copy_n(&records[4 * i],
-                      3,
-                      &all[3 * static_cast<std::size_t>(partition.global_node[i])]);
+      const auto          place = [&](const std::uint32_t local) {
+        return Eigen::Map<Vector3>(all.data() +
+                                   3 * static_cast<std::size_t>(partition.global_node[local]));
+      };
       if (!stream.reads())
-        communicator.sum(all); // one owner a node: adding the others' zeros changes no digit
+        {
+          for (const std::uint32_t i : partition.owned_nodes())
+            place(i) = field.value(i);
+          communicator.sum(all); // one owner a node: adding the others' zeros changes no digit
+        }
       stream.pass(all);
-      for (std::size_t i = 0; stream.reads() && i < partition.n_local(); ++i)
-        std::copy_n(&all[3 * static_cast<std::size_t>(partition.global_node[i])],
-                    3,
-                    &records[4 * i]);
+      if (stream.reads())
+        for (const std::uint32_t i : partition.nodes())
+          field.set(i, place(i));
     }
   } // namespace
 
@@ -65,15 +67,15 @@ namespace vfife
     rigid_.resize(model_.bodies.size());
     rates_at_start_.resize(model_.bodies.size());
     audit_.assign(model_.bodies.size(), DampingAudit());
-    sums_.assign(model_.bodies.size(), ConstraintMotion::Sums());
+    sums_.assign(model_.bodies.size(), BodySums());
     damping_.assign(model_.bodies.size(), BodyDamping());
   }
 
   void ExplicitSolver::exchange(ByteStream &common, ByteStream *own, State &state)
   {
     common.pass(state.time, state.step, state.dt, first_step_, start_time_, state.body_motion);
-    pass_records(common, state.partition, communicator_, state.position);
-    pass_records(common, state.partition, communicator_, state.velocity);
+    pass_vectors(common, state.partition, communicator_, state.position);
+    pass_vectors(common, state.partition, communicator_, state.velocity);
     constraints_.exchange(common, state.partition);
     common.pass(ledger_, ledger_at_start_, audited_steps_, audited_samples_);
     common.pass(largest_approach_, has_touched_);

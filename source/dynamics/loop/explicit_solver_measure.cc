@@ -27,10 +27,9 @@ namespace vfife
       ledger_.kinetic += s.update.kinetic;
     ledger_.kinetic_relative = ledger_.kinetic;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      ledger_.kinetic_relative -=
-        compute_rigid_kinetic_energy(ConstraintMotion::axis_of(model_.bodies[b]),
-                                     model_.bodies[b].mass(),
-                                     sums_[b].update);
+      ledger_.kinetic_relative -= compute_rigid_kinetic_energy(UpdateAxis::of(model_.bodies[b]),
+                                                               model_.bodies[b].mass(),
+                                                               sums_[b].update);
     ledger_.strain  = strain;
     ledger_.contact = contact_.energy() + walls_.collect_results().energy;
     if (first)
@@ -125,24 +124,20 @@ namespace vfife
     measure_momentum(observed_, operator_.masses(), communicator_);
     measure_contact();
     add_rate_difference(state);
-    return measures_.strain_energy + loads_.compute_spring_energy(state.position.data());
+    return measures_.strain_energy + loads_.compute_spring_energy(state.position);
   }
 
   void ExplicitSolver::measure_at_rest(State &state)
   {
-    measures_ = operator_.measure_internal_forces(state.position.data(), forces_.data());
+    measures_ = operator_.measure_internal_forces(state.position, forces_);
     contact_.search(state.body_motion,
                     std::vector<RigidVelocity>(model_.bodies.size()),
-                    state.position.data(),
+                    state.position,
                     0.);
-    const std::vector<double> no_velocity(operator_.array_size(), 0.);
-    state.contact_force.assign(operator_.array_size(), 0.);
-    contact_.add_forces(state.body_motion,
-                        state.position.data(),
-                        no_velocity.data(),
-                        dt_,
-                        state.contact_force.data());
-    walls_.add_forces(state.position.data(), state.contact_force.data());
+    const NodeField no_velocity = operator_.make_field();
+    state.contact_force         = operator_.make_field();
+    contact_.add_forces(state.body_motion, state.position, no_velocity, dt_, state.contact_force);
+    walls_.add_forces(state.position, state.contact_force);
     EnergyLedger ledger;
     ledger.strain             = take_measurements(state);
     ledger.contact            = contact_.energy() + walls_.collect_results().energy;

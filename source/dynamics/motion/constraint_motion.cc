@@ -8,24 +8,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    Vector3 record(const double *values, const std::uint32_t local)
-    {
-      return Eigen::Map<const Vector3>(values + 4 * static_cast<std::size_t>(local));
-    }
-
-    void set_record(double *values, const std::uint32_t local, const Vector3 &v)
-    {
-      Eigen::Map<Vector3>(values + 4 * static_cast<std::size_t>(local)) = v;
-    }
-  } // namespace
-
-  UpdateAxis ConstraintMotion::axis_of(const Body &body)
-  {
-    return {body.turns_on_axis, body.axis.point, body.axis.direction};
-  }
-
   ConstraintMotion::ConstraintMotion(const Model        &model,
                                      const Partition    &partition,
                                      const Communicator &communicator)
@@ -37,7 +19,7 @@ namespace vfife
         if ((constraint.kind == ConstraintKind::directions) == directions)
           add_constraint(constraint, model, partition);
     for (const Body &body : model.bodies)
-      axes_.push_back(axis_of(body));
+      axes_.push_back(UpdateAxis::of(body));
   }
 
   void ConstraintMotion::add_constraint(const Constraint &constraint,
@@ -148,8 +130,10 @@ namespace vfife
   {
     for (const Group &group : groups_)
       for (const Node &node : group.nodes)
-        state.position[4 * static_cast<std::size_t>(node.local) + 3] =
-          state.velocity[4 * static_cast<std::size_t>(node.local) + 3] = 0.;
+        {
+          state.position.set_number(node.local, 0.);
+          state.velocity.set_number(node.local, 0.);
+        }
   }
 
   void ConstraintMotion::read(const State &state, const MotionFrame frame)
@@ -222,13 +206,13 @@ namespace vfife
       }
   }
 
-  void ConstraintMotion::save(const double *positions, const double *velocities)
+  void ConstraintMotion::save(const NodeField &positions, const NodeField &velocities)
   {
     for (Group &group : groups_)
       for (Node &node : group.nodes)
         {
-          node.old_position = record(positions, node.local);
-          node.old_velocity = record(velocities, node.local);
+          node.old_position = positions.value(node.local);
+          node.old_velocity = velocities.value(node.local);
         }
   }
 
@@ -242,7 +226,7 @@ namespace vfife
   void ConstraintMotion::turn_freely(Group             &group,
                                      const double       dt,
                                      const BodyDamping &damping,
-                                     const double      *forces) const
+                                     const NodeField   &forces) const
   {
     const Vector3 &a          = group.axis.direction;
     const double   half       = 0.5 * damping.zeta * dt;
@@ -258,7 +242,7 @@ namespace vfife
           {
             const Vector3 e = a.cross(node.old_position - group.axis.point);
             accelerate(node.rate,
-                       e.dot(record(forces, node.local)) / (node.moved_mass * e.squaredNorm()));
+                       e.dot(forces.value(node.local)) / (node.moved_mass * e.squaredNorm()));
           }
         return;
       }
@@ -268,7 +252,7 @@ namespace vfife
       if (node.owned)
         {
           const Vector3 e = a.cross(node.old_position - group.axis.point);
-          torque_and_inertia[0] += e.dot(record(forces, node.local));
+          torque_and_inertia[0] += e.dot(forces.value(node.local));
           torque_and_inertia[1] += node.moved_mass * e.squaredNorm();
         }
     communicator_.sum(torque_and_inertia);
@@ -280,10 +264,10 @@ namespace vfife
                                const double                    dt,
                                const MotionFrame               frame,
                                const std::vector<BodyDamping> &damping,
-                               const double                   *forces,
-                               double                         *positions,
-                               double                         *velocities,
-                               std::vector<Sums>              &sums)
+                               const NodeField                &forces,
+                               NodeField                      &positions,
+                               NodeField                      &velocities,
+                               std::vector<BodySums>          &sums)
   {
     for (Group &group : groups_)
       {
@@ -301,17 +285,17 @@ namespace vfife
               }
             else if (group.kind == ConstraintKind::directions)
               x = move_led(
-                group, node, time, dt, frame, damping[group.body], record(forces, node.local));
+                group, node, time, dt, frame, damping[group.body], forces.value(node.local));
             else
               x = group.axis.point + rotation * node.start;
             const Vector3 v = (x - node.old_position) / dt;
-            set_record(positions, node.local, x);
-            set_record(velocities, node.local, v);
+            positions.set(node.local, x);
+            velocities.set(node.local, v);
             add_sums(group,
                      node,
                      dt,
                      damping[group.body],
-                     record(forces, node.local),
+                     forces.value(node.local),
                      x,
                      v,
                      axes_[group.body],
@@ -320,12 +304,12 @@ namespace vfife
       }
   }
 
-  void ConstraintMotion::project(const double *positions,
-                                 double       *forces,
-                                 const bool    rotation_is_free) const
+  void ConstraintMotion::project(const NodeField &positions,
+                                 NodeField       &forces,
+                                 const bool       rotation_is_free) const
   {
     const auto lever = [&](const Group &group, const Node &node) {
-      return Vector3(group.axis.direction.cross(record(positions, node.local) - group.axis.point));
+      return Vector3(group.axis.direction.cross(positions.value(node.local) - group.axis.point));
     };
     for (const Group &group : groups_)
       {
@@ -338,7 +322,7 @@ namespace vfife
             for (const Node &node : group.nodes)
               if (node.owned)
                 {
-                  sums[0] += lever(group, node).dot(record(forces, node.local));
+                  sums[0] += lever(group, node).dot(forces.value(node.local));
                   sums[1] += lever(group, node).squaredNorm();
                 }
             communicator_.sum(sums);
@@ -352,16 +336,16 @@ namespace vfife
             else if (rotation_is_free && group.kind == ConstraintKind::free_rotation)
               {
                 const Vector3 t = lever(group, node).normalized();
-                f               = t.dot(record(forces, node.local)) * t;
+                f               = t.dot(forces.value(node.local)) * t;
               }
             else if (group.kind == ConstraintKind::directions)
               f = project_free(
                 group.axis,
                 group.definition->cylindrical,
-                record(positions, node.local),
+                positions.value(node.local),
                 {{node.leads[0] != nullptr, node.leads[1] != nullptr, node.leads[2] != nullptr}},
-                record(forces, node.local));
-            set_record(forces, node.local, f);
+                forces.value(node.local));
+            forces.set(node.local, f);
           }
       }
   }

@@ -12,7 +12,7 @@ namespace vfife
                                   const Vector3     &x,
                                   const Vector3     &v,
                                   const UpdateAxis  &axis,
-                                  Sums              &sums)
+                                  BodySums          &sums)
   {
     if (!node.owned)
       return;

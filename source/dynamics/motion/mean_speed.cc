@@ -12,12 +12,10 @@ namespace vfife
                                         const Communicator &communicator)
   {
     std::vector<double> sums(2, 0.);
-    for (std::uint32_t i = state.partition.first_local_node[b];
-         i < state.partition.first_local_node[b + 1];
-         ++i)
+    for (const std::uint32_t i : state.partition.owned_nodes(b))
       {
         const double r = body.axis.direction.cross(state.node_position(i) - body.axis.point).norm();
-        if (!state.partition.owned[i] || !(r > 0))
+        if (!(r > 0))
           continue;
         const double mass = body.node_masses()[state.partition.global_node[i] - body.first_node];
         sums[0] += mass * state.node_velocity(i).norm() / r;

@@ -66,9 +66,7 @@ namespace vfife
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
         const Body &body = model.bodies[b];
-        for (std::uint32_t i = now.partition.first_local_node[b];
-             i < now.partition.first_local_node[b + 1];
-             ++i)
+        for (const std::uint32_t i : now.partition.nodes(b))
           if (!now.node_position(i).allFinite())
             {
               text << "body \"" << body.name() << "\", node "

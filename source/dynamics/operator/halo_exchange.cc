@@ -49,19 +49,19 @@ namespace vfife
     requests_.resize(2 * neighbours_.size());
   }
 
-  void HaloExchange::add_over_ranks(double *values)
+  void HaloExchange::add_over_ranks(NodeField &values)
   {
     start(values);
     finish(values);
   }
 
-  void HaloExchange::start(double *values)
+  void HaloExchange::start(NodeField &values)
   {
     for (std::size_t i = 0; i < neighbours_.size(); ++i)
       {
         Neighbour &n = neighbours_[i];
         for (std::size_t k = 0; k < n.nodes.size(); ++k)
-          std::copy_n(values + 4 * static_cast<std::size_t>(n.nodes[k]), 3, n.sent.data() + 3 * k);
+          Eigen::Map<Vector3>(n.sent.data() + 3 * k) = values.value(n.nodes[k]);
         MPI_Irecv(n.received.data(),
                   n.received.size(),
                   MPI_DOUBLE,
@@ -80,20 +80,18 @@ namespace vfife
 
     for (std::size_t k = 0; k < shared_.size(); ++k)
       {
-        double *v = values + 4 * static_cast<std::size_t>(shared_[k]);
-        std::copy_n(v, 3, own_.data() + 3 * k);
-        std::fill_n(v, 3, 0.);
+        Eigen::Map<Vector3>(own_.data() + 3 * k) = values.value(shared_[k]);
+        values.set(shared_[k], Vector3::Zero());
       }
   }
 
-  void HaloExchange::finish(double *values)
+  void HaloExchange::finish(NodeField &values)
   {
     MPI_Waitall(requests_.size(), requests_.data(), MPI_STATUSES_IGNORE);
 
     const auto add_own = [&] {
       for (std::size_t k = 0; k < shared_.size(); ++k)
-        for (unsigned int c = 0; c < 3; ++c)
-          values[4 * static_cast<std::size_t>(shared_[k]) + c] += own_[3 * k + c];
+        values.add(shared_[k], Eigen::Map<const Vector3>(own_.data() + 3 * k));
     };
     bool own_is_added = false;
     for (const Neighbour &n : neighbours_)
@@ -104,8 +102,7 @@ namespace vfife
             own_is_added = true;
           }
         for (std::size_t k = 0; k < n.nodes.size(); ++k)
-          for (unsigned int c = 0; c < 3; ++c)
-            values[4 * static_cast<std::size_t>(n.nodes[k]) + c] += n.received[3 * k + c];
+          values.add(n.nodes[k], Eigen::Map<const Vector3>(n.received.data() + 3 * k));
       }
     if (!own_is_added)
       add_own();

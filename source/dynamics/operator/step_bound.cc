@@ -15,31 +15,33 @@ namespace vfife
     constexpr unsigned int least_iterations = 20, most_iterations = 400;
     constexpr double       wanted_deviation = 0.01;
 
-    std::vector<double> undeformed_positions(const Model &model, const VfifeOperator &vfife)
+    NodeField undeformed_positions(const Model &model, const VfifeOperator &vfife)
     {
-      const Partition    &partition = vfife.partition();
-      std::vector<double> positions(vfife.array_size(), 0.);
+      const Partition &partition = vfife.partition();
+      NodeField        positions = vfife.make_field();
       for (unsigned int b = 0; b < model.bodies.size(); ++b)
-        for (std::size_t i = partition.first_local_node[b]; i < partition.first_local_node[b + 1];
-             ++i)
+        for (const std::uint32_t i : partition.nodes(b))
           {
             const Body &body = model.bodies[b];
             // Near the origin of its own, a body's coordinates carry the least round-off.
-            const Vector3 &X = body.node_positions()[partition.global_node[i] - body.first_node];
-            std::copy_n(X.data(), 3, &positions[4 * i]);
+            positions.set(i, body.node_positions()[partition.global_node[i] - body.first_node]);
           }
       return positions;
     }
 
     /** Numbers between -1 and 1 without a pattern, the same on all copies of a node. */
-    std::vector<double> start_vector(const VfifeOperator &vfife)
+    NodeField start_vector(const VfifeOperator &vfife)
     {
-      const Partition    &partition = vfife.partition();
-      std::vector<double> v(vfife.array_size(), 0.);
-      for (std::size_t i = 0; i < partition.n_local(); ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          v[4 * i + c] = std::sin(12.9898 * (3. * partition.global_node[i] + c) + 1.) *
-                         std::cos(78.233 * (3. * partition.global_node[i] + c));
+      const Partition &partition = vfife.partition();
+      NodeField        v         = vfife.make_field();
+      for (const std::uint32_t i : partition.nodes())
+        {
+          Vector3 value;
+          for (unsigned int c = 0; c < 3; ++c)
+            value[c] = std::sin(12.9898 * (3. * partition.global_node[i] + c) + 1.) *
+                       std::cos(78.233 * (3. * partition.global_node[i] + c));
+          v.set(i, value);
+        }
       return v;
     }
 
@@ -60,38 +62,38 @@ namespace vfife
                                                VfifeOperator      &vfife,
                                                const Communicator &communicator)
   {
-    const Partition          &partition = vfife.partition();
-    const std::vector<double> x0        = undeformed_positions(model, vfife);
-    std::vector<double>       v = start_vector(vfife), x = x0, forces(vfife.array_size());
-    const double              amplitude = find_amplitude(model, vfife);
+    const Partition &partition = vfife.partition();
+    const NodeField  x0        = undeformed_positions(model, vfife);
+    NodeField        v = start_vector(vfife), x = x0, forces = vfife.make_field();
+    const double     amplitude = find_amplitude(model, vfife);
 
     AssembledFrequency result;
     for (unsigned int iteration = 1; iteration <= most_iterations; ++iteration)
       {
         double largest = 0;
-        for (const double entry : v)
-          largest = std::max(largest, std::abs(entry));
+        for (const std::uint32_t i : partition.nodes())
+          largest = std::max(largest, v.value(i).cwiseAbs().maxCoeff());
         const double scale = amplitude / communicator.max(largest);
-        for (std::size_t i = 0; i < x.size(); ++i)
+        for (const std::uint32_t i : partition.nodes())
           {
-            v[i] *= scale;
-            x[i] = x0[i] + v[i];
+            v.set(i, scale * v.value(i));
+            x.set(i, x0.value(i) + v.value(i));
           }
-        vfife.compute_internal_forces(x.data(), forces.data());
+        vfife.compute_internal_forces(x, forces);
 
         std::vector<double> sums(3, 0.); // v.M v, v.K v, K v . M^-1 K v
-        for (std::size_t i = 0; i < partition.n_local(); ++i)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              const double m = vfife.masses()[i], Kv = -forces[4 * i + c];
-              if (partition.owned[i])
-                {
-                  sums[0] += m * v[4 * i + c] * v[4 * i + c];
-                  sums[1] += v[4 * i + c] * Kv;
-                  sums[2] += Kv * Kv / m;
-                }
-              v[4 * i + c] = Kv / m;
-            }
+        for (const std::uint32_t i : partition.nodes())
+          {
+            const double  m   = vfife.masses()[i];
+            const Vector3 v_i = v.value(i), Kv = -forces.value(i);
+            for (unsigned int c = 0; partition.owned[i] && c < 3; ++c)
+              {
+                sums[0] += m * v_i[c] * v_i[c];
+                sums[1] += v_i[c] * Kv[c];
+                sums[2] += Kv[c] * Kv[c] / m;
+              }
+            v.set(i, Kv / m);
+          }
         communicator.sum(sums);
         result.quotient = sums[1] / sums[0];
         result.deviation =

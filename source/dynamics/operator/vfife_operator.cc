@@ -42,8 +42,7 @@ namespace vfife
 
     masses_.reserve(partition_.n_local());
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
-      for (std::uint32_t i = partition_.first_local_node[b]; i < partition_.first_local_node[b + 1];
-           ++i)
+      for (const std::uint32_t i : partition_.nodes(b))
         masses_.push_back(
           model.bodies[b].node_masses()[partition_.global_node[i] - model.bodies[b].first_node]);
 
@@ -209,9 +208,9 @@ namespace vfife
   }
 
   template <typename Add>
-  void VfifeOperator::for_all_packs(double *forces, const Add &add)
+  void VfifeOperator::for_all_packs(NodeField &forces, const Add &add)
   {
-    std::fill_n(forces, array_size(), 0.);
+    forces.set_zero();
     for (const Group &group : groups_)
       add(group, 0, group.n_at_border);
     halo_.start(forces);
@@ -220,14 +219,15 @@ namespace vfife
     halo_.finish(forces);
   }
 
-  void VfifeOperator::compute_internal_forces(const double *positions, double *forces)
+  void VfifeOperator::compute_internal_forces(const NodeField &positions, NodeField &forces)
   {
     for_all_packs(forces, [&](const Group &group, const std::size_t first, const std::size_t last) {
-      kernels_->add_internal_forces(group.packs, first, last, positions, forces);
+      kernels_->add_internal_forces(group.packs, first, last, positions.data(), forces.data());
     });
   }
 
-  ElementMeasures VfifeOperator::measure_internal_forces(const double *positions, double *forces)
+  ElementMeasures VfifeOperator::measure_internal_forces(const NodeField &positions,
+                                                         NodeField       &forces)
   {
     ElementMeasures measures;
     measures.least_jacobian = std::numeric_limits<double>::infinity();
@@ -235,8 +235,8 @@ namespace vfife
       kernels_->measure_internal_forces(group.packs,
                                         first,
                                         last,
-                                        positions,
-                                        forces,
+                                        positions.data(),
+                                        forces.data(),
                                         element_energies_.data(),
                                         element_jacobians_.data());
       for (std::size_t slot = n_lanes * first; slot < n_lanes * last; ++slot)
@@ -256,21 +256,21 @@ namespace vfife
 
   std::vector<double> VfifeOperator::compute_relaxation_masses(const double fraction)
   {
-    std::vector<double> records(array_size(), 0.);
+    NodeField sums = make_field(); // in x
     for (unsigned int b = 0; b < body_packs_.size(); ++b)
       for (std::size_t row = 0; row < local_elements_[b].size(); ++row)
         {
           const std::uint32_t c     = body_packs_[b].classes.class_of[row];
           const double        scale = std::pow(class_data_[b].frequency[c] / (2 * fraction), 2);
           for (unsigned int i = 0; i < 8; ++i)
-            records[4 * static_cast<std::size_t>(local_elements_[b][row][i])] +=
-              scale * class_data_[b].masses[c][i];
+            sums.add(local_elements_[b][row][i],
+                     scale * class_data_[b].masses[c][i] * Vector3::UnitX());
         }
-    halo_.add_over_ranks(records.data());
+    halo_.add_over_ranks(sums);
 
     std::vector<double> masses(partition_.n_local());
     for (std::size_t i = 0; i < masses.size(); ++i)
-      masses[i] = records[4 * i];
+      masses[i] = sums.value(i)[0];
     return masses;
   }
 
@@ -287,7 +287,7 @@ namespace vfife
     return entry->second;
   }
 
-  void VfifeOperator::add_over_ranks(double *values)
+  void VfifeOperator::add_over_ranks(NodeField &values)
   {
     halo_.add_over_ranks(values);
   }
@@ -307,9 +307,9 @@ namespace vfife
     return stiffness_;
   }
 
-  std::size_t VfifeOperator::array_size() const
+  NodeField VfifeOperator::make_field() const
   {
-    return 4 * (partition_.n_local() + 1);
+    return NodeField(partition_.n_local() + 1);
   }
 
   const LimitingElement &VfifeOperator::limiting_element() const

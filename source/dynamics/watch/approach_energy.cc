@@ -26,7 +26,7 @@ namespace vfife
         at_walls_.insert(wall.body);
   }
 
-  double ApproachEnergy::compute(const std::vector<ConstraintMotion::Sums> &sums) const
+  double ApproachEnergy::compute(const std::vector<BodySums> &sums) const
   {
     const auto velocity = [&](const unsigned int b) {
       return bodies_[b].flies ? Vector3(sums[b].update.momentum / bodies_[b].mass)

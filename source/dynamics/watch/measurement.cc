@@ -21,8 +21,8 @@ namespace vfife
     std::vector<double> sums(2, 0.);
     for (const unsigned int node : nodes)
       {
-        const std::uint32_t local = state.partition.local_node[body.first_node + node];
-        if (local == Partition::absent || !state.partition.owned[local])
+        const std::uint32_t local = state.partition.find_owned(body.first_node + node);
+        if (local == Partition::absent)
           continue;
         const Vector3 expected =
           rotation * (body.placement(body.node_positions()[node]) - body.axis.point);
@@ -64,13 +64,12 @@ namespace vfife
                         const Communicator        &communicator)
   {
     std::vector<double> sums(6, 0.);
-    for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
-      if (state.partition.owned[i])
-        {
-          const Vector3 momentum = masses[i] * state.node_velocity(i);
-          Eigen::Map<Vector3>(sums.data()) += momentum;
-          Eigen::Map<Vector3>(sums.data() + 3) += state.node_position(i).cross(momentum);
-        }
+    for (const std::uint32_t i : state.partition.owned_nodes())
+      {
+        const Vector3 momentum = masses[i] * state.node_velocity(i);
+        Eigen::Map<Vector3>(sums.data()) += momentum;
+        Eigen::Map<Vector3>(sums.data() + 3) += state.node_position(i).cross(momentum);
+      }
     communicator.sum(sums);
     state.measured.momentum         = Eigen::Map<const Vector3>(sums.data());
     state.measured.angular_momentum = Eigen::Map<const Vector3>(sums.data() + 3);

@@ -40,12 +40,8 @@ namespace vfife
           if (!body.turns_on_axis)
             continue;
           double *sum = &sums[n_sums * b];
-          for (std::uint32_t i = state.partition.first_local_node[b];
-               i < state.partition.first_local_node[b + 1];
-               ++i)
+          for (const std::uint32_t i : state.partition.owned_nodes(b))
             {
-              if (!state.partition.owned[i])
-                continue;
               const unsigned int node = state.partition.global_node[i] - body.first_node;
               const double       m    = body.node_masses()[node];
               const Vector3  r0 = off_axis(body.placement(body.node_positions()[node]), body.axis);

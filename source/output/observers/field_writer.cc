@@ -125,8 +125,7 @@ namespace vfife
       const Partition        &partition = state.partition;
       std::vector<NodeRecord> records(partition.n_local());
       for (std::size_t b = 0; b < model.bodies.size(); ++b)
-        for (std::uint32_t i = partition.first_local_node[b]; i < partition.first_local_node[b + 1];
-             ++i)
+        for (const std::uint32_t i : partition.nodes(b))
           {
             const std::uint32_t node = partition.global_node[i];
             records[i]               = compute_node_record(model.bodies[b],
@@ -138,8 +137,7 @@ namespace vfife
             // The nodal force over the node's area: a mean pressure, without regard to the normal.
             if (contact_areas[node] > 0 && !state.contact_force.empty())
               records[i][pressure] =
-                static_cast<float>(Eigen::Map<const Vector3>(&state.contact_force[4 * i]).norm() /
-                                   contact_areas[node]);
+                static_cast<float>(state.contact_force.value(i).norm() / contact_areas[node]);
           }
       return records;
     }

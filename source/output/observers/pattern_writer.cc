@@ -76,10 +76,9 @@ namespace vfife
             state.partition.local_node[model.bodies[flank.body].first_node + flank.nodes[i]];
           if (local == Partition::absent || !(flank.areas[i] > 0))
             continue;
-          const Vector3 force =
-            Eigen::Map<const Vector3>(&state.contact_force[4 * static_cast<std::size_t>(local)]);
-          double &largest = flank.largest_pressure[flank.places[i]];
-          largest         = std::max(largest, force.norm() / flank.areas[i]);
+          const double force   = state.contact_force.value(local).norm();
+          double      &largest = flank.largest_pressure[flank.places[i]];
+          largest              = std::max(largest, force / flank.areas[i]);
         }
   }
 

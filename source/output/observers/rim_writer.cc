@@ -70,8 +70,8 @@ namespace vfife
     std::vector<double> sums(3 * per_component, 0.);
     for (const Node &node : nodes_)
       {
-        const std::uint32_t local = state.partition.local_node[gear.first_node + node.number];
-        if (local == Partition::absent || !state.partition.owned[local])
+        const std::uint32_t local = state.partition.find_owned(gear.first_node + node.number);
+        if (local == Partition::absent)
           continue;
         const Vector3 u =
           1e3 * node.share * node.axes.transpose() *

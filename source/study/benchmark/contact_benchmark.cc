@@ -28,7 +28,7 @@ namespace vfife
         solver.start(state_);
         positions_  = state_.position;
         velocities_ = state_.velocity;
-        forces_.assign(state_.position.size(), 0.);
+        forces_     = solver.vfife_operator().make_field();
         for (const Body &body : model.bodies)
           {
             RigidVelocity rate;
@@ -53,11 +53,10 @@ namespace vfife
             motion.rotation     = turn * body.placement.rotation;
             motion.translation =
               body.axis.point + turn * (body.placement.translation - body.axis.point);
-            for (std::size_t i = state_.partition.first_local_node[b];
-                 i < state_.partition.first_local_node[b + 1];
-                 ++i)
-              Eigen::Map<Vector3>(&state_.position[4 * i]) =
-                motion(body.node_positions()[state_.partition.global_node[i] - body.first_node]);
+            for (const std::uint32_t i : state_.partition.nodes(b))
+              state_.position.set(
+                i,
+                motion(body.node_positions()[state_.partition.global_node[i] - body.first_node]));
           }
       }
 
@@ -71,16 +70,15 @@ namespace vfife
           times[part] += now - last;
           last = now;
         };
-        solver_.vfife_operator().compute_internal_forces(state_.position.data(), forces_.data());
+        solver_.vfife_operator().compute_internal_forces(state_.position, forces_);
         add_time(0);
         ContactSystem &contact = solver_.contact();
         if (step % ExplicitSolver::search_interval == 0)
           contact.search(state_.body_motion,
                          rates_,
-                         state_.position.data(),
+                         state_.position,
                          ExplicitSolver::search_interval * dt);
-        contact.add_forces(
-          state_.body_motion, state_.position.data(), state_.velocity.data(), dt, forces_.data());
+        contact.add_forces(state_.body_motion, state_.position, state_.velocity, dt, forces_);
         add_time(2);
         // The update works on copies: the forces are not followed.
         for (unsigned int b = 0; b < model_.bodies.size(); ++b)
@@ -88,7 +86,7 @@ namespace vfife
                        state_.partition.first_local_node[b + 1],
                        dt,
                        BodyDamping(),
-                       ConstraintMotion::axis_of(model_.bodies[b]),
+                       UpdateAxis::of(model_.bodies[b]),
                        state_.partition.owned.data(),
                        forces_.data(),
                        positions_.data(),
@@ -101,7 +99,7 @@ namespace vfife
       ExplicitSolver            &solver_;
       State                      state_;
       std::vector<RigidVelocity> rates_;
-      std::vector<double>        positions_, velocities_, forces_;
+      NodeField                  positions_, velocities_, forces_;
       Matrix3                    closed_;
     };
 

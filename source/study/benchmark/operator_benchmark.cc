@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/dynamics/motion/constraint_motion.h>
 #include <vfife/dynamics/motion/nodal_update.h>
 #include <vfife/element/frame.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
@@ -88,24 +87,22 @@ namespace vfife
     , model_(model)
     , plain_(plain)
     , operator_(model, FrameKind::polar, stiffness, communicator, operator_layout)
-    , positions_(operator_.array_size(), 0.)
-    , velocities_(operator_.array_size(), 0.)
-    , forces_(operator_.array_size(), 0.)
+    , positions_(operator_.make_field())
+    , velocities_(operator_.make_field())
+    , forces_(operator_.make_field())
   {
     // Turning and a little strained, so that no number of the kernels is special.
     const Partition &partition = operator_.partition();
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
-      for (std::size_t i = partition.first_local_node[b]; i < partition.first_local_node[b + 1];
-           ++i)
+      for (const std::uint32_t i : partition.nodes(b))
         {
           const Body    &body = model.bodies[b];
           const Vector3 &X    = body.node_positions()[partition.global_node[i] - body.first_node];
           const Vector3  x    = body.placement(X + 1e-4 * Vector3(X[1], X[0], -X[2]));
-          std::copy_n(x.data(), 3, &positions_[4 * i]);
-          const Vector3 v = body.rate * body.axis.direction.cross(x - body.axis.point);
-          std::copy_n(v.data(), 3, &velocities_[4 * i]);
-          positions_[4 * i + 3]  = 1. / operator_.masses()[i];
-          velocities_[4 * i + 3] = operator_.masses()[i];
+          positions_.set(i, x);
+          positions_.set_number(i, 1. / operator_.masses()[i]);
+          velocities_.set(i, body.rate * body.axis.direction.cross(x - body.axis.point));
+          velocities_.set_number(i, operator_.masses()[i]);
         }
     for (const Vector3 &X : model.bodies.back().node_positions())
       plain_positions_.insert(plain_positions_.end(),
@@ -128,7 +125,7 @@ namespace vfife
                      partition.first_local_node[b + 1],
                      0.5 * operator_.limiting_element().stable_step(),
                      damping,
-                     ConstraintMotion::axis_of(body),
+                     UpdateAxis::of(body),
                      partition.owned.data(),
                      forces_.data(),
                      positions_.data(),
@@ -149,7 +146,7 @@ namespace vfife
         if (step == 1)
           time = {{0., 0.}};
         const double start = processor_time();
-        operator_.compute_internal_forces(positions_.data(), forces_.data());
+        operator_.compute_internal_forces(positions_, forces_);
         time[0] += processor_time() - start;
         time[1] += update(set);
       }
@@ -163,7 +160,7 @@ namespace vfife
     const double start = processor_time();
     plain_.add_internal_forces(frame, plain_positions_.data(), plain_forces_.data());
     const double forces = (processor_time() - start) / plain_.size();
-    operator_.compute_internal_forces(positions_.data(), forces_.data());
+    operator_.compute_internal_forces(positions_, forces_);
     return forces + update(InstructionSet::generic) / operator_.n_local_elements();
   }
 

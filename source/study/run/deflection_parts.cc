@@ -28,8 +28,8 @@ namespace vfife
     std::vector<double> sums(4, 0.);
     for (const unsigned int node : body.mesh().surfaces.at(surface).nodes)
       {
-        const std::uint32_t local = state.partition.local_node[body.first_node + node];
-        if (local == Partition::absent || !state.partition.owned[local])
+        const std::uint32_t local = state.partition.find_owned(body.first_node + node);
+        if (local == Partition::absent)
           continue;
         const Vector3 start  = body.placement(body.node_positions()[node]);
         const double  weight = std::exp(-0.5 * (start - contact).squaredNorm() / (width * width));
@@ -51,8 +51,8 @@ namespace vfife
     Eigen::Matrix<double, 6, 1> right  = Eigen::Matrix<double, 6, 1>::Zero();
     for (const unsigned int node : t.driven_rim)
       {
-        const std::uint32_t local = state.partition.local_node[body.first_node + node];
-        if (local == Partition::absent || !state.partition.owned[local])
+        const std::uint32_t local = state.partition.find_owned(body.first_node + node);
+        if (local == Partition::absent)
           continue;
         const double                mass  = body.node_masses()[node];
         const Vector3               start = body.placement(body.node_positions()[node]);
@@ -111,11 +111,10 @@ namespace vfife
     for (const Body &body : model_.bodies)
       for (unsigned int node = 0; node < body.n_nodes(); ++node)
         {
-          const std::uint32_t local = loaded.partition.local_node[body.first_node + node];
-          if (local == Partition::absent || !loaded.partition.owned[local])
+          const std::uint32_t local = loaded.partition.find_owned(body.first_node + node);
+          if (local == Partition::absent)
             continue;
-          const Vector3 before = Eigen::Map<const Vector3>(partial_position_.data() +
-                                                           4 * static_cast<std::size_t>(local));
+          const Vector3 before = partial_position_.value(local);
           sum += body.node_masses()[node] * (loaded.node_position(local) - before).squaredNorm();
         }
     const double psi = partial_lead_ - parts.total;

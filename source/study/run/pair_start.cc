@@ -78,11 +78,8 @@ namespace vfife
   {
     std::vector<double> all(3 * std::size_t(compliance_->discretization().n_points()), 0.);
     for (const Discretization::Part &part : compliance_->discretization().parts())
-      for (std::uint32_t i = state.partition.first_local_node[part.body];
-           i < state.partition.first_local_node[part.body + 1];
-           ++i)
-        if (state.partition.owned[i])
-          Eigen::Map<Vector3>(all.data() + 3 * point_of(state, part, i)) = vector(part.body, i);
+      for (const std::uint32_t i : state.partition.owned_nodes(part.body))
+        Eigen::Map<Vector3>(all.data() + 3 * point_of(state, part, i)) = vector(part.body, i);
     communicator_.sum(all);
     return all;
   }
@@ -99,27 +96,20 @@ namespace vfife
     return u;
   }
 
-  std::vector<double> PairStart::turned_back(const State               &state,
-                                             const std::vector<double> &forces) const
+  std::vector<double> PairStart::turned_back(const State &state, const NodeField &forces) const
   {
     return gather(state, [&](const unsigned int body, const std::uint32_t i) {
-      return Vector3(rotation(body).transpose() *
-                     Eigen::Map<const Vector3>(forces.data() + 4 * std::size_t(i)));
+      return Vector3(rotation(body).transpose() * forces.value(i));
     });
   }
 
-  double PairStart::moment(const State &state, const std::vector<double> &forces) const
+  double PairStart::moment(const State &state, const NodeField &forces) const
   {
     const unsigned int driven = model_.transmission->driven;
     const Axis        &axis   = model_.bodies[driven].axis;
     double             sum    = 0;
-    for (std::uint32_t i = state.partition.first_local_node[driven];
-         i < state.partition.first_local_node[driven + 1];
-         ++i)
-      if (state.partition.owned[i])
-        sum += axis.direction.dot(
-          (state.node_position(i) - axis.point)
-            .cross(Eigen::Map<const Vector3>(forces.data() + 4 * std::size_t(i))));
+    for (const std::uint32_t i : state.partition.owned_nodes(driven))
+      sum += axis.direction.dot((state.node_position(i) - axis.point).cross(forces.value(i)));
     return communicator_.sum(sum);
   }
 
@@ -130,13 +120,12 @@ namespace vfife
       {
         const Vector3 &c = model_.bodies[part.body].axis.point;
         const Matrix3  R = rotation(part.body);
-        for (std::uint32_t i = state.partition.first_local_node[part.body];
-             i < state.partition.first_local_node[part.body + 1];
-             ++i)
+        for (const std::uint32_t i : state.partition.nodes(part.body))
           {
             const std::size_t p = point_of(state, part, i);
-            Eigen::Map<Vector3>(state.position.data() + 4 * std::size_t(i)) =
-              c + R * (points[p] + Eigen::Map<const Vector3>(u.data() + 3 * p) - c);
+            state.position.set(i,
+                               c +
+                                 R * (points[p] + Eigen::Map<const Vector3>(u.data() + 3 * p) - c));
           }
       }
     relaxation_.constrain(state);
@@ -156,11 +145,11 @@ namespace vfife
     std::ostringstream  text;
     for (unsigned int round = 0;; ++round)
       {
-        // 1. What is out of balance, with contact (is it enough?) and without (what is solved for).
-        std::vector<double> forces, all;
-        relaxation_.compute_forces(state, without_contact, forces);
-        relaxation_.compute_forces(state, whole, all);
-        const double residual = relaxation_.compute_residual(state, whole, all);
+        // 1. What is out of balance, without contact (what is solved for) and with it (is it
+        // enough?).
+        const NodeField forces   = relaxation_.compute_forces(state, without_contact);
+        const NodeField all      = relaxation_.compute_forces(state, whole);
+        const double    residual = relaxation_.compute_residual(state, whole, all);
         if (residual < loads.looseness * relaxation_.options().tolerance)
           {
             text << round << " rounds, residual " << residual;

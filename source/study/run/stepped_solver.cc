@@ -12,12 +12,12 @@ namespace vfife
     /** Wall time of one evaluation of the internal forces [s], which is most of a step. */
     double time_forces(VfifeOperator &vfife, const State &state)
     {
-      constexpr unsigned int n = 10;
-      std::vector<double>    forces(vfife.array_size());
-      vfife.compute_internal_forces(state.position.data(), forces.data()); // warms the caches
+      constexpr unsigned int n      = 10;
+      NodeField              forces = vfife.make_field();
+      vfife.compute_internal_forces(state.position, forces); // warms the caches
       const auto start = WallClock::now();
       for (unsigned int i = 0; i < n; ++i)
-        vfife.compute_internal_forces(state.position.data(), forces.data());
+        vfife.compute_internal_forces(state.position, forces);
       return seconds_since(start) / n;
     }
   } // namespace

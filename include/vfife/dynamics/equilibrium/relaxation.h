@@ -62,16 +62,15 @@ namespace vfife
     RelaxationReport solve(State &state, const Loads &loads);
 
     /**
-     * What constraints leave of the forces at all local nodes (4 doubles each) [N] in the frames
-     * that turn with the bodies: internal and applied ones and, where @p loads asks for it, those
-     * of the contact, which is searched before. Collective.
+     * What constraints leave of the forces at all local nodes [N] in the frames that turn with the
+     * bodies: internal and applied ones and, where @p loads asks for it, those of the contact,
+     * which is searched before. Collective.
      */
-    void compute_forces(State &state, const Loads &loads, std::vector<double> &forces);
+    NodeField compute_forces(State &state, const Loads &loads);
 
     /** Norm of these @p forces over the norm of the applied ones, but what is round-off stays below
      * the tolerance. Collective. */
-    double
-    compute_residual(const State &state, const Loads &loads, const std::vector<double> &forces);
+    double compute_residual(const State &state, const Loads &loads, const NodeField &forces);
 
     /** Puts the constrained nodes where they belong, free rotations on their circles. Collective.
      */
@@ -83,17 +82,17 @@ namespace vfife
     }
 
   private:
-    void                add_contact(State &state, bool search, std::vector<double> &forces);
+    void                add_contact(State &state, bool search, NodeField &forces);
     std::vector<double> compute_masses(const Loads &loads, double dt);
-    void   add_applied(const State &state, const Loads &loads, std::vector<double> &forces);
-    void   place(State &state, ConstraintMotion &constraints) const;
+    void                add_applied(const State &state, const Loads &loads, NodeField &forces);
+    void                place(State &state, ConstraintMotion &constraints) const;
     double compute_round_off(const State &state, const std::vector<double> &masses) const;
-    double norm(const std::vector<double> &forces, const Partition &partition) const;
+    double norm(const NodeField &forces, const Partition &partition) const;
     void   move(State                     &state,
                 const std::vector<double> &masses,
                 double                     damping,
                 ConstraintMotion          &constraints,
-                std::vector<double>       &velocity);
+                NodeField                 &velocity);
 
     const Model             &model_;
     const RelaxationOptions &options_;
@@ -104,7 +103,7 @@ namespace vfife
     Log                     &log_;
     TorqueLoads              torques_;
     NodalLoads               loads_;
-    std::vector<double>      forces_, no_velocity_;
+    NodeField                forces_, no_velocity_;
   };
 } // namespace vfife
 

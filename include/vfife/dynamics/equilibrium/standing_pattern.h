@@ -29,11 +29,11 @@ namespace vfife
     /** Takes the pattern from the positions of @p state at time zero. Collective. */
     void update(const State &state);
 
-    /** Adds the force of inertia -m Omega^2 (u'' + 2 e x u') to @p forces (4 a local node) [N]. */
-    void add_forces(const std::vector<double> &masses, std::vector<double> &forces) const;
+    /** Adds the force of inertia -m Omega^2 (u'' + 2 e x u') to @p forces [N]. */
+    void add_forces(const std::vector<double> &masses, NodeField &forces) const;
 
-    /** Adds Omega u' to @p velocities (4 a local node) [mm/s]. */
-    void add_velocities(std::vector<double> &velocities) const;
+    /** Adds Omega u' to @p velocities [mm/s]. */
+    void add_velocities(NodeField &velocities) const;
 
     /** Largest Omega |u'| on this rank [mm/s]. */
     double largest_velocity() const;

@@ -21,21 +21,21 @@ namespace vfife
                 const std::string &surface_name,
                 const Partition   &partition);
 
-    /** Brings the active nodes' motion from the arrays of this rank (4 doubles a local node), zero
-     * where another rank owns the node, and clears their forces. */
+    /** Brings the active nodes' motion from the fields of this rank, zero where another rank owns
+     * the node, and clears their forces. */
     void collect_motion(const Partition &partition,
-                        const double    *local_positions,
-                        const double    *local_velocities,
+                        const NodeField &local_positions,
+                        const NodeField &local_velocities,
                         bool             with_velocities);
 
-    /** Adds the active nodes' forces to those of this rank (4 doubles a local node, all copies). */
-    void distribute_forces(double *local_forces) const;
+    /** Adds the active nodes' forces to those of this rank (all copies). */
+    void distribute_forces(NodeField &local_forces) const;
 
     /** Largest distance of a surface node that this rank owns from where the rigid @p motion of the
-     * body would put it; @p positions: 4 doubles a local node [mm]. */
+     * body would put it [mm]. */
     double largest_deformation(const Partition   &partition,
                                const RigidMotion &motion,
-                               const double      *positions) const;
+                               const NodeField   &positions) const;
 
     unsigned int                     body;
     const FacetSurface              *surface;

@@ -2,7 +2,7 @@
 #ifndef vfife_dynamics_loads_contact_system_h
 #define vfife_dynamics_loads_contact_system_h
 
-#include <vfife/dynamics/motion/nodal_update.h>
+#include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/model/state.h>
 
 #include <array>
@@ -50,18 +50,18 @@ namespace vfife
      */
     void search(const std::vector<RigidMotion>   &body_motion,
                 const std::vector<RigidVelocity> &rates,
-                const double                     *positions,
+                const NodeField                  &positions,
                 double                            duration);
 
     /**
-     * Adds contact forces to @p forces (4 doubles a local node, all copies). @p dt is the step of
-     * the explicit integration. Collective.
+     * Adds contact forces to @p forces (all copies of a node). @p dt is the step of the explicit
+     * integration. Collective.
      */
     void add_forces(const std::vector<RigidMotion> &body_motion,
-                    const double                   *positions,
-                    const double                   *velocities,
+                    const NodeField                &positions,
+                    const NodeField                &velocities,
                     double                          dt,
-                    double                         *forces);
+                    NodeField                      &forces);
 
     /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. */
     double energy() const;

@@ -26,19 +26,19 @@ namespace vfife
     /** Adds the masses that springs need in a relaxation with pseudo time step 1. */
     void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
 
-    /** Adds the forces at @p time to @p forces (4 a local node, all copies); remembers them for
+    /** Adds the forces at @p time to @p forces (all copies of a node); remembers them for
      * half_power(), all but those of springs. Collective. */
-    void add_forces(double time, const double *positions, double *forces);
+    void add_forces(double time, const NodeField &positions, NodeField &forces);
 
     /** The same with @p part of the values, whatever their histories. Collective. */
-    void add_part(double part, const double *positions, double *forces);
+    void add_part(double part, const NodeField &positions, NodeField &forces);
 
     /** Energy that springs to the ground store, k_i (x_i - X_i)^2/2 over all directions [mJ].
      * Collective. */
-    double compute_spring_energy(const double *positions) const;
+    double compute_spring_energy(const NodeField &positions) const;
 
     /** Half of the power of the remembered forces with these velocities on this rank [mJ/s]. */
-    double half_power(const double *velocities) const;
+    double half_power(const NodeField &velocities) const;
 
   private:
     struct Node
@@ -60,18 +60,18 @@ namespace vfife
     };
 
     void add_faces(const Load &load, Group &group) const;
-    void add(const Group &group, double factor, const double *positions);
-    void add_moment(const Group &group, const Vector3 &moment, const double *positions);
-    void add_pressure(const Group &group, double pressure, const double *positions);
-    void add_springs(const double *positions, double *forces) const;
-    void finish(const double *positions, double *forces);
+    void add(const Group &group, double factor, const NodeField &positions);
+    void add_moment(const Group &group, const Vector3 &moment, const NodeField &positions);
+    void add_pressure(const Group &group, double pressure, const NodeField &positions);
+    void add_springs(const NodeField &positions, NodeField &forces) const;
+    void finish(const NodeField &positions, NodeField &forces);
 
     const Model        &model_;
     VfifeOperator      &operator_;
     const Communicator &communicator_;
     std::vector<Group>  groups_;
-    std::vector<double> forces_; ///< of all loads but springs; empty without loads
-    std::vector<double> face_forces_;
+    NodeField           forces_;      ///< of all loads but springs; empty without loads
+    NodeField           face_forces_; ///< of this rank's elements
     bool                has_pressure_       = false;
     double              largest_frequency2_ = 0; ///< k/m of springs [1/s^2]
   };

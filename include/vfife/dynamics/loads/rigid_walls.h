@@ -33,8 +33,8 @@ namespace vfife
     /** Adds the masses that the springs need in a relaxation with pseudo time step 1. */
     void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
 
-    /** Adds the forces to @p forces (4 a local node, all copies). */
-    void add_forces(const double *positions, double *forces);
+    /** Adds the forces to @p forces (all copies of a node). */
+    void add_forces(const NodeField &positions, NodeField &forces);
 
     /** Of the last add_forces(), over all ranks; collective. */
     struct Results

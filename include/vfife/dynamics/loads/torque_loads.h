@@ -18,16 +18,16 @@ namespace vfife
   public:
     TorqueLoads(const Model &model, const Partition &partition);
 
-    /** Adds the forces at @p time to @p forces (4 a local node, all copies); remembers them for
-     * power(). */
-    void add_forces(double time, const double *positions, double *forces);
+    /** Adds the forces at @p time to @p forces (all copies of a node); remembers them for
+     * half_power(). */
+    void add_forces(double time, const NodeField &positions, NodeField &forces);
 
     /** The same with @p part of the full torque whatever the time. */
-    void add_part(double part, const double *positions, double *forces);
+    void add_part(double part, const NodeField &positions, NodeField &forces);
 
     /** Half of the power of the remembered forces with these velocities on this rank [mJ/s]: called
      * before and after the update. */
-    double half_power(const double *velocities) const;
+    double half_power(const NodeField &velocities) const;
 
   private:
     struct Node
@@ -45,7 +45,7 @@ namespace vfife
       std::vector<Node> nodes;
     };
 
-    void add(Load &load, double torque, const double *positions, double *forces) const;
+    void add(Load &load, double torque, const NodeField &positions, NodeField &forces) const;
 
     std::vector<Load> loads_;
   };

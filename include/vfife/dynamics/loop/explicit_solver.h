@@ -130,29 +130,29 @@ namespace vfife
     RigidWalls             walls_;
     double                 dt_ = 0;
 
-    std::vector<double>                 forces_;
-    ElementMeasures                     measures_; ///< of the state measured last
-    std::vector<RigidVelocity>          rigid_;
-    std::vector<BodyDamping>            damping_;
-    std::vector<ConstraintMotion::Sums> sums_; ///< of the last update, over all ranks
-    StepPowers                          powers_;
-    double                              drive_torque_ = 0;
-    EnergyLedger                        ledger_, ledger_at_start_;
-    ApproachEnergy                      approach_;
-    double                              largest_approach_ = 0; ///< at the samples so far [mJ]
-    bool                                has_touched_      = false;
-    std::vector<DampingAudit>           audit_;
-    unsigned int                        audited_steps_ = 0, audited_samples_ = 0;
-    ContactWatch                        contact_watch_;
-    State                               observed_;
-    std::uint64_t                       first_step_ = 0; ///< of the run
-    double                              start_time_ = 0; ///< of the run [s]
-    std::vector<RigidVelocity>          rates_at_start_;
-    bool                                goes_on_       = false; ///< from a checkpoint
-    bool                                energy_warned_ = false;
-    EnergyWatch                         warning_watch_, failure_watch_;
-    bool                                search_now_ = false; ///< whatever the step
-    double                              element_step_;       ///< [s]
+    NodeField                  forces_;
+    ElementMeasures            measures_; ///< of the state measured last
+    std::vector<RigidVelocity> rigid_;
+    std::vector<BodyDamping>   damping_;
+    std::vector<BodySums>      sums_; ///< of the last update, over all ranks
+    StepPowers                 powers_;
+    double                     drive_torque_ = 0;
+    EnergyLedger               ledger_, ledger_at_start_;
+    ApproachEnergy             approach_;
+    double                     largest_approach_ = 0; ///< at the samples so far [mJ]
+    bool                       has_touched_      = false;
+    std::vector<DampingAudit>  audit_;
+    unsigned int               audited_steps_ = 0, audited_samples_ = 0;
+    ContactWatch               contact_watch_;
+    State                      observed_;
+    std::uint64_t              first_step_ = 0; ///< of the run
+    double                     start_time_ = 0; ///< of the run [s]
+    std::vector<RigidVelocity> rates_at_start_;
+    bool                       goes_on_       = false; ///< from a checkpoint
+    bool                       energy_warned_ = false;
+    EnergyWatch                warning_watch_, failure_watch_;
+    bool                       search_now_ = false; ///< whatever the step
+    double                     element_step_;       ///< [s]
   };
 } // namespace vfife
 

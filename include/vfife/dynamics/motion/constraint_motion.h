@@ -38,7 +38,7 @@ namespace vfife
      * local node. */
     void set_masses(const std::vector<double> &masses);
 
-    /** Sets mass and inverse mass of the constrained nodes in the records of @p state to zero. */
+    /** Sets mass and inverse mass of the constrained nodes in the fields of @p state to zero. */
     void clear_masses(State &state) const;
 
     /** Takes over angles and angular velocities of free rotations from positions and velocities of
@@ -58,29 +58,21 @@ namespace vfife
     void set_part(double part);
 
     /** Remembers the old positions and velocities, before update_nodes(). */
-    void save(const double *positions, const double *velocities);
-
-    /** Power and moments of the constrained nodes of one body in one step; drive_power is done on
-     * the body. */
-    struct Sums
-    {
-      UpdateSums update;
-      double     drive_power  = 0; ///< [mJ/s]
-      double     drive_torque = 0; ///< about the axis [N mm]
-    };
+    void save(const NodeField &positions, const NodeField &velocities);
 
     /**
      * Moves the constrained nodes from the saved state at @p time to time + dt. @p damping: one
-     * entry a body. Adds to @p sums (one a body). Collective where there is a rigid hub.
+     * entry a body. Adds power and moments of the constrained nodes to @p sums (one a body).
+     * Collective where there is a rigid hub.
      */
     void apply(double                          time,
                double                          dt,
                MotionFrame                     frame,
                const std::vector<BodyDamping> &damping,
-               const double                   *forces,
-               double                         *positions,
-               double                         *velocities,
-               std::vector<Sums>              &sums);
+               const NodeField                &forces,
+               NodeField                      &positions,
+               NodeField                      &velocities,
+               std::vector<BodySums>          &sums);
 
     /** Adds momentum and inertia of the constrained nodes in the present state to @p sums (one a
      * body). */
@@ -88,10 +80,7 @@ namespace vfife
 
     /** Leaves of the forces at constrained nodes the tangential part where the node may turn (@p
      * rotation_is_free), of a rigid hub its share of the hub's torque; else nothing. Collective. */
-    void project(const double *positions, double *forces, bool rotation_is_free) const;
-
-    /** The line of update sums for a body. */
-    static UpdateAxis axis_of(const Body &body);
+    void project(const NodeField &positions, NodeField &forces, bool rotation_is_free) const;
 
   private:
     struct Node
@@ -139,7 +128,7 @@ namespace vfife
 
     static Vector3 turned(const Axis &axis, const Vector3 &start, double angle);
     void
-    turn_freely(Group &group, double dt, const BodyDamping &damping, const double *forces) const;
+    turn_freely(Group &group, double dt, const BodyDamping &damping, const NodeField &forces) const;
     static void add_sums(const Group       &group,
                          const Node        &node,
                          double             dt,
@@ -148,7 +137,7 @@ namespace vfife
                          const Vector3     &x,
                          const Vector3     &v,
                          const UpdateAxis  &axis,
-                         Sums              &sums);
+                         BodySums          &sums);
 
     const Communicator     &communicator_;
     std::vector<Group>      groups_;

@@ -2,7 +2,7 @@
 #ifndef vfife_dynamics_motion_mean_speed_h
 #define vfife_dynamics_motion_mean_speed_h
 
-#include <vfife/dynamics/motion/nodal_update.h>
+#include <vfife/dynamics/rigid_velocity.h>
 
 namespace vfife
 {

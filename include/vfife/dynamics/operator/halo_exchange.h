@@ -2,7 +2,8 @@
 #ifndef vfife_dynamics_operator_halo_exchange_h
 #define vfife_dynamics_operator_halo_exchange_h
 
-#include <vfife/model/state.h>
+#include <vfife/model/node_field.h>
+#include <vfife/model/partition.h>
 
 #include <mpi.h>
 
@@ -14,8 +15,8 @@ namespace vfife
   struct Model;
 
   /**
-   * Sums nodal records over the ranks that share the node. Every rank adds the same parts in the
-   * same order (ascending rank), so that all copies of a node stay equal to the last bit.
+   * Sums the vectors of a field over the ranks that share the node. Every rank adds the same parts
+   * in the same order (ascending rank), so that all copies of a node stay equal to the last bit.
    */
   class HaloExchange
   {
@@ -25,13 +26,12 @@ namespace vfife
                  const std::vector<std::uint32_t> &rank_of_element,
                  const Communicator               &communicator);
 
-    /** @p values: 4 doubles a local node; the first three of shared nodes become sums over ranks.
-     */
-    void add_over_ranks(double *values);
+    /** The @p values of shared nodes become sums over ranks. Collective. */
+    void add_over_ranks(NodeField &values);
 
     /** The same in two parts, between which @p values of other nodes may be worked on. */
-    void start(double *values);
-    void finish(double *values);
+    void start(NodeField &values);
+    void finish(NodeField &values);
 
   private:
     struct Neighbour

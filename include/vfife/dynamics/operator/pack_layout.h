@@ -3,7 +3,7 @@
 #define vfife_dynamics_operator_pack_layout_h
 
 #include <vfife/dynamics/operator/congruence.h>
-#include <vfife/model/state.h>
+#include <vfife/model/partition.h>
 
 #include <vector>
 

@@ -75,15 +75,16 @@ namespace vfife
     /** Goes on with other kernels: what is stored is the same for all. */
     void use_kernels(FrameKind frame, InstructionSet instruction_set);
 
-    /** Length of nodal arrays: 4 doubles a local node and one node that unused lanes write to. */
-    std::size_t array_size() const;
+    /** Zeros at the local nodes and at one more, which unused lanes write to: the fields that this
+     * class works on have its size. */
+    NodeField make_field() const;
 
-    /** Sets @p forces [N] (4 a node, on all copies of a node) to the internal forces at @p
-     * positions [mm]. Collective. */
-    void compute_internal_forces(const double *positions, double *forces);
+    /** Sets @p forces [N] (on all copies of a node) to the internal forces at @p positions [mm].
+     * Collective. */
+    void compute_internal_forces(const NodeField &positions, NodeField &forces);
 
     /** The same, and what the elements show besides. */
-    ElementMeasures measure_internal_forces(const double *positions, double *forces);
+    ElementMeasures measure_internal_forces(const NodeField &positions, NodeField &forces);
 
     /** The worst element over all ranks. */
     const LimitingElement &limiting_element() const;
@@ -114,8 +115,8 @@ namespace vfife
     /** What one element with its own constants reads of them [bytes]. */
     unsigned int own_bytes() const;
 
-    /** Sums nodal records over ranks, see HaloExchange. */
-    void add_over_ranks(double *values);
+    /** Sums the vectors of a field over ranks, see HaloExchange. */
+    void add_over_ranks(NodeField &values);
 
   private:
     struct Group
@@ -134,7 +135,7 @@ namespace vfife
      * nodes of other ranks first, and sums over the ranks while the others are computed.
      */
     template <typename Add>
-    void for_all_packs(double *forces, const Add &add);
+    void for_all_packs(NodeField &forces, const Add &add);
 
     void add_group(const Model &model, unsigned int body, bool shared);
     void copy_own_constants(const std::vector<double> &class_constants,

@@ -2,7 +2,7 @@
 #ifndef vfife_dynamics_watch_approach_energy_h
 #define vfife_dynamics_watch_approach_energy_h
 
-#include <vfife/dynamics/motion/constraint_motion.h>
+#include <vfife/dynamics/update_sums.h>
 
 #include <set>
 #include <utility>
@@ -25,7 +25,7 @@ namespace vfife
     explicit ApproachEnergy(const Model &model);
 
     /** At the state whose sums over all ranks are @p sums, one a body [mJ]. */
-    double compute(const std::vector<ConstraintMotion::Sums> &sums) const;
+    double compute(const std::vector<BodySums> &sums) const;
 
   private:
     struct FlyingBody

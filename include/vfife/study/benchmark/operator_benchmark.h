@@ -43,7 +43,7 @@ namespace vfife
     const Model         &model_;
     const PlainElements &plain_;
     VfifeOperator        operator_;
-    std::vector<double>  positions_, velocities_, forces_;
+    NodeField            positions_, velocities_, forces_;
     std::vector<double>  plain_positions_, plain_forces_;
   };
 

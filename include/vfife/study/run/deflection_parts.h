@@ -78,7 +78,7 @@ namespace vfife
     const Communicator &communicator_;
     Shape               spun_;
     double              partial_torque_ = 0, partial_lead_ = 0; ///< [N mm], [rad]
-    std::vector<double> partial_position_;                      ///< records as in State
+    NodeField           partial_position_;                      ///< [mm]
   };
 } // namespace vfife
 

@@ -43,8 +43,8 @@ namespace vfife
     Matrix3             rotation(unsigned int body) const;
     std::vector<double> gather(const State &state, const NodeVector &vector) const;
     std::vector<double> displacements(const State &state) const;
-    std::vector<double> turned_back(const State &state, const std::vector<double> &forces) const;
-    double              moment(const State &state, const std::vector<double> &forces) const;
+    std::vector<double> turned_back(const State &state, const NodeField &forces) const;
+    double              moment(const State &state, const NodeField &forces) const;
     void                place(const std::vector<double> &u, State &state) const;
 
     const Model                     &model_;

@@ -1,0 +1,100 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/update_sums.h>
+#include <vfife/model/body.h>
+
+#include <Eigen/LU>
+
+namespace vfife
+{
+  void UpdateSums::operator+=(const UpdateSums &other)
+  {
+    kinetic += other.kinetic;
+    damping_power += other.damping_power;
+    mesh_power += other.mesh_power;
+    damping_torque += other.damping_torque;
+    axial_momentum += other.axial_momentum;
+    axial_inertia += other.axial_inertia;
+    momentum += other.momentum;
+    first_moment += other.first_moment;
+    angular_momentum += other.angular_momentum;
+    second_moment += other.second_moment;
+  }
+
+  UpdateAxis UpdateAxis::of(const Body &body)
+  {
+    return {body.turns_on_axis, body.axis.point, body.axis.direction};
+  }
+
+  void add_node_moments(
+    const UpdateAxis &axis, const double mass, const Vector3 &x, const Vector3 &v, UpdateSums &sums)
+  {
+    if (axis.use_axis)
+      {
+        const Vector3 e = axis.direction.cross(x - axis.point);
+        sums.axial_momentum += mass * e.dot(v);
+        sums.axial_inertia += mass * e.squaredNorm();
+      }
+    else
+      {
+        sums.momentum += mass * v;
+        sums.first_moment += mass * x;
+        sums.angular_momentum += mass * x.cross(v);
+        sums.second_moment += mass * x * x.transpose();
+      }
+  }
+
+  void sum_over_ranks(UpdateSums                  &sums,
+                      const Communicator          &communicator,
+                      const std::vector<double *> &more)
+  {
+    std::vector<double *> numbers = {&sums.kinetic,
+                                     &sums.damping_power,
+                                     &sums.mesh_power,
+                                     &sums.damping_torque,
+                                     &sums.axial_momentum,
+                                     &sums.axial_inertia};
+    for (unsigned int i = 0; i < 3; ++i)
+      numbers.insert(numbers.end(),
+                     {&sums.momentum[i], &sums.first_moment[i], &sums.angular_momentum[i]});
+    for (unsigned int i = 0; i < 9; ++i)
+      numbers.push_back(sums.second_moment.data() + i);
+    numbers.insert(numbers.end(), more.begin(), more.end());
+
+    std::vector<double> values;
+    for (const double *number : numbers)
+      values.push_back(*number);
+    communicator.sum(values);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      *numbers[i] = values[i];
+  }
+
+  double
+  compute_rigid_kinetic_energy(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
+  {
+    if (axis.use_axis)
+      return 0.5 * sums.axial_momentum * sums.axial_momentum / sums.axial_inertia;
+    const RigidVelocity rate   = compute_momentum_rate(axis, mass, sums);
+    const Vector3       centre = sums.first_moment / mass;
+    return 0.5 * sums.momentum.squaredNorm() / mass +
+           0.5 * rate.omega.dot(sums.angular_momentum - centre.cross(sums.momentum));
+  }
+
+  RigidVelocity
+  compute_momentum_rate(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
+  {
+    RigidVelocity rate;
+    if (axis.use_axis)
+      {
+        rate.omega    = (sums.axial_momentum / sums.axial_inertia) * axis.direction;
+        rate.velocity = -rate.omega.cross(axis.point);
+        return rate;
+      }
+    const Vector3 centre  = sums.first_moment / mass;
+    const Matrix3 second  = sums.second_moment - mass * centre * centre.transpose();
+    const Matrix3 inertia = second.trace() * Matrix3::Identity() - second;
+    rate.omega    = inertia.inverse() * (sums.angular_momentum - centre.cross(sums.momentum));
+    rate.velocity = sums.momentum / mass - rate.omega.cross(centre);
+    return rate;
+  }
+} // namespace vfife
