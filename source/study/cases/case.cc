@@ -1,8 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/parameters/parameter_file.h>
 #include <vfife/study/cases/case.h>
-#include <vfife/study/cases/gear_case.h>
-#include <vfife/study/cases/model_case.h>
 
 namespace vfife
 {
@@ -27,12 +24,5 @@ namespace vfife
   std::vector<std::string> Case::find_contradictions(const RunPlan &) const
   {
     return {};
-  }
-
-  std::unique_ptr<Case> make_case(const ParameterFile &file)
-  {
-    if (file.contains("Model") && !file.contains("Gear pair"))
-      return std::make_unique<ModelCase>();
-    return std::make_unique<GearCase>();
   }
 } // namespace vfife

@@ -9,7 +9,6 @@
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/gear_case.h>
-#include <vfife/study/cases/pair_checks.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -138,11 +137,6 @@ namespace vfife
       throw InputError("Dynamics/start",
                        "a gear pair starts by \"static preload\" or \"ramp\"; \"undeformed\" is "
                        "for models of the section Model");
-  }
-
-  std::vector<std::string> GearCase::find_contradictions(const RunPlan &plan) const
-  {
-    return find_pair_contradictions(*this, plan);
   }
 
   // Whole steps from sample to sample: a tooth mesh is divided into a multiple of their number.

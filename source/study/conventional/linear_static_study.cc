@@ -13,6 +13,7 @@
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/study/cases/case.h>
+#include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
 #include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/start_summary.h>

@@ -8,6 +8,7 @@
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/cases/case.h>
+#include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
 #include <vfife/study/conventional/modal_study.h>
 

@@ -8,10 +8,12 @@
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/case.h>
+#include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
+#include <vfife/study/run/start_kinds.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/run/stepping.h>
 #include <vfife/study/start_summary.h>

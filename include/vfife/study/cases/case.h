@@ -5,7 +5,6 @@
 #include <vfife/contact/law/hertz.h>
 #include <vfife/model/model.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -68,9 +67,6 @@ namespace vfife
      * although each of them is allowed; empty when nothing is found. */
     virtual std::vector<std::string> find_contradictions(const RunPlan &plan) const;
   };
-
-  /** A file with a section Model and no Gear pair is a general model, any other a gear pair. */
-  std::unique_ptr<Case> make_case(const ParameterFile &file);
 } // namespace vfife
 
 #endif

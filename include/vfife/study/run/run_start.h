@@ -2,16 +2,9 @@
 #ifndef vfife_study_run_run_start_h
 #define vfife_study_run_run_start_h
 
-#include <memory>
-
 namespace vfife
 {
   class ByteStream;
-  class Communicator;
-  class ExplicitSolver;
-  class Log;
-  struct DynamicsOptions;
-  struct Model;
   struct PairPreload;
   struct State;
 
@@ -31,13 +24,6 @@ namespace vfife
     /** What the equilibrium of a gear pair has told; nullptr for starts without one. */
     virtual const PairPreload *preload() const;
   };
-
-  /** The start that Dynamics/start asks for. Everything given must outlive it. */
-  std::unique_ptr<RunStart> make_start(const Model           &model,
-                                       const DynamicsOptions &options,
-                                       ExplicitSolver        &solver,
-                                       const Communicator    &communicator,
-                                       Log                   &log);
 } // namespace vfife
 
 #endif

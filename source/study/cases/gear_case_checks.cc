@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of GearCase that finds what a user will not expect; doc/study.md lists the checks.
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/gear_case.h>
-#include <vfife/study/cases/pair_checks.h>
 #include <vfife/study/cases/run_plan.h>
 
 #include <cmath>
@@ -178,12 +178,12 @@ namespace vfife
                                            &check_checkpoint};
   } // namespace
 
-  std::vector<std::string> find_pair_contradictions(const GearCase &gear_case, const RunPlan &plan)
+  std::vector<std::string> GearCase::find_contradictions(const RunPlan &plan) const
   {
     std::vector<std::string> found;
     for (const Check check : all_checks)
       {
-        const std::string sentence = check(gear_case, plan);
+        const std::string sentence = check(*this, plan);
         if (!sentence.empty())
           found.push_back(sentence);
       }

@@ -1,0 +1,17 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_cases_case_kinds_h
+#define vfife_study_cases_case_kinds_h
+
+#include <memory>
+
+namespace vfife
+{
+  class Case;
+  class ParameterFile;
+
+  /** The kind of case that the sections of a file stand for: with a section Model and no Gear pair
+   * a general model, otherwise a gear pair. */
+  std::unique_ptr<Case> make_case(const ParameterFile &file);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,15 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/study/cases/case_kinds.h>
+#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/model_case.h>
+
+namespace vfife
+{
+  std::unique_ptr<Case> make_case(const ParameterFile &file)
+  {
+    if (file.contains("Model") && !file.contains("Gear pair"))
+      return std::make_unique<ModelCase>();
+    return std::make_unique<GearCase>();
+  }
+} // namespace vfife

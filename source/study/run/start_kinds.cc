@@ -1,0 +1,69 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/log.h>
+#include <vfife/dynamics/equilibrium/relaxation.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/study/run/pair_preload.h>
+#include <vfife/study/run/start_kinds.h>
+
+namespace vfife
+{
+  namespace
+  {
+    /** The bodies as they are: what ExplicitSolver::start() has made. */
+    class UndeformedStart : public RunStart
+    {
+    public:
+      void prepare(State &) override
+      {
+      }
+    };
+
+    /** Equilibrium of a general model under its loads and centrifugal force, then let go. */
+    class RelaxedStart : public RunStart
+    {
+    public:
+      RelaxedStart(const Model           &model,
+                   const DynamicsOptions &options,
+                   ExplicitSolver        &solver,
+                   const Communicator    &communicator,
+                   Log                   &log)
+        : relaxation_(model,
+                      options.relaxation,
+                      solver.vfife_operator(),
+                      solver.contact(),
+                      solver.walls(),
+                      communicator,
+                      log)
+        , solver_(solver)
+        , log_(log)
+      {
+      }
+
+      void prepare(State &state) override
+      {
+        const RelaxationReport report = relaxation_.solve(state, Relaxation::Loads());
+        log_.line(
+          "equilibrium before the start: ", report.steps, " steps, residual ", report.residual);
+        solver_.set_rigid_velocities(state);
+      }
+
+    private:
+      Relaxation      relaxation_;
+      ExplicitSolver &solver_;
+      Log            &log_;
+    };
+  } // namespace
+
+  std::unique_ptr<RunStart> make_start(const Model           &model,
+                                       const DynamicsOptions &options,
+                                       ExplicitSolver        &solver,
+                                       const Communicator    &communicator,
+                                       Log                   &log)
+  {
+    if (options.start == Start::undeformed)
+      return std::make_unique<UndeformedStart>();
+    if (model.transmission)
+      return std::make_unique<PreloadedPair>(model, options, solver, communicator, log);
+    return std::make_unique<RelaxedStart>(model, options, solver, communicator, log);
+  }
+} // namespace vfife
