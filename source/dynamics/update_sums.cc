@@ -5,22 +5,10 @@
 
 #include <Eigen/LU>
 
+#include <vector>
+
 namespace vfife
 {
-  void UpdateSums::operator+=(const UpdateSums &other)
-  {
-    kinetic += other.kinetic;
-    damping_power += other.damping_power;
-    mesh_power += other.mesh_power;
-    damping_torque += other.damping_torque;
-    axial_momentum += other.axial_momentum;
-    axial_inertia += other.axial_inertia;
-    momentum += other.momentum;
-    first_moment += other.first_moment;
-    angular_momentum += other.angular_momentum;
-    second_moment += other.second_moment;
-  }
-
   UpdateAxis UpdateAxis::of(const Body &body)
   {
     return {body.turns_on_axis, body.axis.point, body.axis.direction};
@@ -44,22 +32,22 @@ namespace vfife
       }
   }
 
-  void sum_over_ranks(UpdateSums                  &sums,
-                      const Communicator          &communicator,
-                      const std::vector<double *> &more)
+  void sum_over_ranks(BodySums &sums, const Communicator &communicator)
   {
-    std::vector<double *> numbers = {&sums.kinetic,
-                                     &sums.damping_power,
-                                     &sums.mesh_power,
-                                     &sums.damping_torque,
-                                     &sums.axial_momentum,
-                                     &sums.axial_inertia};
+    UpdateSums           &update  = sums.update;
+    std::vector<double *> numbers = {&update.kinetic,
+                                     &update.damping_power,
+                                     &update.mesh_power,
+                                     &update.damping_torque,
+                                     &update.axial_momentum,
+                                     &update.axial_inertia,
+                                     &sums.drive_power,
+                                     &sums.drive_torque};
     for (unsigned int i = 0; i < 3; ++i)
       numbers.insert(numbers.end(),
-                     {&sums.momentum[i], &sums.first_moment[i], &sums.angular_momentum[i]});
+                     {&update.momentum[i], &update.first_moment[i], &update.angular_momentum[i]});
     for (unsigned int i = 0; i < 9; ++i)
-      numbers.push_back(sums.second_moment.data() + i);
-    numbers.insert(numbers.end(), more.begin(), more.end());
+      numbers.push_back(update.second_moment.data() + i);
 
     std::vector<double> values;
     for (const double *number : numbers)

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/model/state.h>
+#include <vfife/model/energy_ledger.h>
 
 namespace vfife
 {

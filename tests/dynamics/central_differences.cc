@@ -25,14 +25,14 @@ namespace
     // About the middle axis of inertia with a disturbance, and flying: Euler's unstable case, so
     // that it turns over.
     const Vector3 centre(10, 5, 2), flight(3000, -1000, 500), omega(200, 20000, 100);
-    for (std::uint32_t i = 0; i < run.state.partition.n_local(); ++i)
+    for (std::uint32_t i = 0; i < run.state.partition->n_local(); ++i)
       set_velocity(run.state, i, flight + omega.cross(run.state.node_position(i) - centre));
     const auto    &masses = run.solver.vfife_operator().masses();
     const Momentum start(run.state, masses);
 
     // Euler's equations of the rigid block of the same lumped masses, in its own axes.
     Matrix3 second = Matrix3::Zero();
-    for (std::uint32_t i = 0; i < run.state.partition.n_local(); ++i)
+    for (std::uint32_t i = 0; i < run.state.partition->n_local(); ++i)
       {
         const Vector3 r = run.state.node_position(i) - centre;
         second += masses[i] * r * r.transpose();
@@ -72,7 +72,7 @@ namespace
       Vector3             corner[4];
       const std::uint32_t nodes[4] = {0, 8, 36, 90};
       for (unsigned int c = 0; c < 4; ++c)
-        corner[c] = state.node_position(state.partition.local_node[nodes[c]]);
+        corner[c] = state.node_position(state.partition->local_node[nodes[c]]);
       const double size[3] = {20, 10, 4};
       for (unsigned int c = 0; c < 3; ++c)
         stretch = std::max(stretch, std::abs((corner[c + 1] - corner[0]).norm() / size[c] - 1));
@@ -145,7 +145,7 @@ namespace
     model.add_body(Body("bar", make_block(Vector3(L, 5, 5), {{n, 1, 1}}), material));
     OneSolver    run(model, undamped());
     const double amplitude = 100; // [mm/s]; strain 2e-5, the frame's rotation plays no part
-    for (std::uint32_t i = 0; i < run.state.partition.n_local(); ++i)
+    for (std::uint32_t i = 0; i < run.state.partition->n_local(); ++i)
       set_velocity(run.state,
                    i,
                    Vector3(amplitude * std::cos(pi * run.state.node_position(i)[0] / L), 0, 0));
@@ -157,10 +157,10 @@ namespace
     double      energy = 0, other = 0;
     auto        observers = watch(1, [&](const State &state) {
       double mode = 0, square = 0;
-      for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
+      for (std::uint32_t i = 0; i < state.partition->n_local(); ++i)
         {
           const double shape =
-            std::cos(pi * model.bodies[0].node_positions()[state.partition.global_node[i]][0] / L);
+            std::cos(pi * model.bodies[0].node_positions()[state.partition->global_node[i]][0] / L);
           mode += masses[i] * shape * state.node_velocity(i)[0];
           square += masses[i] * state.node_velocity(i).squaredNorm();
         }
@@ -208,7 +208,7 @@ namespace
     const auto   shape = [&](const double x) {
       return std::cosh(k * x) - std::cos(k * x) - ratio * (std::sinh(k * x) - std::sin(k * x));
     };
-    for (std::uint32_t i = 0; i < run.state.partition.n_local(); ++i)
+    for (std::uint32_t i = 0; i < run.state.partition->n_local(); ++i)
       set_velocity(run.state, i, Vector3(0, 0, 10 * shape(run.state.node_position(i)[0])));
     const double c     = std::sqrt(material.youngs_modulus / material.density);
     const double euler = std::pow(k, 2) * c * H / std::sqrt(12.) / (2 * pi);
@@ -218,9 +218,9 @@ namespace
     double      energy = 0, held = 0;
     auto        observers = watch(5, [&](const State &state) {
       double mode = 0;
-      for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
+      for (std::uint32_t i = 0; i < state.partition->n_local(); ++i)
         {
-          const Vector3 &X = model.bodies[0].node_positions()[state.partition.global_node[i]];
+          const Vector3 &X = model.bodies[0].node_positions()[state.partition->global_node[i]];
           mode += masses[i] * shape(X[0]) * state.node_velocity(i)[2];
           if (X[0] == 0)
             held = std::max(held, (state.node_position(i) - X).norm());

@@ -218,10 +218,10 @@ namespace
     Vector3 tip  = Vector3::Zero();
     double  held = 0;
     for (const unsigned int node : model.bodies[0].node_set("x+"))
-      tip += run.state.node_position(run.state.partition.local_node[node]) / 4;
+      tip += run.state.node_position(run.state.partition->local_node[node]) / 4;
     for (const unsigned int node : model.bodies[0].node_set("x-"))
       held = std::max(held,
-                      (run.state.node_position(run.state.partition.local_node[node]) -
+                      (run.state.node_position(run.state.partition->local_node[node]) -
                        model.bodies[0].placement(model.bodies[0].node_positions()[node]))
                         .norm());
     const Vector3 way =

@@ -52,7 +52,7 @@ namespace
     result.leak = (last - first).norm() / first.norm();
     for (unsigned int n = 0; n < model.bodies[0].n_nodes(); ++n)
       if ((model.bodies[0].node_positions()[n] - start).norm() < 1e-9)
-        result.corner = run.state.node_position(run.state.partition.local_node[n]);
+        result.corner = run.state.node_position(run.state.partition->local_node[n]);
     return result;
   }
 } // namespace

@@ -63,7 +63,7 @@ int main(int argc, char **argv)
     for (unsigned int b = 0; b < 2; ++b)
       {
         Vector3 p = Vector3::Zero();
-        for (const std::uint32_t i : state.partition.nodes(b))
+        for (const std::uint32_t i : state.partition->nodes(b))
           p += masses[i] * state.node_velocity(i);
         velocity[b] = p[0] / mass;
         total += p;

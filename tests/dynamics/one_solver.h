@@ -83,7 +83,7 @@ struct Momentum
 
   Momentum(const vfife::State &state, const std::vector<double> &masses)
   {
-    for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
+    for (std::uint32_t i = 0; i < state.partition->n_local(); ++i)
       {
         // x(t) - dt v(t - dt/2)/2 is the middle of the step; its part along v adds nothing to x
         // cross v

@@ -52,7 +52,7 @@ namespace
     for (const unsigned int node : body.node_set("inner"))
       {
         const Vector3 start = body.placement(body.node_positions()[node]);
-        const Vector3 now   = run.state.node_position(run.state.partition.local_node[node]);
+        const Vector3 now   = run.state.node_position(run.state.partition->local_node[node]);
         const double  angle =
           std::atan2(start[0] * now[1] - start[1] * now[0], start[0] * now[0] + start[1] * now[1]);
         least  = std::min(least, angle);

@@ -64,7 +64,7 @@ int main(int argc, char **argv)
         last  = state.time;
       }
     double p = 0;
-    for (std::uint32_t i = 0; i < state.partition.first_local_node[1]; ++i)
+    for (std::uint32_t i = 0; i < state.partition->first_local_node[1]; ++i)
       p += masses[i] * state.node_velocity(i)[2];
     velocity = p / mass;
     energy =

@@ -63,7 +63,7 @@ int main(int argc, char **argv)
       velocity[n] = rate * (cylindrical * field.slope);
       acceleration[n] =
         rate * rate * (cylindrical * (field.curvature + 2. * Vector3::UnitZ().cross(field.slope)));
-      run.state.position.set(run.state.partition.local_node[n],
+      run.state.position.set(run.state.partition->local_node[n],
                              placement(x) + cylindrical * field.value);
     }
 
@@ -77,7 +77,7 @@ int main(int argc, char **argv)
   double wrong_velocity = 0., wrong_force = 0., largest = 0.;
   for (unsigned int n = 0; n < body.n_nodes(); ++n)
     {
-      const std::uint32_t i = run.state.partition.local_node[n];
+      const std::uint32_t i = run.state.partition->local_node[n];
       largest               = std::max(largest, velocity[n].norm());
       wrong_velocity        = std::max(wrong_velocity, (velocities.value(i) - velocity[n]).norm());
       wrong_force = std::max(wrong_force, (forces.value(i) + 2. * acceleration[n]).norm());

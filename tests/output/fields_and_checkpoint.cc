@@ -93,11 +93,11 @@ namespace
   State make_state(const Model &model, const unsigned int rank, const unsigned int size)
   {
     State state;
-    state.partition = make_partition(model, rank, size);
-    state.position = state.velocity = state.contact_force = NodeField(state.partition.n_local());
-    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
+    state.partition = std::make_shared<const Partition>(make_partition(model, rank, size));
+    state.position = state.velocity = state.contact_force = NodeField(state.partition->n_local());
+    for (std::size_t i = 0; i < state.partition->n_local(); ++i)
       {
-        const unsigned int node = state.partition.global_node[i];
+        const unsigned int node = state.partition->global_node[i];
         const bool         ring = node < model.bodies[1].first_node;
         const Body        &body = model.bodies[ring ? 0 : 1];
         const Vector3      X    = body.placement(body.node_positions()[node - body.first_node]);
@@ -156,7 +156,7 @@ namespace
 
   void check_fields(const Model &model, State state, const OutputFolder &folder)
   {
-    for (std::size_t i = 0; i < state.partition.n_local(); ++i)
+    for (std::size_t i = 0; i < state.partition->n_local(); ++i)
       state.contact_force.set(i, Vector3::UnitX());
     FieldWriter writer(folder, model, 50, StiffnessKind::incompatible_modes, FrameKind::polar);
     check("fields: due", writer.due(state) || !folder.is_writer());

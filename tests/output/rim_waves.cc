@@ -43,8 +43,9 @@ namespace
     const Matrix3      turn = rotation_about(ring.axis.direction, 2.5);
     const unsigned int n    = ring.n_nodes();
     State              state;
-    state.partition.owned.assign(n, 1);
-    state.partition.first_local_node = {0, n};
+    Partition          partition;
+    partition.owned.assign(n, 1);
+    partition.first_local_node = {0, n};
     RigidMotion now;
     now.rotation    = turn * ring.placement.rotation;
     now.translation = ring.axis.point;
@@ -52,8 +53,8 @@ namespace
     state.position = state.velocity = NodeField(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        state.partition.global_node.push_back(i);
-        state.partition.local_node.push_back(i);
+        partition.global_node.push_back(i);
+        partition.local_node.push_back(i);
         const Vector3 &X     = ring.node_positions()[i];
         const double   alpha = std::atan2(X[1], X[0]);
         // r: 3 um; theta: 2 sin(10 alpha); z: 5 cos(alpha) - 4 sin(3 alpha)
@@ -64,8 +65,9 @@ namespace
         const Vector3 x     = ring.axis.point + turn * moved;
         state.position.set(i, x);
       }
-    state.time = 1e-3;
-    state.step = 10;
+    state.partition = std::make_shared<const Partition>(partition);
+    state.time      = 1e-3;
+    state.step      = 10;
     return state;
   }
 } // namespace

@@ -62,9 +62,9 @@ namespace
                  const Communicator        &communicator)
   {
     double difference = 0, largest = 0;
-    for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
+    for (std::uint32_t i = 0; i < state.partition->n_local(); ++i)
       {
-        const std::uint32_t             node = state.partition.global_node[i];
+        const std::uint32_t             node = state.partition->global_node[i];
         const Eigen::Map<const Vector3> expected(reference.data() + 3 * node);
         difference = std::max(
           difference,

@@ -4,8 +4,6 @@
 
 #include <vfife/dynamics/rigid_velocity.h>
 
-#include <vector>
-
 namespace vfife
 {
   class Body;
@@ -26,8 +24,6 @@ namespace vfife
     Vector3 first_moment     = Vector3::Zero(); ///< sum m x
     Vector3 angular_momentum = Vector3::Zero(); ///< sum m x x v_+, about the fixed origin
     Matrix3 second_moment    = Matrix3::Zero(); ///< sum m x x^T
-
-    void operator+=(const UpdateSums &other);
   };
 
   /** Sums of one body in one step; drive_power is done on the body. */
@@ -53,10 +49,8 @@ namespace vfife
   void add_node_moments(
     const UpdateAxis &axis, double mass, const Vector3 &x, const Vector3 &v, UpdateSums &sums);
 
-  /** Replaces the sums, and the @p more numbers, by those over all ranks. Collective. */
-  void sum_over_ranks(UpdateSums                  &sums,
-                      const Communicator          &communicator,
-                      const std::vector<double *> &more = {});
+  /** Replaces the sums by those over all ranks. Collective. */
+  void sum_over_ranks(BodySums &sums, const Communicator &communicator);
 
   /** Kinetic energy of the rigid motion of compute_momentum_rate() [mJ]. */
   double compute_rigid_kinetic_energy(const UpdateAxis &axis, double mass, const UpdateSums &sums);

@@ -3,42 +3,18 @@
 #define vfife_model_state_h
 
 #include <vfife/base/types.h>
+#include <vfife/model/energy_ledger.h>
 #include <vfife/model/node_field.h>
 #include <vfife/model/partition.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace vfife
 {
-  /** Energies since the start of the run [mJ]. Work is counted as received by the bodies,
-   * dissipation as lost. */
-  struct EnergyLedger
-  {
-    double kinetic           = 0; ///< now
-    double kinetic_relative  = 0; ///< of the motion relative to the rigidly turning bodies, now
-    double strain            = 0; ///< of bodies and springs to the ground, now
-    double contact           = 0; ///< stored in the contact springs, now
-    double drive_work        = 0;
-    double torque_work       = 0;
-    double damping_loss      = 0;
-    double mesh_damping_loss = 0;
-    double contact_loss      = 0; ///< contact damping and friction
-    double start             = 0; ///< kinetic + strain + contact at the start
-    double scale             = 0; ///< largest value so far that the error is divided by; at least
-                                  ///< scale_floor of the kinetic energy at the start, and the
-                                  ///< energy of approach of flying bodies that have touched
-    /** Round-off of the kinetic energy of rigid flight or spin is some 1e-15 of it and must not be
-     * the measure of itself. */
-    static constexpr double scale_floor = 1e-10;
-
-    /** Residual over the scale: of changes since the start, with spin left out (doc/model.md). */
-    double error() const;
-    double residual() const;
-  };
-
   /** What the dampers did to one body over a run. */
   struct DampingAudit
   {
@@ -107,10 +83,11 @@ namespace vfife
     double        time = 0; ///< [s]
     std::uint64_t step = 0;
     double        dt   = 0; ///< [s]
-    Partition     partition;
-    NodeField     position;      ///< [mm]; number: 1/m [1/t], 0 at constrained nodes
-    NodeField     velocity;      ///< [mm/s]; number: m [t], 0 at constrained nodes
-    NodeField     contact_force; ///< [N], valid when an observer asked for this instant
+    /** Of the bodies over ranks; copies of a state share it. Set by whoever starts the run. */
+    std::shared_ptr<const Partition> partition;
+    NodeField                        position; ///< [mm]; number: 1/m [1/t], 0 at constrained nodes
+    NodeField                        velocity; ///< [mm/s]; number: m [t], 0 at constrained nodes
+    NodeField contact_force; ///< [N], valid when an observer asked for this instant
     /** Mean rigid motion of each body, body frame -> fixed frame now: its momentum's rotation,
      * integrated. */
     std::vector<RigidMotion> body_motion;

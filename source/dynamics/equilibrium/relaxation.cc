@@ -95,7 +95,7 @@ namespace vfife
         const Axis  &axis   = model_.bodies[b].axis;
         const double square = model_.bodies[b].rate * model_.bodies[b].rate;
         if (square > 0)
-          for (const std::uint32_t i : state.partition.nodes(b))
+          for (const std::uint32_t i : state.partition->nodes(b))
             {
               const Vector3 r = state.node_position(i) - axis.point;
               forces.add(i,
@@ -149,7 +149,7 @@ namespace vfife
     if (loads.contact)
       add_contact(state, true, forces);
     add_applied(state, loads, forces);
-    ConstraintMotion(model_, state.partition, communicator_)
+    ConstraintMotion(model_, *state.partition, communicator_)
       .project(state.position, forces, !loads.hold_rotation);
     return forces;
   }
@@ -160,13 +160,13 @@ namespace vfife
     NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
     const double round_off = compute_round_off(state, compute_masses(loads, state.dt));
-    return norm(forces, state.partition) /
-           std::max(norm(applied, state.partition), round_off / options_.tolerance);
+    return norm(forces, *state.partition) /
+           std::max(norm(applied, *state.partition), round_off / options_.tolerance);
   }
 
   void Relaxation::constrain(State &state) const
   {
-    ConstraintMotion constraints(model_, state.partition, communicator_);
+    ConstraintMotion constraints(model_, *state.partition, communicator_);
     constraints.read(state, MotionFrame::rotating);
     place(state, constraints);
     constraints.turn_bodies(model_, state);
@@ -191,16 +191,16 @@ namespace vfife
   double Relaxation::compute_round_off(const State &state, const std::vector<double> &masses) const
   {
     NodeField forces = operator_.make_field();
-    for (const std::uint32_t i : state.partition.nodes())
+    for (const std::uint32_t i : state.partition->nodes())
       forces.set(i, masses[i] * state.node_position(i));
-    return 4. * std::numeric_limits<double>::epsilon() * norm(forces, state.partition);
+    return 4. * std::numeric_limits<double>::epsilon() * norm(forces, *state.partition);
   }
 
   RelaxationReport Relaxation::solve(State &state, const Loads &loads)
   {
     const std::vector<double> masses = compute_masses(loads, state.dt);
 
-    ConstraintMotion constraints(model_, state.partition, communicator_);
+    ConstraintMotion constraints(model_, *state.partition, communicator_);
     if (loads.part)
       constraints.set_part(*loads.part);
     constraints.read(state, MotionFrame::rotating);
@@ -214,7 +214,7 @@ namespace vfife
 
     NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
-    const double applied_norm = norm(applied, state.partition),
+    const double applied_norm = norm(applied, *state.partition),
                  round_off    = compute_round_off(state, masses);
 
     NodeField        velocity = operator_.make_field(), previous = operator_.make_field();
@@ -234,11 +234,11 @@ namespace vfife
         // Where nothing is applied but displacements, the present reactions are what forces are
         // measured by. Both may be small (rigid turn, slow spin), and round-off is no imbalance.
         const double reference =
-          std::max(applied_norm > round_off ? applied_norm : norm(forces_, state.partition),
+          std::max(applied_norm > round_off ? applied_norm : norm(forces_, *state.partition),
                    round_off / options_.tolerance);
         constraints.project(state.position, forces_, !loads.hold_rotation);
 
-        StepSums sums = add_steps(state.partition, masses, velocity, previous, forces_);
+        StepSums sums = add_steps(*state.partition, masses, velocity, previous, forces_);
         communicator_.sum(sums.values);
         report.residual = std::sqrt(sums.force_square()) / reference;
         if (!std::isfinite(report.residual))
@@ -281,7 +281,7 @@ namespace vfife
     constraints.save(state.position, velocity);
     const double keep = (1. - 0.5 * damping) / (1. + 0.5 * damping),
                  gain = 1. / (1. + 0.5 * damping);
-    for (const std::uint32_t i : state.partition.nodes())
+    for (const std::uint32_t i : state.partition->nodes())
       {
         const Vector3 v = keep * velocity.value(i) + gain * forces_.value(i) / masses[i];
         velocity.set(i, v);

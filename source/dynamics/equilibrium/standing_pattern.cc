@@ -30,7 +30,7 @@ namespace vfife
   void StandingPattern::update(const State &state)
   {
     nodes_.clear();
-    const Partition &partition = state.partition;
+    const Partition &partition = *state.partition;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         const Body &body = model_.bodies[b];

@@ -5,12 +5,12 @@
 #include <vfife/base/process/timers.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/dynamics/motion/mean_speed.h>
-#include <vfife/dynamics/operator/broken_element.h>
 #include <vfife/dynamics/operator/step_bound.h>
-#include <vfife/dynamics/watch/measurement.h>
+#include <vfife/dynamics/watch/guards.h>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 namespace vfife
@@ -23,6 +23,13 @@ namespace vfife
       layout.single_hourglass  = options.single_stiffness;
       layout.mass_scaling_step = options.mass_scaling_step;
       return layout;
+    }
+
+    bool any_due(const Observers &observers, const State &state)
+    {
+      return std::any_of(observers.begin(), observers.end(), [&](const auto &observer) {
+        return observer->due(state);
+      });
     }
   } // namespace
 
@@ -38,14 +45,18 @@ namespace vfife
     , timers_(timers)
     , operator_(model, options.frame, options.stiffness, communicator, layout_for(options))
     , contact_(model, operator_.partition(), communicator)
-    , constraints_(model, operator_.partition(), communicator)
+    , walls_(model, operator_.partition(), communicator)
     , torques_(model, operator_.partition())
     , loads_(model, operator_, communicator)
-    , walls_(model, operator_.partition(), communicator)
-    , forces_(operator_.make_field())
-    , approach_(model)
-    , contact_watch_(log)
+    , constraints_(model, operator_.partition(), communicator)
     , element_step_(find_element_step(model, options.step_bound, operator_, communicator, log))
+    , forces_(operator_.make_field())
+    , rigid_(model.bodies.size())
+    , damping_(model.bodies.size())
+    , sums_(model.bodies.size())
+    , energy_(model)
+    , damping_watch_(model)
+    , contact_watch_(log)
   {
   }
 
@@ -82,107 +93,106 @@ namespace vfife
     walls_.set_penalties(dt);
   }
 
-  void ExplicitSolver::start(State &state)
+  void ExplicitSolver::run(State            &state,
+                           const double      end_time,
+                           Observers        &observers,
+                           const BeforeStep &before_step)
   {
-    state.partition = operator_.partition();
-    state.time      = 0;
-    state.step      = 0;
-    state.dt        = dt_;
-    state.position  = operator_.make_field();
-    state.velocity  = operator_.make_field();
-    state.body_motion.clear();
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      {
-        const Body &body = model_.bodies[b];
-        state.body_motion.push_back(body.placement);
-        for (const std::uint32_t i : state.partition.nodes(b))
-          {
-            state.position.set(
-              i,
-              body.placement(
-                body.node_positions()[state.partition.global_node[i] - body.first_node]));
-            state.position.set_number(i, 1. / operator_.masses()[i]);
-            state.velocity.set_number(i, operator_.masses()[i]);
-          }
-      }
-    constraints_.clear_masses(state);
-    set_rigid_velocities(state);
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      if (!model_.bodies[b].initial_velocity.empty())
-        for (const std::uint32_t i : state.partition.nodes(b))
-          state.velocity.add(i,
-                             model_.bodies[b].initial_velocity[state.partition.global_node[i] -
-                                                               model_.bodies[b].first_node]);
-  }
+    if (!beginning_)
+      begin_run(state);
+    const std::uint64_t last_step =
+      beginning_->step + std::llround((end_time - beginning_->time) / dt_);
+    if (state.step > last_step)
+      throw InputError("the run has come to step " + std::to_string(state.step) +
+                       " and cannot end at step " + std::to_string(last_step));
 
-  void ExplicitSolver::set_rigid_velocities(State &state) const
-  {
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+    std::exception_ptr failure;
+    try
       {
-        const Body   &body = model_.bodies[b];
-        const Matrix3 back = rotation_about(body.axis.direction, -body.rate * dt_);
-        for (const std::uint32_t i : state.partition.nodes(b))
-          {
-            // The chord of the step before time zero: central differences then start without an
-            // error of first order.
-            const Vector3 r = state.node_position(i) - body.axis.point;
-            state.velocity.set(i, body.velocity + (r - back * r) / dt_);
-          }
+        integrate(state, last_step, observers, before_step);
       }
-  }
+    catch (const NumericalError &)
+      {
+        failure = std::current_exception();
+      }
 
-  std::vector<RigidVelocity> ExplicitSolver::compute_rigid_rates(const State &state) const
-  {
-    std::vector<UpdateSums> sums(model_.bodies.size());
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      for (const std::uint32_t i : state.partition.owned_nodes(b))
-        add_node_moments(UpdateAxis::of(model_.bodies[b]),
-                         operator_.masses()[i],
-                         state.node_position(i),
-                         state.node_velocity(i),
-                         sums[b]);
-    std::vector<RigidVelocity> rates;
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      {
-        sum_over_ranks(sums[b], communicator_);
-        rates.push_back(compute_momentum_rate(UpdateAxis::of(model_.bodies[b]),
-                                              model_.bodies[b].mass(),
-                                              sums[b]));
-      }
-    return rates;
+    // However it has ended: what was seen last is what there is.
+    beginning_.reset();
+    state = observed_;
+    for (const auto &observer : observers)
+      observer->finish(model_, observed_);
+    if (failure)
+      std::rethrow_exception(failure);
   }
 
   void ExplicitSolver::begin_run(State &state)
   {
-    state.dt = dt_;
+    beginning_ = Beginning{state.step, state.time};
+    state.dt   = dt_;
     constraints_.read(state, MotionFrame::fixed);
-    rigid_  = compute_rigid_rates(state);
-    ledger_ = EnergyLedger();
-    powers_ = StepPowers();
-    allocate();
-    rates_at_start_ = rigid_;
-    first_step_     = state.step;
-    start_time_     = state.time;
-    audited_steps_ = audited_samples_ = 0;
+    rigid_ = compute_rigid_rates(state);
+    energy_.reset();
+    damping_watch_.reset(rigid_);
     contact_watch_.reset();
-    largest_approach_ = 0;
-    has_touched_      = false;
   }
 
-  void ExplicitSolver::compute_forces(State &state, const bool measured)
+  void ExplicitSolver::integrate(State              &state,
+                                 const std::uint64_t last_step,
+                                 Observers          &observers,
+                                 const BeforeStep   &before_step)
   {
+    for (;;)
+      {
+        if (before_step)
+          before_step(state);
+        const bool first = state.step == beginning_->step, last = state.step == last_step;
+        const bool due = first || last || any_due(observers, state);
+
+        const ElementMeasures measures = compute_forces(state, due);
+        watch_contact(state);
+        if (due)
+          {
+            take_measurements(state);
+            damping_watch_.observe_sample(state, rigid_, communicator_);
+          }
+        set_damping(state);
+        const StepPowers powers = update_nodes(state);
+
+        // Work by the trapezoidal rule: of the first and of the last step half is counted. Energies
+        // of a state need the velocities on both sides, so observers wait for the update.
+        if (!first)
+          energy_.add_work(powers, 0.5 * dt_);
+        if (due)
+          {
+            take_energies(measures);
+            show(observers, last);
+          }
+        check(state, due, measures);
+        energy_.add_work(powers, 0.5 * dt_);
+        damping_watch_.observe_step(sums_);
+
+        if (last)
+          break;
+        advance_bodies(state);
+        ++state.step;
+        state.time = beginning_->time + (state.step - beginning_->step) * dt_;
+      }
+  }
+
+  ElementMeasures ExplicitSolver::compute_forces(State &state, const bool measured)
+  {
+    ElementMeasures measures;
     {
       const auto scope = timers_.time(timers_.section("element forces"));
       if (measured)
-        measures_ = operator_.measure_internal_forces(state.position, forces_);
+        measures = operator_.measure_internal_forces(state.position, forces_);
       else
         operator_.compute_internal_forces(state.position, forces_);
     }
     {
       const auto scope = timers_.time(timers_.section("contact"));
-      if (state.step % search_interval == 0 || search_now_)
+      if (state.step % search_interval == 0)
         contact_.search(state.body_motion, rigid_, state.position, search_interval * dt_);
-      search_now_ = false;
       if (measured)
         state.contact_force = forces_;
       contact_.add_forces(state.body_motion, state.position, state.velocity, dt_, forces_);
@@ -192,6 +202,16 @@ namespace vfife
     walls_.add_forces(state.position, forces_);
     torques_.add_forces(state.time, state.position, forces_);
     loads_.add_forces(state.time, state.position, forces_);
+    return measures;
+  }
+
+  void ExplicitSolver::watch_contact(const State &state)
+  {
+    const bool touching = contact_.energy() > 0;
+    if (touching && state.step == beginning_->step)
+      log_.line("deepest point at the start: ", contact_.describe_deepest_point());
+    contact_watch_.observe(state.time, dt_, touching);
+    energy_.observe_contact(touching);
   }
 
   void ExplicitSolver::set_damping(const State &state)
@@ -205,6 +225,7 @@ namespace vfife
             options_.damping > 0)
           damping_[b].rigid = compute_mean_speed_rate(body, state, b, communicator_);
 
+        // slip = zeta_k (omega - omega_kinematic) axis x r on the driven body of a gear pair
         damping_[b].mesh = RigidVelocity();
         if (model_.transmission && model_.transmission->driven == b)
           {
@@ -217,21 +238,24 @@ namespace vfife
       }
   }
 
-  void ExplicitSolver::update_nodes(State &state)
+  StepPowers ExplicitSolver::update_nodes(State &state)
   {
     const auto scope = timers_.time(timers_.section("nodal update"));
-    powers_          = StepPowers();
-    powers_.torque   = torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
+    StepPowers powers;
+
+    // All nodes by central differences, then the constrained ones to where they belong. The power
+    // of loads takes the mean of the velocities before and after.
+    powers.torque = torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
     constraints_.save(state.position, state.velocity);
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         sums_[b]        = BodySums();
-        sums_[b].update = vfife::update_nodes(state.partition.first_local_node[b],
-                                              state.partition.first_local_node[b + 1],
+        sums_[b].update = vfife::update_nodes(state.partition->first_local_node[b],
+                                              state.partition->first_local_node[b + 1],
                                               dt_,
                                               damping_[b],
                                               UpdateAxis::of(model_.bodies[b]),
-                                              state.partition.owned.data(),
+                                              state.partition->owned.data(),
                                               forces_.data(),
                                               state.position.data(),
                                               state.velocity.data());
@@ -244,19 +268,30 @@ namespace vfife
                        state.position,
                        state.velocity,
                        sums_);
-    powers_.torque += torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
+    powers.torque += torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
 
-    drive_torque_  = 0;
-    powers_.torque = communicator_.sum(powers_.torque);
-    for (auto &s : sums_)
+    // Sums and powers over all ranks.
+    powers.torque = communicator_.sum(powers.torque);
+    for (BodySums &sums : sums_)
       {
-        sum_over_ranks(s.update, communicator_, {&s.drive_power, &s.drive_torque});
-        powers_.drive += s.drive_power;
-        powers_.damping += s.update.damping_power;
-        powers_.mesh += s.update.mesh_power;
-        drive_torque_ += s.drive_torque;
+        sum_over_ranks(sums, communicator_);
+        powers.drive += sums.drive_power;
+        powers.damping += sums.update.damping_power;
+        powers.mesh += sums.update.mesh_power;
       }
-    powers_.contact = contact_.lost_power();
+    powers.contact = contact_.lost_power();
+    return powers;
+  }
+
+  void
+  ExplicitSolver::check(const State &state, const bool measured, const ElementMeasures &measures)
+  {
+    check_motion(model_, sums_, observed_, state);
+    check_penetration(contact_, state);
+    if (!measured)
+      return;
+    check_elements(model_, observed_, measures, communicator_);
+    energy_.check(options_.energy_limit, describe_instant(state), log_);
   }
 
   void ExplicitSolver::advance_bodies(State &state)
@@ -265,6 +300,8 @@ namespace vfife
       {
         const Body &body = model_.bodies[b];
         rigid_[b] = compute_momentum_rate(UpdateAxis::of(body), body.mass(), sums_[b].update);
+
+        // y -> pivot + drift + step (y - pivot): about the axis, or about the moving centre of mass
         RigidMotion  &motion = state.body_motion[b];
         const Vector3 turn   = dt_ * rigid_[b].omega;
         const double  angle  = turn.norm();
@@ -279,69 +316,4 @@ namespace vfife
         motion.translation = pivot + step * (motion.translation + drift - pivot);
       }
   }
-
-  void ExplicitSolver::run(State            &state,
-                           const double      end_time,
-                           Observers        &observers,
-                           const BeforeStep &before_step)
-  {
-    if (!goes_on_)
-      begin_run(state);
-    goes_on_                      = false;
-    const std::uint64_t last_step = first_step_ + std::llround((end_time - start_time_) / dt_);
-    if (state.step > last_step)
-      throw InputError("the run has come to step " + std::to_string(state.step) +
-                       " and cannot end at step " + std::to_string(last_step));
-    try
-      {
-        for (;;)
-          {
-            if (before_step)
-              before_step(state);
-            const bool first = state.step == first_step_;
-            const bool last  = state.step == last_step;
-            const bool due =
-              first || last ||
-              std::any_of(observers.begin(), observers.end(), [&](const auto &observer) {
-                return observer->due(state);
-              });
-            compute_forces(state, due);
-            if (first && contact_.energy() > 0.)
-              log_.line("deepest point at the start: ", contact_.describe_deepest_point());
-            contact_watch_.observe(state.time, dt_, contact_.energy() > 0);
-            has_touched_        = has_touched_ || contact_.energy() > 0;
-            const double strain = due ? take_measurements(state) : 0.;
-            set_damping(state);
-            update_nodes(state);
-            add_work(first ? 0.
-                           : 0.5); // the trapezoidal rule counts half of the first and last steps
-            if (due)
-              {
-                update_ledger(strain, first);
-                show(observers, last);
-              }
-            check(state, due);
-            add_work(0.5);
-            add_audit();
-            if (last)
-              break;
-            advance_bodies(state);
-            ++state.step;
-            state.time = start_time_ + (state.step - first_step_) * dt_;
-          }
-      }
-    catch (const NumericalError &)
-      {
-        state = observed_;
-        finish_audit();
-        for (const auto &observer : observers)
-          observer->finish(model_, observed_);
-        throw;
-      }
-    state = observed_;
-    finish_audit();
-    for (const auto &observer : observers)
-      observer->finish(model_, observed_);
-  }
-
 } // namespace vfife

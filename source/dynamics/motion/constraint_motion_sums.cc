@@ -40,16 +40,4 @@ namespace vfife
           group.axis.direction.dot((node.old_position - group.axis.point).cross(reaction));
       }
   }
-
-  void ConstraintMotion::add_moments(const State &state, std::vector<UpdateSums> &sums) const
-  {
-    for (const Group &group : groups_)
-      for (const Node &node : group.nodes)
-        if (node.owned)
-          add_node_moments(axes_[group.body],
-                           node.mass,
-                           state.node_position(node.local),
-                           state.node_velocity(node.local),
-                           sums[group.body]);
-  }
 } // namespace vfife

@@ -12,12 +12,12 @@ namespace vfife
                                         const Communicator &communicator)
   {
     std::vector<double> sums(2, 0.);
-    for (const std::uint32_t i : state.partition.owned_nodes(b))
+    for (const std::uint32_t i : state.partition->owned_nodes(b))
       {
         const double r = body.axis.direction.cross(state.node_position(i) - body.axis.point).norm();
         if (!(r > 0))
           continue;
-        const double mass = body.node_masses()[state.partition.global_node[i] - body.first_node];
+        const double mass = body.node_masses()[state.partition->global_node[i] - body.first_node];
         sums[0] += mass * state.node_velocity(i).norm() / r;
         sums[1] += mass;
       }

@@ -1,5 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/dynamics/watch/measurement.h>
 #include <vfife/element/stress.h>
@@ -21,7 +23,7 @@ namespace vfife
     std::vector<double> sums(2, 0.);
     for (const unsigned int node : nodes)
       {
-        const std::uint32_t local = state.partition.find_owned(body.first_node + node);
+        const std::uint32_t local = state.partition->find_owned(body.first_node + node);
         if (local == Partition::absent)
           continue;
         const Vector3 expected =
@@ -64,7 +66,7 @@ namespace vfife
                         const Communicator        &communicator)
   {
     std::vector<double> sums(6, 0.);
-    for (const std::uint32_t i : state.partition.owned_nodes())
+    for (const std::uint32_t i : state.partition->owned_nodes())
       {
         const Vector3 momentum = masses[i] * state.node_velocity(i);
         Eigen::Map<Vector3>(sums.data()) += momentum;
@@ -73,6 +75,23 @@ namespace vfife
     communicator.sum(sums);
     state.measured.momentum         = Eigen::Map<const Vector3>(sums.data());
     state.measured.angular_momentum = Eigen::Map<const Vector3>(sums.data() + 3);
+  }
+
+  void
+  measure_contact(const ContactSystem &contact, const RigidWalls &walls, Measurements &measured)
+  {
+    measured.teeth         = contact.collect_results();
+    measured.contact_force = measured.contact_torque = measured.largest_penetration = 0;
+    measured.teeth_in_contact = measured.teeth.size();
+    for (const ToothContact &tooth : measured.teeth)
+      {
+        measured.contact_force += tooth.force.norm();
+        measured.contact_torque += tooth.torque;
+        measured.largest_penetration = std::max(measured.largest_penetration, tooth.penetration);
+      }
+    const RigidWalls::Results wall = walls.collect_results();
+    measured.contact_force += wall.force;
+    measured.largest_penetration = std::max(measured.largest_penetration, wall.penetration);
   }
 
   std::vector<ProbeValue> measure_probes(const Model         &model,
@@ -87,10 +106,10 @@ namespace vfife
         const Probe        &probe = model.probes[p];
         const Body         &body  = model.bodies[probe.body];
         double             *s     = sums.data() + n * p;
-        const std::uint32_t local = state.partition.local_node[body.first_node + probe.node];
+        const std::uint32_t local = state.partition->local_node[body.first_node + probe.node];
         if (local == Partition::absent)
           continue;
-        if (state.partition.owned[local])
+        if (state.partition->owned[local])
           std::copy_n(state.node_position(local).data(), 3, s);
 
         for (const std::uint32_t e : vfife.elements_at(local))
@@ -101,7 +120,7 @@ namespace vfife
             for (unsigned int i = 0; i < 8; ++i)
               {
                 x.col(i) =
-                  state.node_position(state.partition.local_node[body.first_node + nodes[i]]);
+                  state.node_position(state.partition->local_node[body.first_node + nodes[i]]);
                 if (nodes[i] == probe.node)
                   corner = i;
               }

@@ -31,7 +31,7 @@ namespace vfife
     struct Header
     {
       std::array<char, 16> mark           = {{"vfife-run-state"}};
-      std::uint64_t        format_version = 2;
+      std::uint64_t        format_version = 3;
       std::uint64_t        size           = 0; ///< of what follows [bytes]
       std::uint64_t        checksum       = 0; ///< of what follows: CRC-32
     };

@@ -40,9 +40,9 @@ namespace vfife
           if (!body.turns_on_axis)
             continue;
           double *sum = &sums[n_sums * b];
-          for (const std::uint32_t i : state.partition.owned_nodes(b))
+          for (const std::uint32_t i : state.partition->owned_nodes(b))
             {
-              const unsigned int node = state.partition.global_node[i] - body.first_node;
+              const unsigned int node = state.partition->global_node[i] - body.first_node;
               const double       m    = body.node_masses()[node];
               const Vector3  r0 = off_axis(body.placement(body.node_positions()[node]), body.axis);
               const Vector3  r  = off_axis(state.node_position(i), body.axis);

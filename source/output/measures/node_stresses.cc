@@ -28,7 +28,7 @@ namespace vfife
       const auto           &nodes = body.elements()[element];
       HexahedronNodes       x;
       for (unsigned int i = 0; i < 8; ++i)
-        x.col(i) = state.node_position(state.partition.local_node[body.first_node + nodes[i]]);
+        x.col(i) = state.node_position(state.partition->local_node[body.first_node + nodes[i]]);
       const auto stresses = compute_nodal_stresses(X, x, body.material(), kind, frame);
       for (unsigned int i = 0; i < 8; ++i)
         {
@@ -48,7 +48,7 @@ namespace vfife
   {
     std::vector<double> records(n_records * static_cast<std::size_t>(model.n_nodes()), 0.);
     std::size_t         b = 0;
-    for (const std::uint32_t e : state.partition.elements)
+    for (const std::uint32_t e : state.partition->elements)
       {
         // The partition's elements ascend, and so do their bodies.
         while (e >= model.bodies[b].first_element + model.bodies[b].n_elements())

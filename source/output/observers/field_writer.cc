@@ -122,7 +122,7 @@ namespace vfife
                                                  const std::vector<std::array<double, 6>> &stresses,
                                                  const std::vector<double> &contact_areas)
     {
-      const Partition        &partition = state.partition;
+      const Partition        &partition = *state.partition;
       std::vector<NodeRecord> records(partition.n_local());
       for (std::size_t b = 0; b < model.bodies.size(); ++b)
         for (const std::uint32_t i : partition.nodes(b))
@@ -145,7 +145,7 @@ namespace vfife
     std::vector<Patch>
     make_patches(const Model &model, const State &state, const std::vector<NodeRecord> &records)
     {
-      const Partition   &partition = state.partition;
+      const Partition   &partition = *state.partition;
       std::vector<Patch> patches(partition.elements.size());
       std::size_t        b = 0;
       for (std::size_t p = 0; p < patches.size(); ++p)

@@ -73,7 +73,7 @@ namespace vfife
       for (std::size_t i = 0; i < flank.nodes.size(); ++i)
         {
           const std::uint32_t local =
-            state.partition.local_node[model.bodies[flank.body].first_node + flank.nodes[i]];
+            state.partition->local_node[model.bodies[flank.body].first_node + flank.nodes[i]];
           if (local == Partition::absent || !(flank.areas[i] > 0))
             continue;
           const double force   = state.contact_force.value(local).norm();

@@ -70,7 +70,7 @@ namespace vfife
     std::vector<double> sums(3 * per_component, 0.);
     for (const Node &node : nodes_)
       {
-        const std::uint32_t local = state.partition.find_owned(gear.first_node + node.number);
+        const std::uint32_t local = state.partition->find_owned(gear.first_node + node.number);
         if (local == Partition::absent)
           continue;
         const Vector3 u =

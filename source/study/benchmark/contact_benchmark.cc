@@ -53,10 +53,10 @@ namespace vfife
             motion.rotation     = turn * body.placement.rotation;
             motion.translation =
               body.axis.point + turn * (body.placement.translation - body.axis.point);
-            for (const std::uint32_t i : state_.partition.nodes(b))
+            for (const std::uint32_t i : state_.partition->nodes(b))
               state_.position.set(
                 i,
-                motion(body.node_positions()[state_.partition.global_node[i] - body.first_node]));
+                motion(body.node_positions()[state_.partition->global_node[i] - body.first_node]));
           }
       }
 
@@ -82,12 +82,12 @@ namespace vfife
         add_time(2);
         // The update works on copies: the forces are not followed.
         for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-          update_nodes(state_.partition.first_local_node[b],
-                       state_.partition.first_local_node[b + 1],
+          update_nodes(state_.partition->first_local_node[b],
+                       state_.partition->first_local_node[b + 1],
                        dt,
                        BodyDamping(),
                        UpdateAxis::of(model_.bodies[b]),
-                       state_.partition.owned.data(),
+                       state_.partition->owned.data(),
                        forces_.data(),
                        positions_.data(),
                        velocities_.data());

@@ -28,7 +28,7 @@ namespace vfife
     std::vector<double> sums(4, 0.);
     for (const unsigned int node : body.mesh().surfaces.at(surface).nodes)
       {
-        const std::uint32_t local = state.partition.find_owned(body.first_node + node);
+        const std::uint32_t local = state.partition->find_owned(body.first_node + node);
         if (local == Partition::absent)
           continue;
         const Vector3 start  = body.placement(body.node_positions()[node]);
@@ -51,7 +51,7 @@ namespace vfife
     Eigen::Matrix<double, 6, 1> right  = Eigen::Matrix<double, 6, 1>::Zero();
     for (const unsigned int node : t.driven_rim)
       {
-        const std::uint32_t local = state.partition.find_owned(body.first_node + node);
+        const std::uint32_t local = state.partition->find_owned(body.first_node + node);
         if (local == Partition::absent)
           continue;
         const double                mass  = body.node_masses()[node];
@@ -111,7 +111,7 @@ namespace vfife
     for (const Body &body : model_.bodies)
       for (unsigned int node = 0; node < body.n_nodes(); ++node)
         {
-          const std::uint32_t local = loaded.partition.find_owned(body.first_node + node);
+          const std::uint32_t local = loaded.partition->find_owned(body.first_node + node);
           if (local == Partition::absent)
             continue;
           const Vector3 before = partial_position_.value(local);

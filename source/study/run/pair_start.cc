@@ -64,7 +64,7 @@ namespace vfife
                                   const Discretization::Part &part,
                                   const std::uint32_t         local) const
   {
-    return part.first_point + state.partition.global_node[local] -
+    return part.first_point + state.partition->global_node[local] -
            model_.bodies[part.body].first_node;
   }
 
@@ -78,7 +78,7 @@ namespace vfife
   {
     std::vector<double> all(3 * std::size_t(compliance_->discretization().n_points()), 0.);
     for (const Discretization::Part &part : compliance_->discretization().parts())
-      for (const std::uint32_t i : state.partition.owned_nodes(part.body))
+      for (const std::uint32_t i : state.partition->owned_nodes(part.body))
         Eigen::Map<Vector3>(all.data() + 3 * point_of(state, part, i)) = vector(part.body, i);
     communicator_.sum(all);
     return all;
@@ -108,7 +108,7 @@ namespace vfife
     const unsigned int driven = model_.transmission->driven;
     const Axis        &axis   = model_.bodies[driven].axis;
     double             sum    = 0;
-    for (const std::uint32_t i : state.partition.owned_nodes(driven))
+    for (const std::uint32_t i : state.partition->owned_nodes(driven))
       sum += axis.direction.dot((state.node_position(i) - axis.point).cross(forces.value(i)));
     return communicator_.sum(sum);
   }
@@ -120,7 +120,7 @@ namespace vfife
       {
         const Vector3 &c = model_.bodies[part.body].axis.point;
         const Matrix3  R = rotation(part.body);
-        for (const std::uint32_t i : state.partition.nodes(part.body))
+        for (const std::uint32_t i : state.partition->nodes(part.body))
           {
             const std::size_t p = point_of(state, part, i);
             state.position.set(i,

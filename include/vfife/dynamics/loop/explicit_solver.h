@@ -9,12 +9,13 @@
 #include <vfife/dynamics/loads/torque_loads.h>
 #include <vfife/dynamics/motion/constraint_motion.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
-#include <vfife/dynamics/watch/approach_energy.h>
 #include <vfife/dynamics/watch/contact_watch.h>
-#include <vfife/dynamics/watch/energy_watch.h>
+#include <vfife/dynamics/watch/damping_watch.h>
+#include <vfife/dynamics/watch/energy_book.h>
 #include <vfife/model/observer.h>
 
 #include <functional>
+#include <optional>
 
 namespace vfife
 {
@@ -62,8 +63,9 @@ namespace vfife
 
     /**
      * Integrates from state.time (after exchange() with a reading stream: goes on) to @p end_time,
-     * counted from where the run began. Throws NumericalError (non-finite or runaway
-     * energy, runaway penetration, inverted element) after observers have seen the last state.
+     * counted from where the run began; @p state is then the one that was measured last. Throws
+     * NumericalError (non-finite or runaway energy, runaway penetration, inverted element) after
+     * observers have seen that state.
      */
     void run(State            &state,
              double            end_time,
@@ -82,7 +84,7 @@ namespace vfife
     void measure_at_rest(State &state);
 
     /** Of each body in the last run(). */
-    const std::vector<DampingAudit> &damping_audit() const;
+    std::vector<DampingAudit> damping_audit() const;
 
     /** Of the last run(). */
     const ContactLosses &contact_losses() const;
@@ -94,65 +96,58 @@ namespace vfife
     static constexpr unsigned int search_interval = 40;
 
   private:
-    struct StepPowers
+    /** The state in which the run in progress began. */
+    struct Beginning
     {
-      double drive = 0, torque = 0, damping = 0, mesh = 0, contact = 0;
+      std::uint64_t step = 0;
+      double        time = 0; ///< [s]
     };
 
     void begin_run(State &state);
-    void allocate();
-    void compute_forces(State &state, bool measured);
-    void set_damping(const State &state);
-    void update_nodes(State &state);
-    void advance_bodies(State &state);
-
-    void add_work(double factor);
-    void update_ledger(double strain, bool first);
-    /** Copies the state for the observers, measures it, and returns the strain energy [mJ]. */
-    double take_measurements(const State &state);
-    void   show(Observers &observers, bool last);
-    void   measure_contact();
-    void   check(const State &state, bool measured);
-    void   add_audit();
-    void   add_rate_difference(const State &state);
-    void   finish_audit();
+    /** Steps of the loop up to and with @p last_step. */
+    void            integrate(State            &state,
+                              std::uint64_t     last_step,
+                              Observers        &observers,
+                              const BeforeStep &before_step);
+    ElementMeasures compute_forces(State &state, bool measured);
+    void            watch_contact(const State &state);
+    /** Copies the state for the observers and measures it. */
+    void       take_measurements(const State &state);
+    void       set_damping(const State &state);
+    StepPowers update_nodes(State &state);
+    void       take_energies(const ElementMeasures &measures);
+    void       show(Observers &observers, bool last);
+    void       check(const State &state, bool measured, const ElementMeasures &measures);
+    void       advance_bodies(State &state);
 
     const Model           &model_;
     const DynamicsOptions &options_;
     const Communicator    &communicator_;
     Log                   &log_;
     Timers                &timers_;
-    VfifeOperator          operator_;
-    ContactSystem          contact_;
-    ConstraintMotion       constraints_;
-    TorqueLoads            torques_;
-    NodalLoads             loads_;
-    RigidWalls             walls_;
-    double                 dt_ = 0;
 
+    // What acts, and what holds.
+    VfifeOperator    operator_;
+    ContactSystem    contact_;
+    RigidWalls       walls_;
+    TorqueLoads      torques_;
+    NodalLoads       loads_;
+    ConstraintMotion constraints_;
+    double           element_step_; ///< [s]
+    double           dt_ = 0;       ///< [s]
+
+    // One step; rates, damping and sums of each body.
     NodeField                  forces_;
-    ElementMeasures            measures_; ///< of the state measured last
     std::vector<RigidVelocity> rigid_;
     std::vector<BodyDamping>   damping_;
     std::vector<BodySums>      sums_; ///< of the last update, over all ranks
-    StepPowers                 powers_;
-    double                     drive_torque_ = 0;
-    EnergyLedger               ledger_, ledger_at_start_;
-    ApproachEnergy             approach_;
-    double                     largest_approach_ = 0; ///< at the samples so far [mJ]
-    bool                       has_touched_      = false;
-    std::vector<DampingAudit>  audit_;
-    unsigned int               audited_steps_ = 0, audited_samples_ = 0;
-    ContactWatch               contact_watch_;
-    State                      observed_;
-    std::uint64_t              first_step_ = 0; ///< of the run
-    double                     start_time_ = 0; ///< of the run [s]
-    std::vector<RigidVelocity> rates_at_start_;
-    bool                       goes_on_       = false; ///< from a checkpoint
-    bool                       energy_warned_ = false;
-    EnergyWatch                warning_watch_, failure_watch_;
-    bool                       search_now_ = false; ///< whatever the step
-    double                     element_step_;       ///< [s]
+
+    // What is kept of a run.
+    std::optional<Beginning> beginning_; ///< of the run in progress
+    EnergyBook               energy_;
+    DampingWatch             damping_watch_;
+    ContactWatch             contact_watch_;
+    State                    observed_; ///< measured last
   };
 } // namespace vfife
 

@@ -74,10 +74,6 @@ namespace vfife
                NodeField                      &velocities,
                std::vector<BodySums>          &sums);
 
-    /** Adds momentum and inertia of the constrained nodes in the present state to @p sums (one a
-     * body). */
-    void add_moments(const State &state, std::vector<UpdateSums> &sums) const;
-
     /** Leaves of the forces at constrained nodes the tangential part where the node may turn (@p
      * rotation_is_free), of a rigid hub its share of the hub's torque; else nothing. Collective. */
     void project(const NodeField &positions, NodeField &forces, bool rotation_is_free) const;

@@ -10,6 +10,8 @@
 namespace vfife
 {
   class Communicator;
+  class ContactSystem;
+  class RigidWalls;
   class VfifeOperator;
 
   /**
@@ -30,6 +32,11 @@ namespace vfife
   void measure_momentum(State                     &state,
                         const std::vector<double> &masses,
                         const Communicator        &communicator);
+
+  /** Sets what the measurements say of contact pairs and walls, of the forces added last.
+   * Collective. */
+  void
+  measure_contact(const ContactSystem &contact, const RigidWalls &walls, Measurements &measured);
 
   /** Displacement in the turning body and stress at the probes; elements' nodal stresses averaged.
    * Collective. */

@@ -1,0 +1,49 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_watch_damping_watch_h
+#define vfife_dynamics_watch_damping_watch_h
+
+#include <vfife/dynamics/rigid_velocity.h>
+#include <vfife/dynamics/update_sums.h>
+#include <vfife/model/state.h>
+
+#include <vector>
+
+namespace vfife
+{
+  class ByteStream;
+  class Communicator;
+  struct Model;
+
+  /** Adds up over a run what the dampers do to each body, and how its two rates differ
+   * (doc/dynamics.md, The rate of a body). */
+  class DampingWatch
+  {
+  public:
+    explicit DampingWatch(const Model &model);
+
+    /** Forgets everything: a new run begins at these @p rates of the bodies. */
+    void reset(const std::vector<RigidVelocity> &rates);
+
+    /** Looks at a step with its @p sums over all ranks. */
+    void observe_step(const std::vector<BodySums> &sums);
+
+    /** Looks at the mean speed rates of a sample beside the momentum @p rates. Collective. */
+    void observe_sample(const State                      &state,
+                        const std::vector<RigidVelocity> &rates,
+                        const Communicator               &communicator);
+
+    /** Means over the steps and samples so far, and the drift to the present @p rates. */
+    std::vector<DampingAudit> compute_audit(const std::vector<RigidVelocity> &rates) const;
+
+    /** For checkpoints. */
+    void exchange(ByteStream &stream);
+
+  private:
+    const Model               &model_;
+    std::vector<RigidVelocity> rates_at_start_;
+    std::vector<DampingAudit>  sums_; ///< not yet divided
+    unsigned int               n_steps_ = 0, n_samples_ = 0;
+  };
+} // namespace vfife
+
+#endif

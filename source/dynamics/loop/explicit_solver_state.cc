@@ -1,0 +1,195 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The states of ExplicitSolver: how they begin, what is measured and shown of them, and what
+// checkpoints keep.
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/timers.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/dynamics/watch/measurement.h>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Passes the vectors of a field by node of the model. */
+    void pass_vectors(ByteStream         &stream,
+                      const Partition    &partition,
+                      const Communicator &communicator,
+                      NodeField          &field)
+    {
+      std::vector<double> all(3 * partition.local_node.size(), 0.);
+      const auto          place = [&](const std::uint32_t local) {
+        return Eigen::Map<Vector3>(all.data() +
+                                   3 * static_cast<std::size_t>(partition.global_node[local]));
+      };
+      if (!stream.reads())
+        {
+          for (const std::uint32_t i : partition.owned_nodes())
+            place(i) = field.value(i);
+          communicator.sum(all); // one owner a node: adding the others' zeros changes no digit
+        }
+      stream.pass(all);
+      if (stream.reads())
+        for (const std::uint32_t i : partition.nodes())
+          field.set(i, place(i));
+    }
+  } // namespace
+
+  void ExplicitSolver::start(State &state)
+  {
+    const Partition &partition = operator_.partition();
+    state.partition            = std::make_shared<const Partition>(partition);
+    state.time                 = 0;
+    state.step                 = 0;
+    state.dt                   = dt_;
+    state.position             = operator_.make_field();
+    state.velocity             = operator_.make_field();
+    state.body_motion.clear();
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const Body &body = model_.bodies[b];
+        state.body_motion.push_back(body.placement);
+        for (const std::uint32_t i : partition.nodes(b))
+          {
+            const Vector3 &X = body.node_positions()[partition.global_node[i] - body.first_node];
+            state.position.set(i, body.placement(X));
+            state.position.set_number(i, 1. / operator_.masses()[i]);
+            state.velocity.set_number(i, operator_.masses()[i]);
+          }
+      }
+    constraints_.clear_masses(state);
+    set_rigid_velocities(state);
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      if (const Body &body = model_.bodies[b]; !body.initial_velocity.empty())
+        for (const std::uint32_t i : partition.nodes(b))
+          state.velocity.add(i, body.initial_velocity[partition.global_node[i] - body.first_node]);
+  }
+
+  void ExplicitSolver::set_rigid_velocities(State &state) const
+  {
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const Body   &body = model_.bodies[b];
+        const Matrix3 back = rotation_about(body.axis.direction, -body.rate * dt_);
+        for (const std::uint32_t i : state.partition->nodes(b))
+          {
+            // The chord of the step before time zero: central differences then start without an
+            // error of first order.
+            const Vector3 r = state.node_position(i) - body.axis.point;
+            state.velocity.set(i, body.velocity + (r - back * r) / dt_);
+          }
+      }
+  }
+
+  std::vector<RigidVelocity> ExplicitSolver::compute_rigid_rates(const State &state) const
+  {
+    std::vector<RigidVelocity> rates;
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        const UpdateAxis axis = UpdateAxis::of(model_.bodies[b]);
+        BodySums         sums;
+        for (const std::uint32_t i : state.partition->owned_nodes(b))
+          add_node_moments(axis,
+                           operator_.masses()[i],
+                           state.node_position(i),
+                           state.node_velocity(i),
+                           sums.update);
+        sum_over_ranks(sums, communicator_);
+        rates.push_back(compute_momentum_rate(axis, model_.bodies[b].mass(), sums.update));
+      }
+    return rates;
+  }
+
+  void ExplicitSolver::take_measurements(const State &state)
+  {
+    const auto scope = timers_.time(timers_.section("measurement"));
+    observed_        = state;
+    measure_transmission(model_, observed_, communicator_);
+    observed_.measured.probes = measure_probes(model_, observed_, operator_, communicator_);
+    measure_momentum(observed_, operator_.masses(), communicator_);
+    measure_contact(contact_, walls_, observed_.measured);
+  }
+
+  void ExplicitSolver::take_energies(const ElementMeasures &measures)
+  {
+    energy_.take_sample(sums_,
+                        measures.strain_energy + loads_.compute_spring_energy(observed_.position),
+                        contact_.energy() + walls_.collect_results().energy);
+  }
+
+  void ExplicitSolver::show(Observers &observers, const bool last)
+  {
+    const auto    scope    = timers_.time(timers_.section("observers"));
+    Measurements &measured = observed_.measured;
+    measured.energy        = energy_.ledger();
+    measured.drive_torque  = 0;
+    measured.body_rates.clear();
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        measured.drive_torque += sums_[b].drive_torque;
+        measured.body_rates.push_back(model_.bodies[b].axis.direction.dot(rigid_[b].omega));
+      }
+    for (const auto &observer : observers)
+      if (last || observer->due(observed_))
+        observer->observe(model_, observed_);
+  }
+
+  void ExplicitSolver::measure_at_rest(State &state)
+  {
+    const ElementMeasures measures = operator_.measure_internal_forces(state.position, forces_);
+    contact_.search(state.body_motion,
+                    std::vector<RigidVelocity>(model_.bodies.size()),
+                    state.position,
+                    0.);
+    const NodeField no_velocity = operator_.make_field();
+    state.contact_force         = operator_.make_field();
+    contact_.add_forces(state.body_motion, state.position, no_velocity, dt_, state.contact_force);
+    walls_.add_forces(state.position, state.contact_force);
+
+    take_measurements(state);
+    state.measured        = observed_.measured;
+    state.measured.energy = EnergyLedger();
+    state.measured.energy.strain =
+      measures.strain_energy + loads_.compute_spring_energy(state.position);
+    state.measured.energy.contact = contact_.energy() + walls_.collect_results().energy;
+    state.measured.body_rates.assign(model_.bodies.size(), 0.);
+    state.measured.momentum = state.measured.angular_momentum = Vector3::Zero();
+  }
+
+  std::vector<DampingAudit> ExplicitSolver::damping_audit() const
+  {
+    return damping_watch_.compute_audit(rigid_);
+  }
+
+  const ContactLosses &ExplicitSolver::contact_losses() const
+  {
+    return contact_watch_.losses();
+  }
+
+  void ExplicitSolver::exchange(ByteStream &common, ByteStream *own, State &state)
+  {
+    Beginning beginning = beginning_.value_or(Beginning());
+    common.pass(beginning, state.time, state.step, state.dt, state.body_motion);
+    pass_vectors(common, *state.partition, communicator_, state.position);
+    pass_vectors(common, *state.partition, communicator_, state.velocity);
+    constraints_.exchange(common, *state.partition);
+    for (RigidVelocity &rate : rigid_)
+      common.pass(rate.velocity, rate.omega);
+    energy_.exchange(common);
+    damping_watch_.exchange(common);
+    contact_watch_.exchange(common);
+    if (own != nullptr)
+      contact_.exchange(*own);
+    if (!common.reads())
+      return;
+
+    beginning_ = beginning;
+    set_step(state.dt);
+    if (own == nullptr) // other ranks know other parts of the pairs
+      contact_.search(state.body_motion, rigid_, state.position, search_interval * dt_);
+    // What a failure before the next measurement would show.
+    observed_                 = state;
+    observed_.measured.energy = energy_.ledger();
+    measure_transmission(model_, observed_, communicator_);
+  }
+} // namespace vfife

@@ -1,0 +1,152 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Nodes that turn freely on their circles, each with its own angle or all of a rigid hub with one.
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/dynamics/motion/constraint_motion.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  void ConstraintMotion::read(const State &state, const MotionFrame frame)
+  {
+    for (Group &group : groups_)
+      if (group.turns_freely())
+        for (Node &node : group.nodes)
+          {
+            const Vector3 r       = state.node_position(node.local) - group.axis.point;
+            const Vector3 a       = group.axis.direction;
+            const Vector3 start_r = node.start - a.dot(node.start) * a;
+            node.angle            = std::atan2(a.dot(start_r.cross(r)), start_r.dot(r));
+            node.rate             = 0;
+            if (frame == MotionFrame::fixed)
+              {
+                // The velocity is the chord of the last step: 2 rho sin(rate dt/2)/dt.
+                const Vector3 v      = state.node_velocity(node.local);
+                const double  rho    = start_r.norm();
+                const Vector3 middle = r - 0.5 * state.dt * v;
+                const double  sense  = a.dot(middle.cross(v)) < 0 ? -1. : 1.;
+                node.rate =
+                  sense * 2. / state.dt * std::asin(std::min(1., v.norm() * state.dt / (2. * rho)));
+              }
+          }
+    for (Group &group : groups_)
+      if (group.kind == ConstraintKind::rigid_hub)
+        share_rotation(group);
+  }
+
+  void ConstraintMotion::turn_bodies(const Model &model, State &state) const
+  {
+    std::vector<double> sums(2 * model.bodies.size(), 0.);
+    for (const Group &group : groups_)
+      if (group.turns_freely())
+        for (const Node &node : group.nodes)
+          if (node.owned)
+            {
+              sums[2 * group.body] += node.angle;
+              sums[2 * group.body + 1] += 1.;
+            }
+    communicator_.sum(sums);
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      if (sums[2 * b + 1] > 0)
+        {
+          const Body   &body = model.bodies[b];
+          const Matrix3 rotation =
+            rotation_about(body.axis.direction, sums[2 * b] / sums[2 * b + 1]);
+          const Vector3 arm                = body.placement.translation - body.axis.point;
+          state.body_motion[b].rotation    = rotation * body.placement.rotation;
+          state.body_motion[b].translation = body.axis.point + rotation * arm;
+        }
+  }
+
+  void ConstraintMotion::share_rotation(Group &group) const
+  {
+    // Round-off of the chords would make the nodes of a rigid hub drift apart over many steps.
+    std::vector<double> sums(3, 0.);
+    for (const Node &node : group.nodes)
+      if (node.owned)
+        {
+          sums[0] += node.angle;
+          sums[1] += node.rate;
+          sums[2] += 1.;
+        }
+    communicator_.sum(sums);
+    for (Node &node : group.nodes)
+      {
+        node.angle = sums[0] / sums[2];
+        node.rate  = sums[1] / sums[2];
+      }
+  }
+
+  Vector3 ConstraintMotion::turned(const Axis &axis, const Vector3 &start, const double angle)
+  {
+    const Vector3 &a = axis.direction;
+    return axis.point + std::cos(angle) * start + std::sin(angle) * a.cross(start) +
+           (1. - std::cos(angle)) * a.dot(start) * a;
+  }
+
+  void ConstraintMotion::turn_freely(Group             &group,
+                                     const double       dt,
+                                     const BodyDamping &damping,
+                                     const NodeField   &forces) const
+  {
+    const Vector3 &a          = group.axis.direction;
+    const double   half       = 0.5 * damping.zeta * dt;
+    const double   rigid_rate = a.dot(damping.rigid.omega), slip = a.dot(damping.mesh.omega);
+    const auto     accelerate = [&](double &rate, const double acceleration) {
+      rate =
+        ((1. - half) * rate + dt * (acceleration - slip) + 2. * half * rigid_rate) / (1. + half);
+    };
+
+    if (group.kind == ConstraintKind::free_rotation)
+      {
+        for (Node &node : group.nodes)
+          {
+            const Vector3 e = a.cross(node.old_position - group.axis.point);
+            accelerate(node.rate,
+                       e.dot(forces.value(node.local)) / (node.moved_mass * e.squaredNorm()));
+          }
+        return;
+      }
+
+    std::vector<double> torque_and_inertia(2, 0.);
+    for (const Node &node : group.nodes)
+      if (node.owned)
+        {
+          const Vector3 e = a.cross(node.old_position - group.axis.point);
+          torque_and_inertia[0] += e.dot(forces.value(node.local));
+          torque_and_inertia[1] += node.moved_mass * e.squaredNorm();
+        }
+    communicator_.sum(torque_and_inertia);
+    for (Node &node : group.nodes)
+      accelerate(node.rate, torque_and_inertia[0] / torque_and_inertia[1]);
+  }
+
+  void ConstraintMotion::exchange(ByteStream &stream, const Partition &partition)
+  {
+    std::vector<double> angles; // and rates, by node of the model
+    const auto          place = [&](const Node &node) {
+      return angles.data() + 2 * static_cast<std::size_t>(partition.global_node[node.local]);
+    };
+    for (Group &group : groups_)
+      {
+        if (!group.turns_freely())
+          continue;
+        angles.assign(2 * partition.local_node.size(), 0.);
+        for (const Node &node : group.nodes)
+          if (!stream.reads() && node.owned)
+            {
+              place(node)[0] = node.angle;
+              place(node)[1] = node.rate;
+            }
+        if (!stream.reads())
+          communicator_.sum(angles);
+        stream.pass(angles);
+        for (Node &node : group.nodes)
+          {
+            node.angle = place(node)[0];
+            node.rate  = place(node)[1];
+          }
+      }
+  }
+} // namespace vfife

@@ -1,0 +1,111 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/dynamics/watch/energy_book.h>
+#include <vfife/model/model.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Part of the energy limit from which on there is a warning. */
+    constexpr double warning_part = 0.4;
+  } // namespace
+
+  EnergyBook::EnergyBook(const Model &model)
+    : model_(model)
+    , approach_(model)
+  {
+  }
+
+  void EnergyBook::reset()
+  {
+    ledger_ = at_start_ = EnergyLedger();
+    largest_approach_   = 0;
+    has_touched_ = has_sample_ = has_warned_ = false;
+    warning_watch_ = failure_watch_ = EnergyWatch();
+  }
+
+  void EnergyBook::add_work(const StepPowers &powers, const double time)
+  {
+    ledger_.drive_work += time * powers.drive;
+    ledger_.torque_work += time * powers.torque;
+    ledger_.damping_loss += time * powers.damping;
+    ledger_.mesh_damping_loss += time * powers.mesh;
+    ledger_.contact_loss += time * powers.contact;
+  }
+
+  void EnergyBook::observe_contact(const bool touching)
+  {
+    has_touched_ = has_touched_ || touching;
+  }
+
+  void EnergyBook::take_sample(const std::vector<BodySums> &sums,
+                               const double                 strain,
+                               const double                 contact)
+  {
+    // Energies now: T = sum m v- . v+/2, what it is beyond the bodies' rigid motion, and springs.
+    ledger_.kinetic = 0;
+    for (const BodySums &body : sums)
+      ledger_.kinetic += body.update.kinetic;
+    ledger_.kinetic_relative = ledger_.kinetic;
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      ledger_.kinetic_relative -= compute_rigid_kinetic_energy(UpdateAxis::of(model_.bodies[b]),
+                                                               model_.bodies[b].mass(),
+                                                               sums[b].update);
+    ledger_.strain  = strain;
+    ledger_.contact = contact;
+    if (!std::exchange(has_sample_, true))
+      {
+        ledger_.start = ledger_.kinetic + ledger_.strain + ledger_.contact;
+        ledger_.scale = EnergyLedger::scale_floor * ledger_.kinetic;
+        at_start_     = ledger_;
+      }
+
+    // The scale: bodies that meet may exchange the energy of approach; before they do, it is
+    // nobody's measure.
+    observe_contact(contact > 0);
+    largest_approach_ = std::max(largest_approach_, approach_.compute(sums));
+    if (has_touched_)
+      ledger_.scale = std::max(ledger_.scale, largest_approach_);
+    // What has been exchanged since the start.
+    ledger_.scale =
+      std::max(ledger_.scale,
+               std::abs(ledger_.strain - at_start_.strain) +
+                 std::abs(ledger_.contact - at_start_.contact) +
+                 std::abs(ledger_.kinetic_relative - at_start_.kinetic_relative) +
+                 std::abs(ledger_.damping_loss + ledger_.mesh_damping_loss + ledger_.contact_loss));
+  }
+
+  void EnergyBook::check(const double limit, const std::string &instant, Log &log)
+  {
+    const double error = ledger_.error(), residual = ledger_.residual();
+    const auto   says = [&](const std::string &verb) {
+      return "the energy error " + verb + " " + std::to_string(error) + " " + instant + " (limit " +
+             std::to_string(limit) + ", Dynamics/energy limit)";
+    };
+    if (!std::isfinite(error))
+      throw NumericalError(says("is"));
+    if (warning_watch_.exceeds(error, residual, warning_part * limit) &&
+        !std::exchange(has_warned_, true))
+      log.warning(says("has reached"));
+    if (failure_watch_.exceeds(error, residual, limit))
+      throw NumericalError(says("is") + " and grows: the integration is unstable");
+  }
+
+  const EnergyLedger &EnergyBook::ledger() const
+  {
+    return ledger_;
+  }
+
+  void EnergyBook::exchange(ByteStream &stream)
+  {
+    stream.pass(ledger_, at_start_, largest_approach_, has_touched_, has_sample_, has_warned_);
+    stream.pass(warning_watch_, failure_watch_);
+  }
+} // namespace vfife
