@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/base/types.h>
 #include <vfife/lumped/lumped_solver.h>
 
@@ -259,14 +260,14 @@ namespace vfife
   Table make_motion_table(const LumpedModel &model)
   {
     Table table;
-    table.add_column("time", "s");
-    table.add_column("position", "tooth meshes");
-    table.add_column("dte", "arcsec");
+    table.add_column(column::time, "s");
+    table.add_column(column::position, "tooth meshes");
+    table.add_column(column::dte, "arcsec");
     table.add_column("mesh force", "N");
-    table.add_column("contact torque on the gear", "N m");
+    table.add_column(column::contact_torque_on("gear"), "N m");
     for (const LumpedSupport &support : model.pair().supports)
       table.add_column(support.name, support.tilts ? "arcsec" : "um");
-    table.add_column("energy error", "mJ");
+    table.add_column(column::energy_error, "mJ");
     return table;
   }
 

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_table.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/base/types.h>
 #include <vfife/lumped/mesh_law.h>
 
@@ -30,11 +31,12 @@ namespace vfife
 
   MeshLaw MeshLaw::from_table(const Table &table, const std::string &path, const LoadLaw law)
   {
-    check_positions(find_column(table, path, "position"), path);
-    const std::vector<double> &unloaded = find_column(table, path, "unloaded transmission error");
-    const std::vector<double> &loaded   = find_column(table, path, "transmission error");
-    const std::vector<double> &torque   = find_column(table, path, "contact torque on the gear");
-    const std::vector<double> &tangent  = find_column(table, path, "tangent stiffness");
+    check_positions(find_column(table, path, column::position), path);
+    const std::vector<double> &unloaded =
+      find_column(table, path, column::unloaded_transmission_error);
+    const std::vector<double> &loaded = find_column(table, path, column::transmission_error);
+    const std::vector<double> &torque = find_column(table, path, column::contact_torque_on("gear"));
+    const std::vector<double> &tangent = find_column(table, path, column::tangent_stiffness);
     MeshLaw                    result;
     result.reference_torque = 1e3 * std::abs(torque.front());
     const double        T0  = result.reference_torque;

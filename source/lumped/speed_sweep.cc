@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/lumped/speed_sweep.h>
 
 namespace vfife
@@ -43,20 +44,20 @@ namespace vfife
   Table make_resonance_response_table()
   {
     Table table;
-    table.add_text_column("direction");
-    table.add_column("speed", "rpm");
+    table.add_text_column(column::direction);
+    table.add_column(column::speed, "rpm");
     table.add_column("mesh frequency", "Hz");
-    table.add_column("mean dte", "arcsec");
+    table.add_column(column::mean_dte, "arcsec");
     table.add_column("rms dte", "arcsec");
-    table.add_column("peak to peak dte", "arcsec");
+    table.add_column(column::peak_to_peak_dte, "arcsec");
     table.add_column("mean force", "N");
     table.add_column("rms force", "N");
-    table.add_column("peak to peak force", "N");
+    table.add_column(column::peak_to_peak_force, "N");
     table.add_column("largest force", "N");
     table.add_column("losses of contact", "-");
-    table.add_column("time apart", "-");
+    table.add_column(column::time_apart, "-");
     table.add_column("time on coast flanks", "-");
-    table.add_column("energy error", "-");
+    table.add_column(column::energy_error, "-");
     return table;
   }
 

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
 #include <vfife/fem/modes/campbell.h>
 
 #include <algorithm>
@@ -27,14 +28,14 @@ namespace vfife
   {
     Table table;
     table.add_text_column("body");
-    table.add_column("speed", "rpm");
+    table.add_column(column::speed, "rpm");
     table.add_column("mode", "-");
-    table.add_column("frequency", "Hz");
+    table.add_column(column::frequency, "Hz");
     table.add_column("residual", "-");
     table.add_column("nodal diameter", "-");
     table.add_column("nodal circles", "-");
     table.add_column("share of the diameter", "-");
-    table.add_text_column("direction");
+    table.add_text_column(column::direction);
     for (const char *part : {"axial", "radial", "tangential"})
       table.add_column(part, "-");
     for (const char *axis : {"x", "y", "z"})
@@ -122,9 +123,9 @@ namespace vfife
     table.add_text_column("body");
     table.add_column("nodal diameter", "-");
     table.add_column("order", "-");
-    table.add_text_column("direction");
-    table.add_column("speed", "rpm");
-    table.add_column("frequency", "Hz");
+    table.add_text_column(column::direction);
+    table.add_column(column::speed, "rpm");
+    table.add_column(column::frequency, "Hz");
     return table;
   }
 
@@ -149,8 +150,8 @@ namespace vfife
     table.add_column("order", "-");
     table.add_text_column("wave");
     table.add_column("mesh order", "-");
-    table.add_column("speed", "rpm");
-    table.add_column("frequency", "Hz");
+    table.add_column(column::speed, "rpm");
+    table.add_column(column::frequency, "Hz");
     return table;
   }
 

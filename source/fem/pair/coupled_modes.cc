@@ -3,6 +3,7 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/pair/coupled_modes.h>
 #include <vfife/fem/solvers/sparse_matrix.h>
@@ -264,10 +265,10 @@ namespace vfife
   Table make_coupled_mode_table()
   {
     Table table;
-    table.add_text_column("axes");
+    table.add_text_column(column::axes);
     table.add_column("mode", "-");
-    table.add_column("frequency", "Hz");
-    table.add_column("share of the static turn", "-");
+    table.add_column(column::frequency, "Hz");
+    table.add_column(column::share_of_static_turn, "-");
     table.add_column("energy in the gear", "-");
     table.add_column("nodal diameter of the gear", "-");
     table.add_column("share of the diameter", "-");
@@ -294,7 +295,7 @@ namespace vfife
                          d.tangential});
         }
     };
-    add("turning", modes.turning);
-    add("standing", modes.standing);
+    add(axes_of_modes::turning, modes.turning);
+    add(axes_of_modes::standing, modes.standing);
   }
 } // namespace vfife

@@ -59,6 +59,7 @@ namespace vfife
       std::ostringstream content;
       content << file.rdbuf();
       bytes = content.str();
+
       Header       header;
       const Header known;
       // From the cheap to the dear: length, mark, version, length behind the header, checksum.
@@ -66,6 +67,8 @@ namespace vfife
         return "\"" + path + "\" is damaged: it has " + std::to_string(bytes.size()) + " bytes";
       std::memcpy(&header, bytes.data(), sizeof(header));
       bytes.erase(0, sizeof(header));
+
+      // First whose file it is, then which format, then whether it is whole.
       if (header.mark != known.mark)
         return "\"" + path + "\" is no checkpoint of vfife, or is damaged";
       if (header.format_version != known.format_version)
@@ -118,6 +121,7 @@ namespace vfife
                         const std::string  &own,
                         const bool          keeps_previous)
   {
+    // One file, which the writing rank fills with what all ranks know.
     Checkpoint checkpoint;
     // What only a rank knows, in the order of the ranks: it serves as many ranks again,
     // "common" any number.
@@ -140,6 +144,7 @@ namespace vfife
       out.write(reinterpret_cast<const char *>(&header), sizeof(header));
       out.write(stream.bytes().data(), stream.bytes().size());
     });
+    // Between two of these renames a kill leaves the last file or the one before.
     std::error_code error;
     if (keeps_previous)
       fs::rename(folder.file(last_name), folder.file(previous_name), error);
@@ -173,6 +178,7 @@ namespace vfife
     complaint = communicator.broadcast(complaint);
     if (!complaint.empty())
       throw InputError(complaint);
+    // The bytes go to all ranks, each of which takes its own part later.
     Checkpoint checkpoint;
     ByteStream stream(communicator.broadcast(bytes));
     exchange(stream, checkpoint);
@@ -182,6 +188,8 @@ namespace vfife
 
   void exchange_model(ByteStream &stream, Model &model)
   {
+    // The marks are those of the writer when reading, which are compared with the present ones;
+    // when writing both are the same.
     std::size_t n    = model.bodies.size();
     bool        same = true;
     stream.pass(n);

@@ -26,6 +26,7 @@ namespace vfife
   {
     if (!file_.is_open())
       return;
+    // Rows stay in the table, so that the file can begin anew from a checkpoint's rows.
     for (; n_written_ < table.n_rows(); ++n_written_)
       file_ << table.csv_row(n_written_) << '\n';
     if (std::chrono::steady_clock::now() - flushed_ >= std::chrono::seconds(1))
@@ -36,6 +37,7 @@ namespace vfife
   {
     if (!file_.is_open())
       return;
+    // A full disk shows here, not at every row.
     file_.flush();
     if (!file_)
       throw std::runtime_error("cannot write \"" + path_ + "\": " + std::strerror(errno));

@@ -30,6 +30,7 @@ namespace vfife
   {
     if (!folder.is_writer())
       return;
+    // First all of the text: what cannot be written as JSON leaves no file behind.
     const std::string text = json_text(json);
     folder.write_file(name, [&text](std::ostream &out) { out << text; });
   }

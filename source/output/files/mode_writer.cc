@@ -16,6 +16,7 @@ namespace vfife
   {
     if (!folder.is_writer())
       return;
+    // Names of the rows of a patch's data: three of one name a vector, then the scalars.
     using Patch  = dealii::DataOutBase::Patch<3, 3>;
     using Interp = dealii::DataComponentInterpretation::DataComponentInterpretation;
     std::vector<std::string>                                                 names;
@@ -31,6 +32,7 @@ namespace vfife
     for (const NamedScalars &scalar : scalars)
       names.push_back(scalar.name);
 
+    // A patch an element: its corners in the fixed frame at time zero and the data there.
     std::vector<Patch> patches(body.n_elements());
     for (unsigned int e = 0; e < body.n_elements(); ++e)
       {

@@ -20,7 +20,7 @@ namespace vfife
   {
     namespace fs = std::filesystem;
 
-    /** Why the path is none for a folder, or nothing. */
+    /** What a user has to mend: why the path is none for a folder, or nothing. */
     std::string judge(const std::string &path)
     {
       if (path.empty())
@@ -135,6 +135,7 @@ namespace vfife
     const std::string path      = file(name);
     const std::string temporary = path + ".part";
     {
+      // What the disk does not take shows when the file is closed, at the latest.
       std::ofstream out(temporary, std::ios::binary);
       if (out)
         write(out);
@@ -142,6 +143,7 @@ namespace vfife
       if (!out)
         refuse(path);
     }
+    // Readers see the old file or the new one.
     std::error_code error;
     fs::rename(temporary, path, error);
     if (error)

@@ -1,4 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
 
 #include <nlohmann/json.hpp>
@@ -16,38 +18,41 @@ namespace vfife
       std::string name, unit, pointer;
     };
 
-    const std::vector<Place> places = {
-      {"steps", "-", "/run/steps"},
-      {"time", "s", "/run/time/value"},
-      {"run time", "s", "/run/run time/value"},
-      {"energy error", "-", "/energy/error/value"},
-      {"contact losses", "-", "/contact losses/count"},
-      {"steady", "-", "/steady part/found"},
-      {"contact force mean", "N", "/steady part/columns/contact force total/mean"},
-      {"contact force peak to peak", "N", "/steady part/columns/contact force total/peak to peak"},
-      {"dte mean", "arcsec", "/steady part/columns/dte/mean"},
-      {"dte peak to peak", "arcsec", "/steady part/columns/dte/peak to peak"},
-      {"rim dte mean", "arcsec", "/steady part/columns/rim dte/mean"},
-      {"rim dte peak to peak", "arcsec", "/steady part/columns/rim dte/peak to peak"},
-      {"dte at the start", "arcsec", "/transmission error/total at the start/value"},
-      {"teeth and rest", "arcsec", "/transmission error/teeth and rest/value"},
-      {"web windup", "arcsec", "/transmission error/web windup/value"},
-      {"rim tilt and shift", "arcsec", "/transmission error/rim tilt and shift/value"},
-      {"centrifugal shift", "arcsec", "/transmission error/centrifugal shift/value"},
-      {"swing frequency", "Hz", "/figures/swing frequency, estimated/value"}};
+    /** The columns of a table of runs. */
+    std::vector<Place> list_places()
+    {
+      using namespace summary_place;
+      return {{"steps", "-", steps},
+              {column::time, "s", summary_place::time},
+              {"run time", "s", run_time},
+              {column::energy_error, "-", energy_error},
+              {"contact losses", "-", n_contact_losses},
+              {"steady", "-", is_steady},
+              {"contact force mean", "N", steady_mean(column::contact_force_total)},
+              {"contact force peak to peak", "N", steady_peak_to_peak(column::contact_force_total)},
+              {"dte mean", "arcsec", steady_mean(column::dte)},
+              {"dte peak to peak", "arcsec", steady_peak_to_peak(column::dte)},
+              {"rim dte mean", "arcsec", steady_mean(column::rim_dte)},
+              {"rim dte peak to peak", "arcsec", steady_peak_to_peak(column::rim_dte)},
+              {"dte at the start", "arcsec", part_of_error(error_part::total)},
+              {"teeth and rest", "arcsec", part_of_error(error_part::teeth_and_rest)},
+              {"web windup", "arcsec", part_of_error(error_part::web_windup)},
+              {"rim tilt and shift", "arcsec", part_of_error(error_part::rim_tilt_and_shift)},
+              {"centrifugal shift", "arcsec", part_of_error(error_part::centrifugal_shift)},
+              {"swing frequency", "Hz", figure(figure_name::swing_frequency)}};
+    }
 
     /** Numbers, and yes or no as 1 or 0; NaN for what is missing or null. */
     double read_number(const Json &json, const std::string &pointer)
     {
       const Json::json_pointer place(pointer);
-      if (json.contains(place))
-        {
-          const Json &value = json.at(place);
-          if (value.is_number())
-            return value.get<double>();
-          if (value.is_boolean())
-            return value.get<bool>() ? 1 : 0;
-        }
+      const Json              *found = json.contains(place) ? &json.at(place) : nullptr;
+      if (found != nullptr && found->is_object())
+        found = found->contains("value") ? &found->at("value") : nullptr;
+      if (found != nullptr && found->is_number())
+        return found->get<double>();
+      if (found != nullptr && found->is_boolean())
+        return found->get<bool>() ? 1 : 0;
       return std::numeric_limits<double>::quiet_NaN();
     }
 
@@ -72,10 +77,10 @@ namespace vfife
     const Json json = read_json(folder + "/summary.json");
     if (json.is_object())
       {
-        run.status  = json.value("status", "");
-        run.failure = json.value("failure", "");
+        run.status  = json.value(Json::json_pointer(summary_place::status), "");
+        run.failure = json.value(Json::json_pointer(summary_place::failure), "");
       }
-    for (const Place &place : places)
+    for (const Place &place : list_places())
       run.figures.emplace_back(place.name, Figure{read_number(json, place.pointer), place.unit});
     return run;
   }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/json.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/output/files/summary.h>
 
 #include <deal.II/base/utilities.h>
@@ -48,62 +49,63 @@ namespace vfife
       return 1e-3 * static_cast<double>(stats.VmHWM);
     }
 
-    Json run(const RunSummary &summary)
+    /** The member of the summary that stands at a place of result_places.h. */
+    Json &at(const char *place, Json &json)
     {
-      Json json;
-      json["time"]                     = figure_json(summary.time, "s");
-      json["step"]                     = figure_json(summary.dt, "s");
-      json["steps"]                    = summary.steps;
-      json["run time"]                 = figure_json(summary.run_time, "s");
-      json["element-steps per second"] = figure_json(summary.element_steps_per_second(), "1/s");
-      json["ranks"]                    = summary.ranks;
-      json["memory of the first rank"] = figure_json(largest_memory(), "MB");
-      if (!summary.instruction_set.empty())
-        json["instruction set"] = summary.instruction_set;
-      if (!summary.timers.empty())
-        json["timers"] = figures_json(summary.timers);
-      return json;
+      return json[Json::json_pointer(place)];
     }
 
-    /** Where figures are from, why, and what each column of the history does there. */
-    Json steady_part(const SteadyPart &part)
+    void add_run(const RunSummary &summary, Json &json)
     {
-      Json json;
-      json["compared"]                    = part.by_cycles ? "single mesh cycles" : "swing periods";
-      json["found"]                       = part.found;
-      json["explanation"]                 = part.explain();
-      json["start"]                       = figure_json(part.start_time, "s");
-      json["end"]                         = figure_json(part.end_time, "s");
-      json["mesh cycles"]                 = part.cycles;
-      json["swing period"]                = figure_json(part.period, "mesh cycles");
-      json["largest change of the means"] = figure_json(part.largest_change, "-");
-      Json columns                        = Json::object();
+      Json &run                         = json["run"];
+      at(summary_place::time, json)     = figure_json(summary.time, "s");
+      run["step"]                       = figure_json(summary.dt, "s");
+      at(summary_place::steps, json)    = summary.steps;
+      at(summary_place::run_time, json) = figure_json(summary.run_time, "s");
+      run["element-steps per second"]   = figure_json(summary.element_steps_per_second(), "1/s");
+      run["ranks"]                      = summary.ranks;
+      run["memory of the first rank"]   = figure_json(largest_memory(), "MB");
+      if (!summary.instruction_set.empty())
+        run["instruction set"] = summary.instruction_set;
+      if (!summary.timers.empty())
+        run["timers"] = figures_json(summary.timers);
+    }
+
+    void add_steady_part(const SteadyPart &part, Json &json)
+    {
+      Json &steady                       = json["steady part"];
+      steady["compared"]                 = part.by_cycles ? "single mesh cycles" : "swing periods";
+      at(summary_place::is_steady, json) = part.found;
+      steady["explanation"]              = part.explain();
+      at(summary_place::steady_start, json) = figure_json(part.start_time, "s");
+      steady["end"]                         = figure_json(part.end_time, "s");
+      steady["mesh cycles"]                 = part.cycles;
+      steady["swing period"]                = figure_json(part.period, "mesh cycles");
+      steady["largest change of the means"] = figure_json(part.largest_change, "-");
+      Json &columns = at(summary_place::steady_columns, json) = Json::object();
       for (const ColumnStatistics &column : part.columns)
         columns[column.name] = {{"mean", column.mean},
                                 {"peak to peak", column.peak_to_peak},
                                 {"standard deviation", column.standard_deviation},
                                 {"unit", column.unit}};
-      json["columns"] = columns;
-      return json;
     }
 
-    /** Entry for entry the sums of the ledger, so that the residual can be checked by hand. */
-    Json energy(const EnergyLedger &ledger)
+    void add_energy(const EnergyLedger &ledger, Json &json)
     {
-      Json json;
-      json["kinetic"]                                 = figure_json(ledger.kinetic, "mJ");
-      json["kinetic, relative to the turning bodies"] = figure_json(ledger.kinetic_relative, "mJ");
-      json["strain"]                                  = figure_json(ledger.strain, "mJ");
-      json["contact"]                                 = figure_json(ledger.contact, "mJ");
-      json["start"]                                   = figure_json(ledger.start, "mJ");
-      json["work of the drive"]                       = figure_json(ledger.drive_work, "mJ");
-      json["work of the torques"]                     = figure_json(ledger.torque_work, "mJ");
-      json["damping loss"]                            = figure_json(ledger.damping_loss, "mJ");
-      json["mesh damping loss"]                       = figure_json(ledger.mesh_damping_loss, "mJ");
-      json["contact loss"]                            = figure_json(ledger.contact_loss, "mJ");
-      json["residual"]                                = figure_json(ledger.residual(), "mJ");
-      json["error"]                                   = figure_json(ledger.error(), "-");
-      return json;
+      Json &energy      = json["energy"];
+      energy["kinetic"] = figure_json(ledger.kinetic, "mJ");
+      energy["kinetic, relative to the turning bodies"] =
+        figure_json(ledger.kinetic_relative, "mJ");
+      energy["strain"]                      = figure_json(ledger.strain, "mJ");
+      energy["contact"]                     = figure_json(ledger.contact, "mJ");
+      energy["start"]                       = figure_json(ledger.start, "mJ");
+      energy["work of the drive"]           = figure_json(ledger.drive_work, "mJ");
+      energy["work of the torques"]         = figure_json(ledger.torque_work, "mJ");
+      energy["damping loss"]                = figure_json(ledger.damping_loss, "mJ");
+      energy["mesh damping loss"]           = figure_json(ledger.mesh_damping_loss, "mJ");
+      energy["contact loss"]                = figure_json(ledger.contact_loss, "mJ");
+      energy["residual"]                    = figure_json(ledger.residual(), "mJ");
+      at(summary_place::energy_error, json) = figure_json(ledger.error(), "-");
     }
 
     Json damping(const std::vector<DampingAudit> &audits)
@@ -131,33 +133,36 @@ namespace vfife
   std::string make_summary_text(const RunSummary &summary)
   {
     Json json;
-    json["status"] = summary.status;
+    // How it ended, and of what.
+    at(summary_place::status, json) = summary.status;
     if (!summary.failure.empty())
-      json["failure"] = summary.failure;
+      at(summary_place::failure, json) = summary.failure;
     json["study"]          = summary.study;
     json["parameter file"] = summary.parameter_file;
     json["version"]        = summary.version;
     json["revision"]       = summary.revision;
     json["mesh"]           = mesh(summary);
-    json["run"]            = run(summary);
-    // Sections without content are left out; who reads takes a missing one for "not known".
+    add_run(summary, json);
+
+    // What it found.
     if (!summary.figures.empty())
-      json["figures"] = figures_json(summary.figures);
+      at(summary_place::figures, json) = figures_json(summary.figures);
     if (summary.steady)
-      json["steady part"] = steady_part(*summary.steady);
+      add_steady_part(*summary.steady, json);
     if (!summary.transmission_error.empty())
-      json["transmission error"] = figures_json(summary.transmission_error);
+      at(summary_place::transmission_error, json) = figures_json(summary.transmission_error);
+
+    // What speaks for it or against it.
     if (summary.energy)
-      json["energy"] = energy(*summary.energy);
+      add_energy(*summary.energy, json);
     if (!summary.damping.empty())
       json["damping audit"] = damping(summary.damping);
-    json["contact losses"] = {
-      {"count", summary.contact_losses.count},
-      {"first",
-       summary.contact_losses.count > 0 ? figure_json(summary.contact_losses.first, "s") : Json()},
-      {"time without contact", figure_json(summary.contact_losses.duration, "s")}};
-    json["contradictions"] = summary.contradictions;
-    json["warnings"]       = summary.warnings;
+    const ContactLosses &losses               = summary.contact_losses;
+    at(summary_place::n_contact_losses, json) = losses.count;
+    json["contact losses"]["first"] = losses.count > 0 ? figure_json(losses.first, "s") : Json();
+    json["contact losses"]["time without contact"] = figure_json(losses.duration, "s");
+    json["contradictions"]                         = summary.contradictions;
+    json["warnings"]                               = summary.warnings;
     return json_text(json);
   }
 

@@ -14,6 +14,7 @@ namespace vfife
     {
       if (is_text)
         return text;
+      // Also "nan" and "inf"; an empty cell is no number.
       char        *end   = nullptr;
       const double value = std::strtod(text.c_str(), &end);
       return end == text.c_str() ? std::numeric_limits<double>::quiet_NaN() : value;
@@ -22,6 +23,7 @@ namespace vfife
 
   Table read_result_table(const std::string &path)
   {
+    // Texts of the file first, then cells by the kind of their column.
     std::ifstream file(path);
     const CsvText text = read_csv(file, "the results \"" + path + "\"");
     Table         table;

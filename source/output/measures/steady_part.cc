@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
 #include <vfife/output/measures/steady_part.h>
 
@@ -144,7 +145,7 @@ namespace vfife
       throw InputError(
         "the steady part needs more than one sample per tooth mesh and a finite swing period");
 
-    const std::vector<double> &time     = history.numbers("time");
+    const std::vector<double> &time     = history.numbers(column::time);
     const double               interval = (time.back() - time.front()) / (time.size() - 1);
     const double               last_row = time.size() - 1;
     // Round-off of the samples per mesh must not cost a whole cycle.
@@ -201,7 +202,7 @@ namespace vfife
     part.start_time = time.front() + interval * window.begin;
     part.end_time   = time.front() + interval * window.end;
     for (const Table::Column &column : history.columns())
-      if (!column.is_text && column.name != "time")
+      if (!column.is_text && column.name != column::time)
         part.columns.push_back(compute_statistics(column, window));
     return part;
   }

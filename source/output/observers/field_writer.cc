@@ -142,6 +142,7 @@ namespace vfife
       return records;
     }
 
+    /** This rank's elements with their fields. */
     std::vector<Patch>
     make_patches(const Model &model, const State &state, const std::vector<NodeRecord> &records)
     {
@@ -162,6 +163,7 @@ namespace vfife
           patch.patch_index    = p;
           patch.reference_cell = dealii::ReferenceCells::Hexahedron;
           patch.data.reinit(n_rows, 8);
+          // Corners where they are now, with what their nodes show.
           for (unsigned int i = 0; i < 8; ++i)
             {
               const std::uint32_t local =
@@ -250,6 +252,7 @@ namespace vfife
     is_requested_ = false;
     if (instants_.empty())
       folder_.make_subfolder("fields");
+    // What all ranks find together, then this rank's part of the mesh.
     const Communicator &communicator = folder_.communicator();
     const auto          motions      = compute_body_motions(model, state, communicator);
     const auto          stresses = compute_node_stresses(model, state, kind_, frame_, communicator);
@@ -257,6 +260,7 @@ namespace vfife
     const auto patches = make_patches(model, state, records);
     const auto flags   = make_flags(state);
 
+    // One rank: 00003.vtu. Several: a piece a rank, 00003.0.vtu..., and 00003.pvtu over them.
     std::ostringstream instant;
     instant << std::setw(5) << std::setfill('0') << instants_.size();
     const auto piece = [&](const unsigned int rank) {

@@ -1,148 +1,118 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
 #include <vfife/model/model.h>
-#include <vfife/model/state.h>
 #include <vfife/output/observers/history_writer.h>
 
 namespace vfife
 {
   namespace
   {
+    using Now     = const Measurements &;
+    using Columns = SampleColumns<Measurements>;
+
     constexpr double degree = pi / 180;
 
-    /** Momenta and probes, which in a gear pair have files and figures of their own. */
-    void add_model_columns(const Model &model, Table &table)
+    void add_energies(const bool is_pair, Columns &columns)
     {
-      for (const char *axis : {"x", "y", "z"})
-        table.add_column(std::string("momentum ") + axis, "N s");
-      for (const char *axis : {"x", "y", "z"})
-        table.add_column(std::string("angular momentum ") + axis, "N mm s");
-      for (const Probe &probe : model.probes)
-        {
-          const std::vector<std::string> axes = probe.fixed_axes
-                                                  ? std::vector<std::string>{"x", "y", "z"}
-                                                  : std::vector<std::string>{"r", "theta", "z"};
-          for (const std::string &axis : axes)
-            table.add_column(probe.name + " displacement " + axis, "mm");
-          for (unsigned int c = 0; c < 6; ++c)
-            table.add_column(probe.name + " stress " +
-                               (c < 3 ? axes[c] : axes[c - 3] + " " + axes[(c - 2) % 3]),
-                             "MPa");
-          table.add_column(probe.name + " von mises", "MPa");
-        }
+      const auto add = [&columns](const char *name, double EnergyLedger::*energy) {
+        columns.add(name, "mJ", [energy](Now now) { return now.energy.*energy; });
+      };
+      add("kinetic energy", &EnergyLedger::kinetic);
+      add("relative kinetic energy", &EnergyLedger::kinetic_relative);
+      add("strain energy", &EnergyLedger::strain);
+      add("contact energy", &EnergyLedger::contact);
+      add("work of the drive", &EnergyLedger::drive_work);
+      add(is_pair ? "work of the torques" : "work of the loads", &EnergyLedger::torque_work);
+      add("damping loss", &EnergyLedger::damping_loss);
+      add("mesh damping loss", &EnergyLedger::mesh_damping_loss);
+      add("contact loss", &EnergyLedger::contact_loss);
+      columns.add(column::energy_error, "-", [](Now now) { return now.energy.error(); });
     }
 
-    void add_model_cells(const Measurements &now, std::vector<Table::Cell> &row)
+    /** Displacement and stress of probe number @p p of the model, under its name. */
+    void add_probe(const Probe &probe, const std::size_t p, Columns &columns)
     {
-      row.insert(row.end(), now.momentum.data(), now.momentum.data() + 3);
-      row.insert(row.end(), now.angular_momentum.data(), now.angular_momentum.data() + 3);
-      for (const ProbeValue &value : now.probes)
-        {
-          row.insert(row.end(), value.displacement.data(), value.displacement.data() + 3);
-          row.insert(row.end(), value.stress.begin(), value.stress.end());
-          row.emplace_back(value.von_mises);
-        }
+      const auto add = [&](const std::string &name, const char *unit, const auto value) {
+        columns.add(probe.name + " " + name, unit, [p, value](Now now) {
+          return value(now.probes.at(p));
+        });
+      };
+      const column::Axes axes = probe.fixed_axes ? column::fixed_axes : column::cylindrical_axes;
+      for (unsigned int c = 0; c < 3; ++c)
+        add(column::displacements(axes)[c], "mm", [c](const ProbeValue &value) {
+          return value.displacement[c];
+        });
+      for (unsigned int c = 0; c < 6; ++c)
+        add(column::stresses(axes)[c], "MPa", [c](const ProbeValue &value) {
+          return value.stress[c];
+        });
+      add(column::von_mises, "MPa", [](const ProbeValue &value) { return value.von_mises; });
     }
 
-    Table make_table(const Model &model)
+    /** What gear pairs have files and figures of their own for. */
+    void add_motion(const std::vector<Probe> &probes, Columns &columns)
     {
-      Table table;
-      table.add_column("time", "s");
-      if (model.transmission)
+      for (unsigned int c = 0; c < 3; ++c)
+        columns.add(std::string("momentum ") + column::fixed_axes[c], "N s", [c](Now now) {
+          return now.momentum[c];
+        });
+      for (unsigned int c = 0; c < 3; ++c)
+        columns.add(std::string("angular momentum ") + column::fixed_axes[c],
+                    "N mm s",
+                    [c](Now now) { return now.angular_momentum[c]; });
+      for (std::size_t p = 0; p < probes.size(); ++p)
+        add_probe(probes[p], p, columns);
+    }
+
+    /** All columns in the order of the file. */
+    Columns list_columns(const Model &model)
+    {
+      Columns           columns;
+      const auto       &pair   = model.transmission;
+      const std::string driver = pair ? model.bodies[pair->driver].name() : "";
+      const std::string driven = pair ? model.bodies[pair->driven].name() : "";
+      if (pair)
         {
-          table.add_column(model.bodies[model.transmission->driver].name() + " angle", "deg");
-          table.add_column(model.bodies[model.transmission->driven].name() + " angle", "deg");
-          table.add_column("dte", "arcsec");
-          table.add_column("rim dte", "arcsec");
+          columns.add(column::angle_of(driver), "deg", [](Now now) {
+            return now.driver_angle / degree;
+          });
+          columns.add(column::angle_of(driven), "deg", [](Now now) {
+            return now.driven_angle / degree;
+          });
+          columns.add(column::dte, "arcsec", [](Now now) {
+            return now.transmission_error / arcsecond;
+          });
+          columns.add(column::rim_dte, "arcsec", [](Now now) {
+            return now.rim_transmission_error / arcsecond;
+          });
         }
-      table.add_column("contact force total", "N");
-      if (model.transmission)
+      columns.add(column::contact_force_total, "N", [](Now now) { return now.contact_force; });
+      if (pair)
         {
-          table.add_column("contact torque on the " +
-                             model.bodies[model.transmission->driven].name(),
-                           "N m");
-          table.add_column("teeth in contact", "-");
+          columns.add(column::contact_torque_on(driven), "N m", [](Now now) {
+            return 1e-3 * now.contact_torque;
+          });
+          columns.add(column::teeth_in_contact, "-", [](Now now) { return now.teeth_in_contact; });
         }
-      table.add_column("largest penetration", "um");
-      for (const char *energy : {"kinetic energy",
-                                 "relative kinetic energy",
-                                 "strain energy",
-                                 "contact energy",
-                                 "work of the drive",
-                                 model.transmission ? "work of the torques" : "work of the loads",
-                                 "damping loss",
-                                 "mesh damping loss",
-                                 "contact loss"})
-        table.add_column(energy, "mJ");
-      table.add_column("energy error", "-");
-      if (!model.transmission)
-        add_model_columns(model, table);
-      return table;
+      columns.add("largest penetration", "um", [](Now now) {
+        return 1e3 * now.largest_penetration;
+      });
+      add_energies(pair.has_value(), columns);
+      if (!pair)
+        add_motion(model.probes, columns);
+      return columns;
     }
   } // namespace
 
   HistoryWriter::HistoryWriter(const OutputFolder &folder,
                                const Model        &model,
                                const std::uint64_t steps_between)
-    : steps_between_(steps_between)
-    , table_(make_table(model))
-    , file_(folder, "history.csv", table_)
+    : SampledTable(folder, "history.csv", list_columns(model), steps_between)
   {
   }
 
-  bool HistoryWriter::due(const State &state) const
+  void HistoryWriter::add_rows(const Model &, const State &state)
   {
-    return state.step % steps_between_ == 0;
-  }
-
-  void HistoryWriter::observe(const Model &model, const State &state)
-  {
-    // The last state of a run is shown even off the grid of samples, where it would break the equal
-    // intervals.
-    if (!due(state))
-      return;
-    const Measurements      &now = state.measured;
-    std::vector<Table::Cell> row = {state.time};
-    if (model.transmission)
-      row.insert(row.end(),
-                 {now.driver_angle / degree,
-                  now.driven_angle / degree,
-                  now.transmission_error / arcsecond,
-                  now.rim_transmission_error / arcsecond});
-    row.emplace_back(now.contact_force);
-    if (model.transmission)
-      row.insert(row.end(), {1e-3 * now.contact_torque, now.teeth_in_contact});
-    row.emplace_back(1e3 * now.largest_penetration);
-    row.insert(row.end(),
-               {now.energy.kinetic,
-                now.energy.kinetic_relative,
-                now.energy.strain,
-                now.energy.contact,
-                now.energy.drive_work,
-                now.energy.torque_work,
-                now.energy.damping_loss,
-                now.energy.mesh_damping_loss,
-                now.energy.contact_loss,
-                now.energy.error()});
-    if (!model.transmission)
-      add_model_cells(now, row);
-    table_.add_row(row);
-    file_.append_new_rows(table_);
-  }
-
-  void HistoryWriter::exchange(ByteStream &stream)
-  {
-    table_.exchange_rows(stream);
-    file_.append_new_rows(table_); // a run that goes on writes them again
-    file_.flush();
-  }
-
-  void HistoryWriter::finish(const Model &, const State &)
-  {
-    file_.flush();
-  }
-
-  const Table &HistoryWriter::table() const
-  {
-    return table_;
+    add_row(state, state.measured);
   }
 } // namespace vfife

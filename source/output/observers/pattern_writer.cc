@@ -1,12 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/byte_stream.h>
-#include <vfife/base/text/table.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/base/text/sample_columns.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
-#include <vfife/output/files/csv_stream.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/pattern_writer.h>
 
 #include <algorithm>
@@ -14,6 +15,31 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /** A place of a flank: a row of pattern.csv. */
+    struct Place
+    {
+      const std::string &body, &side;
+      Vector2            r_z;              ///< [mm]
+      double             largest_pressure; ///< [MPa]
+    };
+
+    /** All columns in the order of the file. */
+    SampleColumns<Place> list_columns()
+    {
+      SampleColumns<Place> columns;
+      columns.add_text("body", [](const Place &place) { return place.body; });
+      columns.add_text(column::side, [](const Place &place) { return place.side; });
+      columns.add("r", "mm", [](const Place &place) { return place.r_z[0]; });
+      columns.add("z", "mm", [](const Place &place) { return place.r_z[1]; });
+      columns.add(column::largest_pressure, "MPa", [](const Place &place) {
+        return place.largest_pressure;
+      });
+      return columns;
+    }
+  } // namespace
+
   PatternWriter::PatternWriter(const OutputFolder &folder,
                                const Model        &model,
                                const double        start,
@@ -34,6 +60,7 @@ namespace vfife
                                                  const std::string &surface,
                                                  const std::string &side)
   {
+    // Nodes of all teeth with their areas.
     const Body &body = model.bodies[b];
     Flank       flank;
     flank.body  = b;
@@ -67,6 +94,7 @@ namespace vfife
 
   void PatternWriter::observe(const Model &model, const State &state)
   {
+    // The largest pressure so far at each place, of this rank's nodes.
     if (!due(state) || state.contact_force.empty())
       return;
     for (Flank &flank : flanks_)
@@ -84,11 +112,13 @@ namespace vfife
 
   void PatternWriter::exchange(ByteStream &stream)
   {
+    // With the start of the last tooth mesh, so that a run that goes on knows which one it was.
     double start = start_;
     stream.pass(start);
     for (Flank &flank : flanks_)
       {
         std::vector<double> largest = flank.largest_pressure;
+        // Each rank has seen its own nodes only.
         if (!stream.reads())
           folder_.communicator().max(largest);
         stream.pass(largest);
@@ -100,24 +130,18 @@ namespace vfife
 
   void PatternWriter::finish(const Model &model, const State &)
   {
-    Table table;
-    table.add_text_column("body");
-    table.add_text_column("side");
-    table.add_column("r", "mm");
-    table.add_column("z", "mm");
-    table.add_column("largest pressure", "MPa");
+    const SampleColumns<Place> columns = list_columns();
+    Table                      table;
+    columns.add_to(table);
     for (Flank &flank : flanks_)
       {
         folder_.communicator().max(flank.largest_pressure);
         for (std::size_t i = 0; i < flank.r_z.size(); ++i)
-          table.add_row({model.bodies[flank.body].name(),
-                         flank.side,
-                         flank.r_z[i][0],
-                         flank.r_z[i][1],
-                         flank.largest_pressure[i]});
+          table.add_row(columns.cells_of({model.bodies[flank.body].name(),
+                                          flank.side,
+                                          flank.r_z[i],
+                                          flank.largest_pressure[i]}));
       }
-    CsvStream file(folder_, "pattern.csv", table);
-    file.append_new_rows(table);
-    file.flush();
+    write_csv(folder_, "pattern.csv", table);
   }
 } // namespace vfife

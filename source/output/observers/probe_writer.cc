@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
 #include <vfife/model/model.h>
-#include <vfife/model/state.h>
 #include <vfife/output/observers/probe_writer.h>
 
 #include <algorithm>
@@ -9,66 +9,36 @@ namespace vfife
 {
   namespace
   {
-    Table make_table()
+    using Here    = const ProbeSample &;
+    using Columns = SampleColumns<ProbeSample>;
+
+    /** All columns in the order of the file. */
+    Columns list_columns()
     {
-      Table table;
-      table.add_column("time", "s");
-      table.add_text_column("probe");
-      for (const char *component : {"r", "theta", "z"})
-        table.add_column(std::string("displacement ") + component, "um");
-      table.add_column("von mises", "MPa");
-      for (const char *component : {"r", "theta", "z", "r theta", "theta z", "z r"})
-        table.add_column(std::string("stress ") + component, "MPa");
-      return table;
+      Columns    columns;
+      const auto displacements = column::displacements(column::cylindrical_axes);
+      const auto stresses      = column::stresses(column::cylindrical_axes);
+      columns.add_text(column::probe, [](Here here) { return here.name; });
+      for (unsigned int c = 0; c < 3; ++c)
+        columns.add(displacements[c], "um", [c](Here here) {
+          return 1e3 * here.value.displacement[c];
+        });
+      columns.add(column::von_mises, "MPa", [](Here here) { return here.value.von_mises; });
+      for (unsigned int c = 0; c < 6; ++c)
+        columns.add(stresses[c], "MPa", [c](Here here) { return here.value.stress[c]; });
+      return columns;
     }
   } // namespace
 
   ProbeWriter::ProbeWriter(const OutputFolder &folder, const std::uint64_t steps_between)
-    : steps_between_(steps_between)
-    , table_(make_table())
-    , file_(folder, "probes.csv", table_)
+    : SampledTable(folder, "probes.csv", list_columns(), steps_between)
   {
   }
 
-  bool ProbeWriter::due(const State &state) const
+  void ProbeWriter::add_rows(const Model &model, const State &state)
   {
-    return state.step % steps_between_ == 0;
-  }
-
-  void ProbeWriter::observe(const Model &model, const State &state)
-  {
-    // The last state of a run is shown even off the grid of samples, where it would break the equal
-    // intervals.
-    if (!due(state))
-      return;
-    const std::size_t n = std::min(model.probes.size(), state.measured.probes.size());
-    for (std::size_t p = 0; p < n; ++p)
-      {
-        const ProbeValue        &value = state.measured.probes[p];
-        std::vector<Table::Cell> row   = {state.time, model.probes[p].name};
-        for (unsigned int c = 0; c < 3; ++c)
-          row.emplace_back(1e3 * value.displacement[c]);
-        row.emplace_back(value.von_mises);
-        row.insert(row.end(), value.stress.begin(), value.stress.end());
-        table_.add_row(row);
-      }
-    file_.append_new_rows(table_);
-  }
-
-  void ProbeWriter::exchange(ByteStream &stream)
-  {
-    table_.exchange_rows(stream);
-    file_.append_new_rows(table_); // a run that goes on writes them again
-    file_.flush();
-  }
-
-  void ProbeWriter::finish(const Model &, const State &)
-  {
-    file_.flush();
-  }
-
-  const Table &ProbeWriter::table() const
-  {
-    return table_;
+    const std::vector<ProbeValue> &values = state.measured.probes;
+    for (std::size_t p = 0; p < std::min(model.probes.size(), values.size()); ++p)
+      add_row(state, {model.probes[p].name, values[p]});
   }
 } // namespace vfife

@@ -18,6 +18,7 @@ namespace vfife
   {
     if (!(seconds >= 0) || seconds > 1e8)
       return "?";
+    // The two largest units that are not zero.
     const auto         s = static_cast<unsigned long>(std::lround(seconds));
     std::ostringstream text;
     text << std::setfill('0');
@@ -55,6 +56,8 @@ namespace vfife
 
   std::string ProgressLine::compose(const Model &model, const State &state) const
   {
+    // " 25 %  0.250 ms  mesh 2.2  step 40  energy error 1.0e-06  DTE -35.50 arcsec  12 min 03 s
+    // left"
     const double       done = (state.time - start_time_) / (end_time_ - start_time_);
     std::ostringstream text;
     text << std::fixed << std::setprecision(0) << std::setw(3) << std::floor(100 * done + 1e-9)
@@ -113,6 +116,9 @@ namespace vfife
     if (!is_writer_)
       return;
     say_expected_time(state);
+
+    // On a terminal one line that is written over every second; elsewhere a line every 5 %, at
+    // least one a minute.
     const double waited = seconds_since(last_line_);
     if (waited < 1)
       return;

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
-#include <vfife/model/state.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/measures/body_motion.h>
 #include <vfife/output/observers/rim_writer.h>
@@ -19,30 +19,34 @@ namespace vfife
       return std::min(RimWriter::largest_diameters, teeth > 0 ? (teeth - 1) / 2 : 0);
     }
 
-    Table make_table(const unsigned int n_diameters)
+    /** All columns in the order of the file, which is that of the coefficients. */
+    SampleColumns<RimWaves> list_columns(const unsigned int n_diameters)
     {
-      Table table;
-      table.add_column("time", "s");
-      for (const std::string component : {"r", "theta", "z"})
+      SampleColumns<RimWaves> columns;
+      std::size_t             k   = 0;
+      const auto              add = [&](const std::string &name) {
+        columns.add(name, "um", [k](const RimWaves &waves) { return waves[k]; });
+        ++k;
+      };
+      for (const std::string component : column::cylindrical_axes)
         {
-          table.add_column(component + " cos 0", "um");
+          add(component + " cos 0");
           for (unsigned int n = 1; n <= n_diameters; ++n)
             for (const char *wave : {" cos ", " sin "})
-              table.add_column(component + wave + std::to_string(n), "um");
+              add(component + wave + std::to_string(n));
         }
-      return table;
+      return columns;
     }
   } // namespace
 
   RimWriter::RimWriter(const OutputFolder &folder,
                        const Model        &model,
                        const std::uint64_t steps_between)
-    : folder_(folder)
-    , steps_between_(steps_between)
+    : SampledTable(folder, "rim.csv", list_columns(count_diameters(model)), steps_between)
+    , folder_(folder)
     , n_diameters_(count_diameters(model))
-    , table_(make_table(n_diameters_))
-    , file_(folder, "rim.csv", table_)
   {
+    // Share of the rim's mass, direction about the axis and axes of each node.
     const Body &gear = model.bodies[model.transmission->driven];
     double      mass = 0;
     for (const unsigned int i : model.transmission->driven_rim)
@@ -54,20 +58,14 @@ namespace vfife
       }
   }
 
-  bool RimWriter::due(const State &state) const
+  void RimWriter::add_rows(const Model &model, const State &state)
   {
-    return state.step % steps_between_ == 0;
-  }
-
-  void RimWriter::observe(const Model &model, const State &state)
-  {
-    if (!due(state))
-      return;
     const unsigned int b    = model.transmission->driven;
     const Body        &gear = model.bodies[b];
     const Matrix3 turn = compute_body_motions(model, state, folder_.communicator())[b].rotation;
-    const unsigned int  per_component = 2 * n_diameters_ + 1;
-    std::vector<double> sums(3 * per_component, 0.);
+    const unsigned int per_component = 2 * n_diameters_ + 1;
+    // Sums over this rank's nodes, then over all ranks: per component cos 0, cos 1, sin 1...
+    RimWaves sums(3 * per_component, 0.);
     for (const Node &node : nodes_)
       {
         const std::uint32_t local = state.partition->find_owned(gear.first_node + node.number);
@@ -81,7 +79,8 @@ namespace vfife
           {
             double *sum = &sums[c * per_component];
             sum[0] += u[c];
-            std::complex<double> wave = 2; // times exp(i n alpha)
+            // 2 exp(i n alpha) for one n after the other.
+            std::complex<double> wave = 2;
             for (unsigned int n = 1; n <= n_diameters_; ++n)
               {
                 wave *= node.direction;
@@ -91,26 +90,6 @@ namespace vfife
           }
       }
     folder_.communicator().sum(sums);
-    std::vector<Table::Cell> row = {state.time};
-    row.insert(row.end(), sums.begin(), sums.end());
-    table_.add_row(row);
-    file_.append_new_rows(table_);
-  }
-
-  void RimWriter::exchange(ByteStream &stream)
-  {
-    table_.exchange_rows(stream);
-    file_.append_new_rows(table_); // a run that goes on writes them again
-    file_.flush();
-  }
-
-  void RimWriter::finish(const Model &, const State &)
-  {
-    file_.flush();
-  }
-
-  const Table &RimWriter::table() const
-  {
-    return table_;
+    add_row(state, sums);
   }
 } // namespace vfife

@@ -5,6 +5,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/study/benchmark/benchmark_study.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
 
@@ -175,9 +176,7 @@ namespace vfife
     log_table(cost, log);
     if (!folder.is_writer())
       return;
-    folder.write_file("benchmark.csv", [&](std::ostream &out) { table.write_csv(out); });
-    folder.write_file("benchmark.json", [&](std::ostream &out) { table.write_json(out); });
-    folder.write_file("contact_cost.csv", [&](std::ostream &out) { cost.write_csv(out); });
-    folder.write_file("contact_cost.json", [&](std::ostream &out) { cost.write_json(out); });
+    write_tables(folder, "benchmark", table);
+    write_tables(folder, "contact_cost", cost);
   }
 } // namespace vfife

@@ -7,6 +7,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/case_runner.h>
 #include <vfife/study/compare/compare_study.h>
@@ -228,11 +229,7 @@ namespace vfife
                row.reference_kind,
                "): ",
                row.verdict());
-    if (folder.is_writer())
-      {
-        const Table table = comparison_table(rows);
-        folder.write_file("comparison.csv", [&](std::ostream &out) { table.write_csv(out); });
-      }
+    write_csv(folder, "comparison.csv", comparison_table(rows));
     write_json(folder, "comparison.json", comparison_json(title_, rows));
     if (pictures_)
       draw_pictures(folder, log);

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
 #include <vfife/study/compare/model_comparison.h>
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/probe_columns.h>
@@ -19,10 +20,10 @@ namespace vfife
       const Table         table = modal.table("modes.csv"), history = run.table("history.csv");
       std::vector<double> modes;
       for (std::size_t i = 0; i < table.n_rows(); ++i)
-        if (table.numbers("speed")[i] == table.numbers("speed")[0] &&
-            table.numbers("frequency")[i] > 0)
-          modes.push_back(table.numbers("frequency")[i]);
-      const std::vector<double> &time = history.numbers("time");
+        if (table.numbers(column::speed)[i] == table.numbers(column::speed)[0] &&
+            table.numbers(column::frequency)[i] > 0)
+          modes.push_back(table.numbers(column::frequency)[i]);
+      const std::vector<double> &time = history.numbers(column::time);
       if (modes.empty() || time.size() < 8)
         return;
       const double highest = 1.1 * *std::max_element(modes.begin(), modes.end());

@@ -1,4 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/pair_comparison.h>
 #include <vfife/study/compare/probe_passages.h>
@@ -40,10 +42,10 @@ namespace vfife
         : tolerances(tolerances)
         , history(run.table("history.csv"))
         , run_(run)
-        , rate_(summary("/figures/pinion speed/value"))
-        , mesh_frequency(summary("/figures/mesh frequency/value"))
-        , start(summary("/steady part/start/value"))
-        , is_steady_(summary("/steady part/found") == 1)
+        , rate_(summary(summary_place::figure(figure_name::speed_of("pinion"))))
+        , mesh_frequency(summary(summary_place::figure(figure_name::mesh_frequency)))
+        , start(summary(summary_place::steady_start))
+        , is_steady_(summary(summary_place::is_steady) == 1)
       {
       }
 
@@ -55,7 +57,7 @@ namespace vfife
       /** Mean of a column of the history over the steady part. */
       double steady_mean(const std::string &column) const
       {
-        return summary("/steady part/columns/" + column + "/mean");
+        return summary(summary_place::steady_mean(column));
       }
 
       bool has(const std::string &file) const
@@ -73,9 +75,9 @@ namespace vfife
       cut(const std::string &column, std::vector<double> &time, std::vector<double> &values) const
       {
         for (std::size_t i = 0; i < history.n_rows(); ++i)
-          if (history.numbers("time")[i] >= start)
+          if (history.numbers(column::time)[i] >= start)
             {
-              time.push_back(history.numbers("time")[i]);
+              time.push_back(history.numbers(column::time)[i]);
               values.push_back(history.numbers(column)[i]);
             }
       }
@@ -156,10 +158,11 @@ namespace vfife
                          ComparisonRows     &rows)
     {
       const Table                table     = loaded.table("loaded_contact.csv");
-      const std::vector<double> &positions = table.numbers("position");
-      const std::vector<double> &curve     = table.numbers("transmission error");
+      const std::vector<double> &positions = table.numbers(column::position);
+      const std::vector<double> &curve     = table.numbers(column::transmission_error);
 
-      ComparisonRow row{"mean dte", "arcsec", run.steady_mean("dte"), mean(curve), "FEM", {}, ""};
+      ComparisonRow row{
+        "mean dte", "arcsec", run.steady_mean(column::dte), mean(curve), "FEM", {}, ""};
       row.reason = "loaded contact analysis of the same mesh and penalty, mean over " +
                    std::to_string(positions.size()) + " positions";
       run.judge_slow(run.tolerances.error * std::abs(row.reference), row);
@@ -168,7 +171,7 @@ namespace vfife
       // The whole curve: how much it swings, and how far the run is from it anywhere.
       if (positions.size() > 1)
         {
-          const std::vector<double> cycle = run.at_positions("dte", positions);
+          const std::vector<double> cycle = run.at_positions(column::dte, positions);
           const double              swing =
             coupled == nullptr
                            ? 0.
@@ -207,8 +210,8 @@ namespace vfife
 
       row = {"mean contact force",
              "N",
-             run.steady_mean("contact force total"),
-             mean(table.numbers("contact force total")),
+             run.steady_mean(column::contact_force_total),
+             mean(table.numbers(column::contact_force_total)),
              "FEM",
              {},
              ""};
@@ -256,8 +259,8 @@ namespace vfife
     {
       ComparisonRow row{"mean contact force",
                         "N",
-                        run.steady_mean("contact force total"),
-                        run.summary("/figures/torque over effective arm/value"),
+                        run.steady_mean(column::contact_force_total),
+                        run.summary(summary_place::figure(figure_name::force_on_arm)),
                         "balance",
                         {},
                         ""};
@@ -267,8 +270,8 @@ namespace vfife
 
       row        = {"mean contact torque on the gear",
                     "N m",
-                    run.steady_mean("contact torque on the gear"),
-                    run.summary("/figures/gear torque/value"),
+                    run.steady_mean(column::contact_torque_on("gear")),
+                    run.summary(summary_place::figure(figure_name::torque_of("gear"))),
                     "balance",
                     {},
                     ""};
@@ -282,7 +285,7 @@ namespace vfife
       const std::vector<double> modes =
         TurningModes(coupled.table("coupled_modes.csv"), .02).frequencies;
       std::vector<double> time, dte;
-      run.cut("dte", time, dte);
+      run.cut(column::dte, time, dte);
       if (modes.empty() || time.size() < 8)
         return;
       // Lines that are harmonics of the mesh (whole orders, within the resolution 1.5/length of the
@@ -310,31 +313,36 @@ namespace vfife
 
     void add_lumped(const PairRun &run, const ComparedCase &lumped, ComparisonRows &rows)
     {
-      const auto figure = [&](const std::string &name) {
-        return lumped.number("lumped.json", "/response/" + name + "/value");
+      const auto response = [&](const char *column) {
+        return lumped.number("lumped.json", lumped_place::response_figure(column));
       };
       const std::string why =
         "one inertia on one spring knows no tilt of rim and web: a second opinion";
       rows.push_back({"swing frequency",
                       "Hz",
-                      run.summary("/figures/swing frequency, estimated/value"),
-                      lumped.number("lumped.json", "/modes/0/frequency [Hz]"),
+                      run.summary(summary_place::figure(figure_name::swing_frequency)),
+                      lumped.number("lumped.json", lumped_place::first_frequency()),
                       "lumped",
                       {},
                       why});
-      rows.push_back(
-        {"mean dte", "arcsec", run.steady_mean("dte"), figure("mean dte"), "lumped", {}, why});
+      rows.push_back({"mean dte",
+                      "arcsec",
+                      run.steady_mean(column::dte),
+                      response(column::mean_dte),
+                      "lumped",
+                      {},
+                      why});
       rows.push_back({"dte, peak to peak",
                       "arcsec",
-                      run.summary("/steady part/columns/dte/peak to peak"),
-                      figure("peak to peak dte"),
+                      run.summary(summary_place::steady_peak_to_peak(column::dte)),
+                      response(column::peak_to_peak_dte),
                       "lumped",
                       {},
                       why});
       rows.push_back({"contact force, peak to peak",
                       "N",
-                      run.summary("/steady part/columns/contact force total/peak to peak"),
-                      figure("peak to peak force"),
+                      run.summary(summary_place::steady_peak_to_peak(column::contact_force_total)),
+                      response(column::peak_to_peak_force),
                       "lumped",
                       {},
                       why});

@@ -1,11 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
 #include <vfife/study/compare/probe_columns.h>
 
 namespace vfife
 {
   std::vector<ProbeColumns> find_probe_columns(const Table &history)
   {
-    const std::string         displacement = " displacement ";
+    const std::string         displacement = std::string(" ") + column::displacement + " ";
     std::vector<ProbeColumns> probes;
     for (const Table::Column &column : history.columns())
       {
@@ -17,9 +18,10 @@ namespace vfife
               probes.push_back({name, {}, {}, ""});
             probes.back().displacements.push_back(column.name);
           }
-        else if (!probes.empty() && column.name.rfind(probes.back().name + " stress ", 0) == 0)
+        else if (!probes.empty() &&
+                 column.name.rfind(probes.back().name + " " + column::stress + " ", 0) == 0)
           probes.back().stresses.push_back(column.name);
-        else if (!probes.empty() && column.name == probes.back().name + " von mises")
+        else if (!probes.empty() && column.name == probes.back().name + " " + column::von_mises)
           probes.back().von_mises = column.name;
       }
     return probes;

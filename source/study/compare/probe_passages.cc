@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
 #include <vfife/study/compare/probe_passages.h>
 
 #include <algorithm>
@@ -14,10 +15,10 @@ namespace vfife
     Curve curve_of(const Table &table, const std::string &probe)
     {
       Curve                           curve;
-      const std::vector<std::string> &names = table.column("probe").texts;
+      const std::vector<std::string> &names = table.column(column::probe).texts;
       for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == probe)
-          curve.emplace_back(table.numbers("time")[i], table.numbers("von mises")[i]);
+          curve.emplace_back(table.numbers(column::time)[i], table.numbers(column::von_mises)[i]);
       std::sort(curve.begin(), curve.end());
       return curve;
     }
@@ -41,7 +42,7 @@ namespace vfife
                                              const double mesh_frequency,
                                              const double start)
   {
-    std::vector<std::string> names = loaded.column("probe").texts;
+    std::vector<std::string> names = loaded.column(column::probe).texts;
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     std::vector<ProbePassage> passages;

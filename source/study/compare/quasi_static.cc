@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
 #include <vfife/lumped/fourier_series.h>
 #include <vfife/study/compare/quasi_static.h>
 
@@ -10,14 +11,14 @@ namespace vfife
 {
   TurningModes::TurningModes(const Table &coupled_modes, const double least)
   {
-    const std::vector<std::string> &axes     = coupled_modes.columns().front().texts;
-    const bool                      standing = std::count(axes.begin(), axes.end(), "standing") > 0;
+    const std::vector<std::string> &axes = coupled_modes.column(column::axes).texts;
+    const bool standing = std::count(axes.begin(), axes.end(), axes_of_modes::standing) > 0;
     for (std::size_t i = 0; i < coupled_modes.n_rows(); ++i)
       {
-        const double share = coupled_modes.numbers("share of the static turn")[i];
-        if (share > least && (!standing || axes[i] == "standing"))
+        const double share = coupled_modes.numbers(column::share_of_static_turn)[i];
+        if (share > least && (!standing || axes[i] == axes_of_modes::standing))
           {
-            frequencies.push_back(coupled_modes.numbers("frequency")[i]);
+            frequencies.push_back(coupled_modes.numbers(column::frequency)[i]);
             shares.push_back(share);
           }
       }

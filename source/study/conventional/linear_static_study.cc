@@ -10,6 +10,7 @@
 #include <vfife/model/body_frame.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/study/cases/case.h>
@@ -287,11 +288,7 @@ namespace vfife
     write_probes(folder, model, solver.discretization(), result, stresses);
     if (output_.fields_every > 0)
       write_fields(folder, solver.discretization(), result, stresses);
-    if (folder.is_writer())
-      {
-        const Table reactions = make_reaction_table(solver.discretization(), result);
-        folder.write_file("reactions.csv", [&](std::ostream &out) { reactions.write_csv(out); });
-      }
+    write_csv(folder, "reactions.csv", make_reaction_table(solver.discretization(), result));
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
     write_summary(folder, summary);

@@ -7,7 +7,9 @@
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
+#include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/run/stepped_solver.h>
 
@@ -53,32 +55,10 @@ namespace vfife
   }
 
   LoadedContactStudy::LoadedContactStudy()
+    : positions_(make_loaded_contact_table())
+    , teeth_(make_loaded_teeth_table())
   {
     fem_.mass = MassKind::lumped; // as the mass points of a run
-    positions_.add_column("position", "tooth meshes");
-    positions_.add_column("pinion angle", "deg");
-    positions_.add_column("unloaded transmission error", "arcsec");
-    positions_.add_column("transmission error", "arcsec");
-    positions_.add_column("contact torque on the gear", "N m");
-    positions_.add_column("contact force total", "N");
-    positions_.add_column("teeth in contact", "-");
-    positions_.add_column("largest pressure", "MPa");
-    positions_.add_column("secant stiffness", "N m/rad");
-    positions_.add_column("tangent stiffness", "N m/rad");
-    positions_.add_column("pinion fillet von mises", "MPa");
-    positions_.add_column("gear fillet von mises", "MPa");
-    positions_.add_column("web von mises", "MPa");
-    positions_.add_column("iterations", "-");
-    positions_.add_column("residual", "-");
-    teeth_.add_column("position", "tooth meshes");
-    teeth_.add_text_column("side");
-    teeth_.add_column("pinion tooth", "-");
-    teeth_.add_column("gear tooth", "-");
-    teeth_.add_column("force", "N");
-    teeth_.add_column("torque", "N m");
-    teeth_.add_column("share of torque", "-");
-    teeth_.add_column("largest pressure", "MPa");
-    teeth_.add_column("area", "mm^2");
   }
 
   void LoadedContactStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
@@ -166,14 +146,9 @@ namespace vfife
         if (turn == turns.front() && options_.coupled_modes > 0)
           find_modes(model, compliance, result, folder, log);
       }
-    if (!folder.is_writer())
-      return;
-    folder.write_file("loaded_probes.csv",
-                      [&](std::ostream &out) { probes.table().write_csv(out); });
-    folder.write_file("loaded_teeth.csv", [&](std::ostream &out) { teeth_.write_csv(out); });
-    folder.write_file("loaded_contact.csv", [&](std::ostream &out) { positions_.write_csv(out); });
-    folder.write_file("loaded_contact.json",
-                      [&](std::ostream &out) { positions_.write_json(out); });
+    write_csv(folder, "loaded_probes.csv", probes.table());
+    write_csv(folder, "loaded_teeth.csv", teeth_);
+    write_tables(folder, "loaded_contact", positions_);
   }
 
   std::string LoadedContactStudy::last_file() const
@@ -208,13 +183,9 @@ namespace vfife
                    " Hz: ",
                    100 * mode.share_of_turn,
                    " % of the static turn");
-    if (folder.is_writer())
-      {
-        Table table = make_coupled_mode_table();
-        add_coupled_modes(modes, table);
-        folder.write_file("coupled_modes.csv", [&](std::ostream &out) { table.write_csv(out); });
-        folder.write_file("coupled_modes.json", [&](std::ostream &out) { table.write_json(out); });
-      }
+    Table table = make_coupled_mode_table();
+    add_coupled_modes(modes, table);
+    write_tables(folder, "coupled_modes", table);
     folder.make_subfolder("modes");
     const auto           &list = modes.standing.empty() ? modes.turning : modes.standing;
     const Discretization &d    = compliance.discretization();

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/study/conventional/loaded_probes.h>
 
@@ -43,11 +44,11 @@ namespace vfife
             body, body.axis.point + rotation_about(body.axis.direction, sense * m * pitch) * arm));
         copies_.push_back(nodes);
       }
-    table_.add_column("time", "tooth meshes");
-    table_.add_text_column("probe");
-    table_.add_column("von mises", "MPa");
-    for (const char *component : {"r", "theta", "z", "r theta", "theta z", "z r"})
-      table_.add_column(std::string("stress ") + component, "MPa");
+    table_.add_column(column::time, "tooth meshes");
+    table_.add_text_column(column::probe);
+    table_.add_column(column::von_mises, "MPa");
+    for (const std::string &stress : column::stresses(column::cylindrical_axes))
+      table_.add_column(stress, "MPa");
   }
 
   void LoadedProbes::add_position(const double position, const std::vector<Stress> &stresses)

@@ -7,6 +7,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
@@ -19,17 +20,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    void write_tables(const OutputFolder &folder, const std::string &name, const Table &table)
-    {
-      if (!folder.is_writer())
-        return;
-      folder.write_file(name + ".csv", [&](std::ostream &out) { table.write_csv(out); });
-      folder.write_file(name + ".json", [&](std::ostream &out) { table.write_json(out); });
-    }
-  } // namespace
-
   ModalStudy::ModalStudy()  = default;
   ModalStudy::~ModalStudy() = default;
 

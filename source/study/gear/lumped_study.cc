@@ -2,7 +2,10 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/gear/lumped_study.h>
 
@@ -27,7 +30,7 @@ namespace vfife
           Json critical = Json::array();
           for (unsigned int order = 1; order <= n_orders; ++order)
             critical.push_back(60 * mode.frequency / (order * model.pair().driver_teeth));
-          modes.push_back({{"frequency [Hz]", mode.frequency},
+          modes.push_back({{lumped_place::frequency, mode.frequency},
                            {"damping ratio [-]", mode.damping_ratio},
                            {"critical pinion speeds of mesh orders 1, 2, 3 [rpm]", critical}});
         }
@@ -49,26 +52,26 @@ namespace vfife
     NamedFigures response_figures(const LumpedResponse &response, const double speed)
     {
       return {{"speed", {speed * 30 / pi, "rpm"}},
-              {"mean dte", {response.mean_error / arcsecond, "arcsec"}},
+              {column::mean_dte, {response.mean_error / arcsecond, "arcsec"}},
               {"rms dte", {response.rms_error / arcsecond, "arcsec"}},
-              {"peak to peak dte", {response.pp_error / arcsecond, "arcsec"}},
+              {column::peak_to_peak_dte, {response.pp_error / arcsecond, "arcsec"}},
               {"mean force", {response.mean_force, "N"}},
               {"rms force", {response.rms_force, "N"}},
-              {"peak to peak force", {response.pp_force, "N"}},
+              {column::peak_to_peak_force, {response.pp_force, "N"}},
               {"losses of contact", {static_cast<double>(response.losses), "-"}},
-              {"time apart", {response.time_apart, "-"}},
+              {column::time_apart, {response.time_apart, "-"}},
               {"time on coast flanks", {response.time_coast, "-"}},
-              {"energy error", {response.energy_error, "-"}}};
+              {column::energy_error, {response.energy_error, "-"}}};
     }
 
     /** Largest peak-to-peak DTE of a sweep, where contact was lost, and how far both directions
      * differ at one speed. */
     Json sweep_json(const Table &table)
     {
-      const std::vector<double> &speed        = table.numbers("speed"),
-                                &swing        = table.numbers("peak to peak dte"),
-                                &apart        = table.numbers("time apart");
-      const std::vector<std::string> &pass    = table.column("direction").texts;
+      const std::vector<double> &speed        = table.numbers(column::speed),
+                                &swing        = table.numbers(column::peak_to_peak_dte),
+                                &apart        = table.numbers(column::time_apart);
+      const std::vector<std::string> &pass    = table.column(column::direction).texts;
       const std::size_t               n       = std::count(pass.begin(), pass.end(), "up");
       std::size_t                     largest = 0;
       Json                            lost    = Json::array();
@@ -210,18 +213,16 @@ namespace vfife
              " losses of contact; energy error ",
              response.energy_error);
     Json json = {{"model", figures_json(model_figures(model))},
-                 {"modes", modes_json(model)},
-                 {"response", figures_json(response_figures(response, speed))}};
+                 {lumped_place::modes, modes_json(model)},
+                 {lumped_place::response, figures_json(response_figures(response, speed))}};
     if (sweep_.kind != SweepKind::none)
       {
         Table resonance = make_resonance_response_table();
         sweep_speeds(model, run_, sweep_, resonance);
         json["sweep"] = sweep_json(resonance);
-        if (folder.is_writer())
-          folder.write_file("resonance.csv", [&](std::ostream &out) { resonance.write_csv(out); });
+        write_csv(folder, "resonance.csv", resonance);
       }
-    if (folder.is_writer())
-      folder.write_file("lumped.csv", [&](std::ostream &out) { motion.write_csv(out); });
+    write_csv(folder, "lumped.csv", motion);
     write_json(folder, "lumped.json", json);
     if (pictures_)
       draw_pictures(folder, log);

@@ -7,6 +7,7 @@
 #include <vfife/gear/flank_points.h>
 #include <vfife/mesh/files/mesh_export.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/gear/mesh_study.h>
 
@@ -91,9 +92,7 @@ namespace vfife
     if (!folder.is_writer())
       return;
     const Table figures = body_figures_table(gear_case_.measure_bodies(model));
-    folder.write_file("mesh.csv", [&](std::ostream &out) { figures.write_csv(out); });
-    const Table meridian = gear_case_.meridian_table();
-    folder.write_file("meridian.csv", [&](std::ostream &out) { meridian.write_csv(out); });
+    write_csv(folder, "meridian.csv", gear_case_.meridian_table());
 
     const auto write = [&](const std::string &name, const std::vector<ExportedBody> &bodies) {
       for (const std::string &format : export_.formats)
@@ -116,7 +115,7 @@ namespace vfife
 
     if (export_.lengthwise > 0)
       write_flank_points(folder);
-    folder.write_file("mesh.json", [&](std::ostream &out) { figures.write_json(out); });
+    write_tables(folder, "mesh", figures);
   }
 
   void MeshStudy::write_flank_points(const OutputFolder &folder) const
@@ -125,8 +124,7 @@ namespace vfife
     for (const GearMember *member : {&gears.pinion(), &gears.gear()})
       {
         const Table points = compute_flank_points(*member, export_.lengthwise, export_.profile);
-        folder.write_file("flank_points_" + member->name() + ".csv",
-                          [&](std::ostream &out) { points.write_csv(out); });
+        write_csv(folder, "flank_points_" + member->name() + ".csv", points);
       }
   }
 } // namespace vfife

@@ -5,6 +5,7 @@
 #include <vfife/gear/unloaded_contact/tooth_form.h>
 #include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/study/gear/tooth_contact_study.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -312,13 +313,10 @@ namespace vfife
     if (!folder.is_writer())
       return;
     write_pair(pair, folder);
-    const Table ease_off = ease_off_table(pair);
-    folder.write_file("ease_off.csv", [&](std::ostream &out) { ease_off.write_csv(out); });
-    const Table lag = lag_table(pair, sides, options_), path = path_table(pair, sides),
-                transmission = transmission_table(pair, options_);
-    folder.write_file("transmission.csv", [&](std::ostream &out) { transmission.write_csv(out); });
-    folder.write_file("tca.csv", [&](std::ostream &out) { lag.write_csv(out); });
-    folder.write_file("path.csv", [&](std::ostream &out) { path.write_csv(out); });
+    write_csv(folder, "ease_off.csv", ease_off_table(pair));
+    write_csv(folder, "transmission.csv", transmission_table(pair, options_));
+    write_csv(folder, "tca.csv", lag_table(pair, sides, options_));
+    write_csv(folder, "path.csv", path_table(pair, sides));
     write_json(folder, "tca.json", json);
   }
 } // namespace vfife

@@ -1,8 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/model/load_torque.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/output/observers/pattern_writer.h>
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/output/observers/rim_writer.h>
@@ -21,16 +23,16 @@ namespace vfife
     void add_preload(const PairPreload &preload, RunSummary &summary)
     {
       const DeflectionParts &parts = preload.parts;
-      summary.transmission_error   = {{"total at the start", {parts.total / arcsecond, "arcsec"}},
-                                      {"teeth and rest", {parts.teeth / arcsecond, "arcsec"}},
-                                      {"web windup", {parts.web_windup / arcsecond, "arcsec"}},
-                                      {"rim tilt and shift", {parts.rim_tilt / arcsecond, "arcsec"}},
-                                      {"centrifugal shift",
-                                       {parts.centrifugal / arcsecond, "arcsec"}}};
-      const Swing &swing           = preload.swing;
+      summary.transmission_error   = {
+          {error_part::total, {parts.total / arcsecond, "arcsec"}},
+          {error_part::teeth_and_rest, {parts.teeth / arcsecond, "arcsec"}},
+          {error_part::web_windup, {parts.web_windup / arcsecond, "arcsec"}},
+          {error_part::rim_tilt_and_shift, {parts.rim_tilt / arcsecond, "arcsec"}},
+          {error_part::centrifugal_shift, {parts.centrifugal / arcsecond, "arcsec"}}};
+      const Swing &swing = preload.swing;
       summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});
       summary.figures.push_back({"inertia of the swing", {1e-3 * swing.inertia, "kg m^2"}});
-      summary.figures.push_back({"swing frequency, estimated", {swing.frequency(), "Hz"}});
+      summary.figures.push_back({figure_name::swing_frequency, {swing.frequency(), "Hz"}});
     }
   } // namespace
 
@@ -55,11 +57,12 @@ namespace vfife
   {
     const Transmission &t      = *model_.transmission;
     const double        torque = load_torque(model_);
-    return {{"mesh frequency", {t.mesh_frequency(), "Hz"}},
-            {model_.bodies[t.driver].name() + " speed", {t.driver_rate * 30. / pi, "rpm"}},
-            {model_.bodies[t.driven].name() + " torque", {1e-3 * torque, "N m"}},
+    return {{figure_name::mesh_frequency, {t.mesh_frequency(), "Hz"}},
+            {figure_name::speed_of(model_.bodies[t.driver].name()),
+             {t.driver_rate * 30. / pi, "rpm"}},
+            {figure_name::torque_of(model_.bodies[t.driven].name()), {1e-3 * torque, "N m"}},
             {"effective arm", {t.arm, "mm"}},
-            {"torque over effective arm", {torque / t.arm, "N"}},
+            {figure_name::force_on_arm, {torque / t.arm, "N"}},
             {"stable step of the elements", {1e9 * solver.element_step(), "ns"}},
             {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
   }
@@ -103,7 +106,7 @@ namespace vfife
     const double period = model_.transmission->mesh_frequency() / preload.swing.frequency();
     summary.steady      = find_steady_part(history, output_.history_every, period, ramp_end);
     log.line(summary.steady->explain());
-    for (const char *name : {"contact force total", "dte", "rim dte"})
+    for (const char *name : {column::contact_force_total, column::dte, column::rim_dte})
       {
         const ColumnStatistics &c = summary.steady->column(name);
         log.line("  ",
@@ -132,8 +135,8 @@ namespace vfife
     // How often the other side of the teeth touched.
     std::set<double> coast;
     for (std::size_t i = 0; i < teeth_->n_rows(); ++i)
-      if (teeth_->column("side").texts[i] == "coast")
-        coast.insert(teeth_->numbers("time")[i]);
+      if (teeth_->column(column::side).texts[i] == "coast")
+        coast.insert(teeth_->numbers(column::time)[i]);
     const double share = n_samples > 0 ? static_cast<double>(coast.size()) / n_samples : 0.;
     summary.figures.push_back({"samples with contact on the coast side", {share, "-"}});
   }

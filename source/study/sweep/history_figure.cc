@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/text/table.h>
@@ -167,7 +168,7 @@ namespace vfife
                                : history.column(column).unit;
     if (history.n_rows() == 0)
       return {not_known, unit};
-    return {compute_value(value, history.numbers("time"), history.numbers(column)), unit};
+    return {compute_value(value, history.numbers(column::time), history.numbers(column)), unit};
   }
 
   double HistoryFigure::compute_error(const double number) const

@@ -8,6 +8,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_reader.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/sweep/sweep_study.h>
 
@@ -157,7 +158,7 @@ namespace vfife
         table.add_row(row);
         json.push_back(one);
       }
-    folder.write_file("sweep.csv", [&table](std::ostream &out) { table.write_csv(out); });
+    write_csv(folder, "sweep.csv", table);
     write_json(folder, "sweep.json", Json{{"base", base_}, {"runs", json}});
   }
 

@@ -20,7 +20,8 @@ namespace vfife
    * and transmission error over the steady part, parts of the transmission error. */
   RunFigures read_run_figures(const std::string &folder);
 
-  /** The number at a JSON pointer of a JSON file; NaN where there is none. */
+  /** The number at a JSON pointer of a JSON file (result_places.h), which may be that of a figure
+   * or a switch (0 or 1); NaN where there is none. */
   double read_figure(const std::string &path, const std::string &pointer);
 } // namespace vfife
 

@@ -2,6 +2,8 @@
 #ifndef vfife_output_measures_steady_part_h
 #define vfife_output_measures_steady_part_h
 
+#include <vfife/base/text/column_names.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -75,8 +77,8 @@ namespace vfife
                               double                          samples_per_mesh,
                               double                          swing_period_meshes,
                               double                          ramp_end,
-                              const std::vector<std::string> &judged    = {"contact force total",
-                                                                           "dte"},
+                              const std::vector<std::string> &judged = {column::contact_force_total,
+                                                                        column::dte},
                               double                          tolerance = 0.01);
 } // namespace vfife
 

@@ -2,34 +2,30 @@
 #ifndef vfife_output_observers_probe_writer_h
 #define vfife_output_observers_probe_writer_h
 
-#include <vfife/base/text/table.h>
-#include <vfife/model/observer.h>
-#include <vfife/output/files/csv_stream.h>
+#include <vfife/output/observers/sampled_table.h>
 
-#include <cstdint>
+#include <string>
 
 namespace vfife
 {
+  /** A probe by its name. */
+  struct ProbeSample
+  {
+    const std::string &name;
+    const ProbeValue  &value;
+  };
+
   /**
-   * probes.csv, long format: one line a sample and probe: time [s], probe, displacement r, theta, z
-   * [um], von mises [MPa], stress components [MPa] in the cylindrical axes of the body.
+   * probes.csv, long format: one line a sample and probe: displacement and stresses in the
+   * cylindrical axes of the body (doc/output.md, Columns).
    */
-  class ProbeWriter : public Observer
+  class ProbeWriter : public SampledTable<ProbeSample>
   {
   public:
     ProbeWriter(const OutputFolder &folder, std::uint64_t steps_between);
 
-    bool due(const State &state) const override;
-    void observe(const Model &model, const State &state) override;
-    void exchange(ByteStream &stream) override;
-    void finish(const Model &model, const State &state) override;
-
-    const Table &table() const;
-
   private:
-    std::uint64_t steps_between_;
-    Table         table_;
-    CsvStream     file_;
+    void add_rows(const Model &model, const State &state) override;
   };
 } // namespace vfife
 

@@ -2,18 +2,16 @@
 #ifndef vfife_output_observers_rim_writer_h
 #define vfife_output_observers_rim_writer_h
 
-#include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
-#include <vfife/model/observer.h>
-#include <vfife/output/files/csv_stream.h>
+#include <vfife/output/observers/sampled_table.h>
 
 #include <complex>
-#include <cstdint>
 #include <vector>
 
 namespace vfife
 {
-  class OutputFolder;
+  /** Coefficients of the rim's displacement [um] in the order of the columns of RimWriter. */
+  using RimWaves = std::vector<double>;
 
   /**
    * rim.csv: motion of the driven gear's rim by nodal diameters, one line a sample. In the axes
@@ -27,7 +25,7 @@ namespace vfife
    * sum m. The rim consists of equal sectors, so waves of up to half their number are orthogonal in
    * these sums.
    */
-  class RimWriter : public Observer
+  class RimWriter : public SampledTable<RimWaves>
   {
   public:
     static constexpr unsigned int largest_diameters = 10;
@@ -35,14 +33,9 @@ namespace vfife
     /** A sample every @p steps_between steps; the model must have a transmission. */
     RimWriter(const OutputFolder &folder, const Model &model, std::uint64_t steps_between);
 
-    bool due(const State &state) const override;
-    void observe(const Model &model, const State &state) override;
-    void exchange(ByteStream &stream) override;
-    void finish(const Model &model, const State &state) override;
-
-    const Table &table() const;
-
   private:
+    void add_rows(const Model &model, const State &state) override;
+
     struct Node
     {
       unsigned int         number;    ///< of the body
@@ -52,11 +45,8 @@ namespace vfife
     };
 
     const OutputFolder &folder_;
-    std::uint64_t       steps_between_;
     unsigned int        n_diameters_; ///< largest number of nodal diameters
     std::vector<Node>   nodes_;
-    Table               table_;
-    CsvStream           file_;
   };
 } // namespace vfife
 

@@ -2,23 +2,26 @@
 #ifndef vfife_output_observers_teeth_writer_h
 #define vfife_output_observers_teeth_writer_h
 
-#include <vfife/base/text/table.h>
 #include <vfife/contact/law/hertz.h>
-#include <vfife/model/observer.h>
-#include <vfife/output/files/csv_stream.h>
-
-#include <cstdint>
+#include <vfife/output/observers/sampled_table.h>
 
 namespace vfife
 {
+  /** A tooth pair in contact, or another pair of surface groups. */
+  struct ToothSample
+  {
+    const ToothContact &contact;
+    /** Teeth of the driver and the driven member; without a gear pair groups of slave and master.
+     */
+    unsigned int first = 0, second = 0;
+  };
+
   /**
-   * teeth.csv, long format: one line a sample and tooth pair in contact: time [s], side, pinion
-   * tooth, gear tooth, force [N] (magnitude of the resultant), torque [N m] on the gear, largest
-   * pressure [MPa] of a point, area [mm^2], mean pressure [MPa] (force over area), hertz pressure
-   * [MPa] (largest one of Hertz's ellipse under that force at the mean contact). Models without a
-   * gear pair have slave group and master group instead of the teeth.
+   * teeth.csv, long format: one line a sample and tooth pair in contact: its force, torque, area
+   * and pressures (doc/output.md, Columns). Models without a gear pair have slave group and master
+   * group instead of the teeth.
    */
-  class TeethWriter : public Observer
+  class TeethWriter : public SampledTable<ToothSample>
   {
   public:
     /** @p hertz: contact of one tooth pair; without it there is no column of its pressure. */
@@ -27,18 +30,8 @@ namespace vfife
                 std::uint64_t       steps_between,
                 const HertzContact &hertz = {});
 
-    bool due(const State &state) const override;
-    void observe(const Model &model, const State &state) override;
-    void exchange(ByteStream &stream) override;
-    void finish(const Model &model, const State &state) override;
-
-    const Table &table() const;
-
   private:
-    std::uint64_t steps_between_;
-    HertzContact  hertz_;
-    Table         table_;
-    CsvStream     file_;
+    void add_rows(const Model &model, const State &state) override;
   };
 } // namespace vfife
 

@@ -1,0 +1,78 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_files_result_places_h
+#define vfife_output_files_result_places_h
+
+#include <string>
+
+/**
+ * Where numbers stand in .json files of results that are read again, as JSON pointers, for writers
+ * and readers. At a place is a number, a switch or a figure {"value": , "unit": }; read_figure()
+ * reads all three. All places of summary.json are in doc/columns.json.
+ */
+namespace vfife
+{
+  namespace summary_place
+  {
+    constexpr char status[]           = "/status";  ///< text: "finished", "failed"
+    constexpr char failure[]          = "/failure"; ///< text
+    constexpr char time[]             = "/run/time";
+    constexpr char steps[]            = "/run/steps";
+    constexpr char run_time[]         = "/run/run time";
+    constexpr char is_steady[]        = "/steady part/found";
+    constexpr char steady_start[]     = "/steady part/start";
+    constexpr char energy_error[]     = "/energy/error";
+    constexpr char n_contact_losses[] = "/contact losses/count";
+
+    // What holds figures by their names.
+    constexpr char figures[]            = "/figures";
+    constexpr char transmission_error[] = "/transmission error"; ///< parts of the mean DTE
+    constexpr char steady_columns[]     = "/steady part/columns";
+
+    /** A figure of the run, figure_name. */
+    std::string figure(const std::string &name);
+
+    /** A part of the transmission error, error_part. */
+    std::string part_of_error(const std::string &name);
+
+    /** Of a column of history.csv over the steady part. */
+    std::string steady_mean(const std::string &column);
+    std::string steady_peak_to_peak(const std::string &column);
+  } // namespace summary_place
+
+  /** Figures of the run of a gear pair. */
+  namespace figure_name
+  {
+    constexpr char mesh_frequency[]  = "mesh frequency";
+    constexpr char swing_frequency[] = "swing frequency, estimated";
+    constexpr char force_on_arm[]    = "torque over effective arm"; ///< of the contact
+
+    /** "pinion speed" */
+    std::string speed_of(const std::string &body);
+
+    /** "gear torque" */
+    std::string torque_of(const std::string &body);
+  } // namespace figure_name
+
+  /** Parts of the transmission error at the start of a gear pair. */
+  namespace error_part
+  {
+    constexpr char total[]              = "total at the start";
+    constexpr char teeth_and_rest[]     = "teeth and rest";
+    constexpr char web_windup[]         = "web windup";
+    constexpr char rim_tilt_and_shift[] = "rim tilt and shift";
+    constexpr char centrifugal_shift[]  = "centrifugal shift";
+  } // namespace error_part
+
+  /** In lumped.json; names of members and where they lead to. */
+  namespace lumped_place
+  {
+    constexpr char modes[]     = "modes";
+    constexpr char frequency[] = "frequency [Hz]"; ///< of a mode
+    constexpr char response[]  = "response"; ///< figures named as the columns of resonance.csv
+
+    std::string first_frequency();
+    std::string response_figure(const std::string &column);
+  } // namespace lumped_place
+} // namespace vfife
+
+#endif

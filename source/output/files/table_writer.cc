@@ -1,0 +1,20 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/table.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
+
+namespace vfife
+{
+  void write_csv(const OutputFolder &folder, const std::string &name, const Table &table)
+  {
+    if (folder.is_writer())
+      folder.write_file(name, [&table](std::ostream &out) { table.write_csv(out); });
+  }
+
+  void write_tables(const OutputFolder &folder, const std::string &name, const Table &table)
+  {
+    write_csv(folder, name + ".csv", table);
+    if (folder.is_writer())
+      folder.write_file(name + ".json", [&table](std::ostream &out) { table.write_json(out); });
+  }
+} // namespace vfife

@@ -1,0 +1,239 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// doc/columns.json is what the program writes: columns of the tables and places of summary.json.
+// The pages are compared with it by contrib/check_pages, the report's scripts by their tests.
+// After a change: build/release/tests/output/columns.release/columns.release --list >
+// doc/columns.json
+#include "../gear/paper_pair.h"
+#include "../lumped/pair.h"
+#include "../tests.h"
+
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/contact/law/hertz.h>
+#include <vfife/fem/modes/campbell.h>
+#include <vfife/fem/pair/coupled_modes.h>
+#include <vfife/gear/contact_analysis.h>
+#include <vfife/gear/tooth_form.h>
+#include <vfife/lumped/speed_sweep.h>
+#include <vfife/mesh/gear/gear_meridian.h>
+#include <vfife/mesh/primitives/primitives.h>
+#include <vfife/model/model.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
+#include <vfife/output/files/summary.h>
+#include <vfife/output/files/table_reader.h>
+#include <vfife/output/files/table_writer.h>
+#include <vfife/output/observers/history_writer.h>
+#include <vfife/output/observers/pattern_writer.h>
+#include <vfife/output/observers/probe_writer.h>
+#include <vfife/output/observers/rim_writer.h>
+#include <vfife/output/observers/teeth_writer.h>
+#include <vfife/study/cases/body_figures.h>
+#include <vfife/study/compare/comparison.h>
+#include <vfife/study/conventional/loaded_contact_tables.h>
+#include <vfife/study/conventional/loaded_probes.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace vfife;
+
+namespace
+{
+  /** A file and of which case; the columns that it has. */
+  struct ListedTable
+  {
+    std::string file, of;
+    Table       table;
+  };
+
+  Model make_pair_model(const unsigned int driver)
+  {
+    Model model;
+    for (const char *name : {"pinion", "gear"})
+      model.add_body(Body(name, make_ring(20, 30, 5, {{2, 24, 2}}), Material()));
+    Transmission pair;
+    pair.driver        = driver;
+    pair.driven        = 1 - driver;
+    pair.driven_teeth  = 79;
+    pair.driven_rim    = {0, 1, 2, 3};
+    model.transmission = pair;
+    return model;
+  }
+
+  void list_run_tables(const OutputFolder &folder, std::vector<ListedTable> &tables)
+  {
+    const Model        pair = make_pair_model(0), led = make_pair_model(1);
+    const HertzContact hertz(Vector2(.01, .1), 1e5);
+    Model              general;
+    general.add_body(Body("body", make_ring(20, 30, 5, {{2, 24, 2}}), Material()));
+    general.probes.push_back({"NAME", 0, 0});
+
+    const auto history = [&folder](const Model &model) {
+      return HistoryWriter(folder, model, 1).table();
+    };
+    tables.push_back({"history.csv", "gear pair", history(pair)});
+    tables.push_back({"history.csv", "gear pair, gear driving", history(led)});
+    tables.push_back({"history.csv", "general model", history(general)});
+    general.probes[0].fixed_axes = true;
+    tables.push_back({"history.csv", "general model, probe in fixed axes", history(general)});
+    tables.push_back({"teeth.csv", "gear pair", TeethWriter(folder, pair, 1, hertz).table()});
+    tables.push_back({"probes.csv", "gear pair", ProbeWriter(folder, 1).table()});
+    tables.push_back({"rim.csv", "gear pair", RimWriter(folder, pair, 1).table()});
+    PatternWriter(folder, pair, 0., 1).finish(pair, State());
+    tables.push_back({"pattern.csv", "gear pair", read_result_table(folder.file("pattern.csv"))});
+  }
+
+  std::vector<ListedTable> list_tables(const OutputFolder &folder)
+  {
+    std::vector<ListedTable> tables;
+    list_run_tables(folder, tables);
+    const auto add = [&tables](const std::string &file, const std::string &kind, const Table &t) {
+      tables.push_back({file, kind, t});
+    };
+    const std::string loaded = "loaded tooth contact analysis", modal = "modal";
+    add("loaded_contact.csv", loaded, make_loaded_contact_table());
+    add("loaded_teeth.csv", loaded, make_loaded_teeth_table());
+    add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0), 0).table());
+    add("coupled_modes.csv", loaded, make_coupled_mode_table());
+    add("modes.csv", modal, make_mode_table());
+    add("campbell.csv", modal, make_campbell_table());
+    add("resonances.csv", modal, make_resonance_table());
+    add("lumped.csv", "lumped", make_motion_table(LumpedModel(linear_pair())));
+    add("resonance.csv", "lumped", make_resonance_response_table());
+    add("mesh.csv", "mesh", body_figures_table({}));
+    add("meridian.csv", "mesh", make_meridian_table());
+    const GearPair    gears(paper::options());
+    const std::string unloaded = "tooth contact analysis";
+    add("tca.csv", unloaded, lag_table(gears, {}, ContactAnalysisOptions()));
+    add("path.csv", unloaded, path_table(gears, {}));
+    add("transmission.csv", unloaded, transmission_table(gears, ContactAnalysisOptions()));
+    add("ease_off.csv", unloaded, ease_off_table(gears));
+    add("comparison.csv", "compare", comparison_table({}));
+    return tables;
+  }
+
+  /** A run that has something at every place. */
+  RunSummary make_summary()
+  {
+    using namespace figure_name;
+    RunSummary summary;
+    summary.failure         = "energy error";
+    summary.bodies          = {{"pinion", 1, 8, 1., 1., 1., 1.}};
+    summary.instruction_set = "scalar";
+    summary.timers          = {{"SECTION", {1, "s"}}};
+    summary.figures         = {{mesh_frequency, {1, "Hz"}},
+                               {swing_frequency, {1, "Hz"}},
+                               {speed_of("pinion"), {1, "rpm"}},
+                               {torque_of("gear"), {1, "N m"}},
+                               {force_on_arm, {1, "N"}}};
+    using namespace error_part;
+    for (const char *part :
+         {total, teeth_and_rest, web_windup, rim_tilt_and_shift, centrifugal_shift})
+      summary.transmission_error.push_back({part, {1, "arcsec"}});
+    summary.steady = SteadyPart();
+    summary.steady->columns.push_back({"COLUMN", "UNIT"});
+    summary.energy         = EnergyLedger();
+    summary.damping        = {{"pinion"}};
+    summary.contact_losses = {1, 1., 1.};
+    summary.contradictions = summary.warnings = {"a text"};
+    return summary;
+  }
+
+  /** Adds the places at and below @p place; of lists their first member stands for all. */
+  void add_places(const Json &json, const std::string &place, Json &places)
+  {
+    if (json.is_object() && json.contains("value"))
+      places.push_back({{"place", place}, {"unit", json["unit"]}});
+    else if (json.is_object())
+      for (const auto &[name, value] : json.items())
+        add_places(value, (Json::json_pointer(place) / name).to_string(), places);
+    else if (json.is_array())
+      add_places(json[0], place + "/0", places);
+    else
+      places.push_back({{"place", place}});
+  }
+
+  /** Objects of one key a line. */
+  void write_list(std::ostream &out, const Json &list, const std::string &indent)
+  {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      out << (i == 0 ? "" : ",") << "\n" << indent << list[i].dump();
+  }
+
+  std::string make_text(const std::vector<ListedTable> &tables, const Json &summary)
+  {
+    std::ostringstream text;
+    text << "{\"tables\": [";
+    for (std::size_t i = 0; i < tables.size(); ++i)
+      {
+        text << (i == 0 ? "" : ",") << "\n  {\"file\": " << Json(tables[i].file)
+             << ", \"of\": " << Json(tables[i].of) << ", \"columns\": [";
+        write_list(text, tables[i].table.json()["columns"], "    ");
+        text << "]}";
+      }
+    Json places = Json::array();
+    add_places(summary, "", places);
+    text << "],\n\"summary.json\": [";
+    write_list(text, places, "  ");
+    text << "]}\n";
+    return text.str();
+  }
+
+  /** The first line in which they differ; empty where there is none. */
+  std::string find_difference(const std::string &page, const std::string &written)
+  {
+    std::istringstream one(page), two(written);
+    std::string        a, b;
+    for (unsigned int number = 1; one || two; ++number)
+      {
+        a.clear();
+        b.clear();
+        std::getline(one, a);
+        std::getline(two, b);
+        if (a != b)
+          return "doc/columns.json, line " + std::to_string(number) + ": " + a +
+                 "\nwritten is: " + b;
+      }
+    return "";
+  }
+
+  void check_table_files(const OutputFolder &folder)
+  {
+    Table table;
+    table.add_column(column::time, "s");
+    table.add_row({.1});
+    write_tables(folder, "times", table);
+    check("table read back",
+          read_result_table(folder.file("times.csv")).numbers(column::time) ==
+            std::vector<double>{.1});
+    std::ifstream file(folder.file("times.json"));
+    check("its json", Json::parse(file) == table.json());
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  std::filesystem::remove_all("columns_results");
+  const OutputFolder folder("columns_results", session.world());
+  const std::string  written =
+    make_text(list_tables(folder), Json::parse(make_summary_text(make_summary())));
+  if (argc > 1 && std::string(argv[1]) == "--list")
+    {
+      std::cout << written;
+      return 0;
+    }
+  std::ifstream     file(SOURCE_DIR "/../../doc/columns.json");
+  std::stringstream page;
+  page << file.rdbuf();
+  const std::string difference = find_difference(page.str(), written);
+  if (!difference.empty())
+    std::cerr << difference << std::endl;
+  check("doc/columns.json is what is written", difference.empty());
+  check_table_files(folder);
+}
