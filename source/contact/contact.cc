@@ -17,6 +17,7 @@ namespace vfife
     {
       options.check("");
       std::vector<ContactPass> passes;
+      // Two passes are the mean of both directions: each gets half of every area.
       if (options.discretization == ContactDiscretization::two_pass)
         {
           passes.emplace_back(slave, master, options, 0.5);
@@ -62,9 +63,10 @@ namespace vfife
                    const FacetSurface   &master,
                    const ContactOptions &options)
     : options_(options)
+    , law_(options.penalty.law(options.penalty))
     , passes_(make_passes(slave, master, options))
     , broad_search_(passes_.front().slave(), passes_.front().master())
-    , penalty_(options.penalty_from_step ? 0. : options.penalty)
+    , penalty_(options.penalty.from_step ? 0. : options.penalty.value)
   {
   }
 
@@ -87,6 +89,7 @@ namespace vfife
                                           margin);
     if (pairs == candidate_pairs_)
       return;
+    // The passes keep what they know of pairs that stay.
     candidate_pairs_ = std::move(pairs);
     passes_[0].set_pairs(candidate_pairs_);
     if (passes_.size() == 2)
@@ -103,6 +106,7 @@ namespace vfife
 
   void Contact::find_active_nodes()
   {
+    // All nodes of all groups in a pair, each once: a group may be in several pairs.
     active_slave_nodes_.clear();
     active_master_nodes_.clear();
     for (const GroupPair &pair : candidate_pairs_)
@@ -130,36 +134,38 @@ namespace vfife
   }
 
 
-  ContactLaw Contact::law(const double dt) const
+  SurfaceInteraction Contact::interaction(const double dt) const
   {
     const double mass =
-      mass_per_area_ > 0. ? mass_per_area_ : penalty_ * dt * dt / options_.penalty_fraction;
-    ContactLaw law;
-    law.penalty             = penalty_;
-    law.damping             = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
-    law.friction            = options_.friction_coefficient;
-    law.regularization      = options_.regularization_velocity;
-    law.mass_per_area_by_dt = dt > 0. ? mass / dt : 0.;
-    return law;
+      mass_per_area_ > 0. ? mass_per_area_ : options_.penalty.mass_per_area_for(penalty_, dt);
+    // A node of the area A is critically damped on its spring eps A by c A = 2 sqrt(eps A m).
+    SurfaceInteraction interaction{*law_, penalty_};
+    interaction.damping             = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
+    interaction.friction            = options_.friction_coefficient;
+    interaction.regularization      = options_.regularization_velocity;
+    interaction.mass_per_area_by_dt = dt > 0. ? mass / dt : 0.;
+    return interaction;
   }
 
 
   void Contact::add_forces(const SurfaceMotion &slave,
                            const SurfaceMotion &master,
                            const double         dt,
-                           const unsigned int   part,
-                           const unsigned int   n_parts,
+                           const unsigned int   rank,
+                           const unsigned int   n_ranks,
                            double              *slave_forces,
                            double              *master_forces)
   {
     if (!(penalty_ > 0.))
       throw NumericalError("contact: no penalty has been set (Contact::set_penalty)");
-    const ContactLaw law = this->law(dt);
-    passes_[0].add_forces(slave, master, law, part, n_parts, slave_forces, master_forces);
+    const SurfaceInteraction interaction = this->interaction(dt);
+    passes_[0].add_forces(slave, master, interaction, rank, n_ranks, slave_forces, master_forces);
     results_ = passes_[0].results();
     if (passes_.size() == 2)
       {
-        passes_[1].add_forces(master, slave, law, part, n_parts, master_forces, slave_forces);
+        // The same pairs in the same order, seen from the master.
+        passes_[1].add_forces(
+          master, slave, interaction, rank, n_ranks, master_forces, slave_forces);
         for (std::size_t i = 0; i < results_.size(); ++i)
           add_swapped(passes_[1].results()[i], results_[i]);
       }
@@ -169,13 +175,13 @@ namespace vfife
   ContactPoint Contact::smallest_gap(const SurfaceMotion &slave,
                                      const SurfaceMotion &master,
                                      const double         reach,
-                                     const unsigned int   part,
-                                     const unsigned int   n_parts)
+                                     const unsigned int   rank,
+                                     const unsigned int   n_ranks)
   {
-    ContactPoint smallest = passes_[0].smallest_gap(slave, master, reach, part, n_parts);
+    ContactPoint smallest = passes_[0].smallest_gap(slave, master, reach, rank, n_ranks);
     if (passes_.size() == 2)
       {
-        ContactPoint other = passes_[1].smallest_gap(master, slave, reach, part, n_parts);
+        ContactPoint other = passes_[1].smallest_gap(master, slave, reach, rank, n_ranks);
         other.swapped      = true;
         if (other.gap < smallest.gap)
           smallest = other;
@@ -187,6 +193,7 @@ namespace vfife
   double Contact::mass_per_area(const std::vector<double> &slave_masses,
                                 const std::vector<double> &master_masses) const
   {
+    // Nodes without area carry no spring.
     double     least = std::numeric_limits<double>::infinity();
     const auto add = [&least](const std::vector<double> &masses, const std::vector<double> &areas) {
       if (masses.size() != areas.size())
@@ -214,7 +221,7 @@ namespace vfife
   {
     std::vector<ContactSpring> springs;
     for (std::size_t i = 0; i < passes_.size(); ++i)
-      passes_[i].append_springs(penalty_, i == 1, springs);
+      passes_[i].append_springs(*law_, penalty_, i == 1, springs);
     return springs;
   }
 

@@ -25,7 +25,7 @@ namespace vfife
   ContactPass::ContactPass(const FacetSurface   &slave,
                            const FacetSurface   &master,
                            const ContactOptions &options,
-                           const double          share)
+                           const double          area_factor)
     : slave_(slave, options.surface, EdgeRelief(slave, options))
     , master_(master, options.surface, EdgeRelief(master, options))
     , rule_(facet_quadrature(options.discretization, options.points_per_facet))
@@ -37,10 +37,11 @@ namespace vfife
     , slave_path_(slave_.n_groups())
     , master_path_(master_.n_groups())
   {
+    // Undeformed areas, once for all: the energy of the contact then depends on gaps alone.
     for (unsigned int f = 0; f < slave_.n_facets(); ++f)
       for (const auto &q : rule_)
         {
-          point_areas_.push_back(share * q.weight * slave_.area_element(f, q.xi, q.eta));
+          point_areas_.push_back(area_factor * q.weight * slave_.area_element(f, q.xi, q.eta));
           point_offsets_.push_back(slave_.offset(f, q.xi, q.eta));
         }
   }
@@ -48,6 +49,7 @@ namespace vfife
 
   void ContactPass::set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs)
   {
+    // Lists and projections of pairs that stay are taken over, new pairs begin without a list.
     std::vector<Pair>         kept;
     std::vector<unsigned int> slave_groups, master_groups;
     for (const auto &groups : pairs)
@@ -67,6 +69,8 @@ namespace vfife
         master_groups.push_back(groups.second);
       }
     pairs_ = std::move(kept);
+
+    // Paths are measured for every group that is in some pair.
     for (auto *groups : {&slave_groups, &master_groups})
       {
         std::sort(groups->begin(), groups->end());
@@ -121,8 +125,11 @@ namespace vfife
     std::size_t found   = near.size();
     for (std::size_t i = 0; i < near.size(); ++i)
       {
+        // Farther than the best foot so far, without any projection?
         if (boxes[near[i]].square_distance(x) > nearest * nearest)
           continue;
+
+        // Newton's method from the middle of the facet, with the height over it.
         const unsigned int facet  = group[near[i]];
         const FacetState  &state  = master_.state(facet);
         const Vector3      normal = state.normal(0.5, 0.5);
@@ -131,10 +138,14 @@ namespace vfife
         projection.lambda = (x - state.position(0.5, 0.5)).dot(normal) / normal.squaredNorm();
         if (!project_on_facet(state, master_.border_sides(facet), x, projection))
           continue;
+
+        // Back sides of the master are no candidates.
         const double xi  = std::min(1., std::max(0., projection.xi));
         const double eta = std::min(1., std::max(0., projection.eta));
         if (state.normal(xi, eta).dot(slave_normal) > 0.)
-          continue; // a back side
+          continue;
+
+        // The foot counts where it lies on the facet; one beyond it is moved to the border.
         double distance = clamped_distance(state, x, projection);
         if (!projection.inside)
           distance *= border_handicap;
@@ -155,12 +166,14 @@ namespace vfife
   void ContactPass::find_points(Pair              &pair,
                                 const double       open_reach,
                                 const double       depth_reach,
-                                const unsigned int part,
-                                const unsigned int n_parts)
+                                const unsigned int rank,
+                                const unsigned int n_ranks)
   {
     ++n_wide_searches_;
     pair.points.clear();
     pair.touching.clear();
+
+    // An R-tree of the master group's facets as they are now.
     const auto            &group = master_.group_facets(pair.master_group);
     const std::vector<Box> boxes = facet_boxes(pair.master_group);
     const BoxTree          tree(boxes);
@@ -171,8 +184,9 @@ namespace vfife
     std::vector<unsigned int> near;
     for (const unsigned int facet : slave_.group_facets(pair.slave_group))
       {
-        if (facet % n_parts != part)
+        if (facet % n_ranks != rank)
           continue;
+        // Master facets near the whole slave facet, then the nearest foot of each of its points.
         tree.find(Box::around(current_corners(slave_, facet), reach), near);
         if (near.empty())
           continue;
@@ -188,6 +202,8 @@ namespace vfife
             if (project_walking(master_, x, walked))
               point.projection = walked;
 
+            // What the point needs in every step, and its gap; one that lies beyond the border is
+            // kept too, as it may come in.
             const std::size_t i = static_cast<std::size_t>(facet) * rule_.size() + q;
             const Projection &p = point.projection;
             point.slave_facet   = facet;
@@ -206,6 +222,7 @@ namespace vfife
             pair.points.push_back(point);
           }
       }
+    // None sleeps yet.
     pair.awake_at.assign(pair.points.size(), -std::numeric_limits<double>::infinity());
   }
 
@@ -219,35 +236,37 @@ namespace vfife
   }
 
 
-  void ContactPass::list_points(const unsigned int part, const unsigned int n_parts)
+  void ContactPass::list_points(const unsigned int rank, const unsigned int n_ranks)
   {
     for (Pair &pair : pairs_)
       {
+        // The list is good until the gap of a point that is not in it could have closed.
         const double path =
           slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
         if (pair.listed && path - pair.built_at <= skin_)
           continue;
         find_points(
-          pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_, part, n_parts);
+          pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_, rank, n_ranks);
         pair.listed   = true;
         pair.built_at = path;
       }
   }
 
 
-  void ContactPass::add_forces(const SurfaceMotion &slave,
-                               const SurfaceMotion &master,
-                               const ContactLaw    &law,
-                               const unsigned int   part,
-                               const unsigned int   n_parts,
-                               double              *slave_forces,
-                               double              *master_forces)
+  void ContactPass::add_forces(const SurfaceMotion      &slave,
+                               const SurfaceMotion      &master,
+                               const SurfaceInteraction &interaction,
+                               const unsigned int        rank,
+                               const unsigned int        n_ranks,
+                               double                   *slave_forces,
+                               double                   *master_forces)
   {
-    if (part != part_ || n_parts != n_parts_)
+    // Other points than before are this rank's: all lists are to be made anew.
+    if (rank != rank_ || n_ranks != n_ranks_)
       for (Pair &pair : pairs_)
         pair.listed = false;
-    part_    = part;
-    n_parts_ = n_parts;
+    rank_    = rank;
+    n_ranks_ = n_ranks;
 
     double     last     = times_ != nullptr ? processor_time() : 0.;
     const auto add_time = [&](double ContactTimes::*part_of_step) {
@@ -257,9 +276,11 @@ namespace vfife
       times_->*part_of_step += now - last;
       last = now;
     };
+
+    // How far the groups have moved; who may touch; where the points lie; what the law says.
     update_paths(slave, master);
     add_time(&ContactTimes::motion);
-    list_points(part, n_parts);
+    list_points(rank, n_ranks);
     add_time(&ContactTimes::wide_search);
     for (Pair &pair : pairs_)
       find_gaps(pair);
@@ -268,12 +289,10 @@ namespace vfife
     results_.resize(pairs_.size());
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
-        Pair &pair               = pairs_[i];
         results_[i]              = GroupPairResult();
-        results_[i].slave_group  = pair.slave_group;
-        results_[i].master_group = pair.master_group;
-        for (const unsigned int p : pair.touching)
-          press(pair.points[p], law, results_[i], slave_forces, master_forces);
+        results_[i].slave_group  = pairs_[i].slave_group;
+        results_[i].master_group = pairs_[i].master_group;
+        press_pair(pairs_[i], interaction, results_[i], slave_forces, master_forces);
       }
     add_time(&ContactTimes::forces);
   }
@@ -282,7 +301,7 @@ namespace vfife
   void ContactPass::exchange(ByteStream &stream)
   {
     std::size_t n = pairs_.size();
-    stream.pass(n, part_, n_parts_, n_wide_searches_);
+    stream.pass(n, rank_, n_ranks_, n_wide_searches_);
     pairs_.resize(n);
     for (Pair &pair : pairs_)
       stream.pass(pair.slave_group,

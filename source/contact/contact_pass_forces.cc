@@ -1,5 +1,18 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// The part of ContactPass that runs every step.
+// What ContactPass does in every step: finds where the listed points lie on the master, and presses
+// those that have gone into it.
+//
+//            x_s            slave's facet, a quadrature point
+//             |  ^
+//      lambda m  | n        gap g = n.(x_s - y) - offsets of both true surfaces
+//             |  |
+//   ----------y------->     master's facet y(xi, eta): x_s - y is parallel to its normal field m
+//                  y_xi
+//
+// The energy of a point is w(xi, eta) A E(-g), E of the contact law, A the undeformed area and w
+// the fading at the master's border. The force on the slave is its slope, in the dual vectors a of
+// the facet (n.a = 0, a_xi.y_xi = 1):
+//   f = w A p n - (w A p c_xi + A E w_xi) a_xi - (the same in eta),   c_xi = n.y_xi + offset_xi.
 #include <vfife/contact/contact_pass.h>
 
 #include <algorithm>
@@ -46,6 +59,7 @@ namespace vfife
     const unsigned int border = master_.border_sides(p.facet);
     if (border == 0 || edge_fading_ <= 0.)
       return fading;
+    // The product of a step from each border side, so that corners fade in both directions.
     const double     scale = 1. / edge_fading_;
     const SmoothStep one((border & 8u) != 0 ? p.xi * scale : 1.);
     const SmoothStep two((border & 2u) != 0 ? (1. - p.xi) * scale : 1.);
@@ -90,6 +104,7 @@ namespace vfife
     if (p.inside)
       return true;
 
+    // Beyond the border: nothing can happen before the point has come half the way back to it.
     const FacetState &state   = master_.state(p.facet);
     const double      xi      = std::min(1., std::max(0., p.xi));
     const double      eta     = std::min(1., std::max(0., p.eta));
@@ -107,6 +122,7 @@ namespace vfife
     pair.touching.clear();
     for (unsigned int i = 0; i < pair.points.size(); ++i)
       {
+        // Asleep: the gap was too wide to have closed since.
         if (path < pair.awake_at[i])
           continue;
         ListedPoint  &point = pair.points[i];
@@ -114,9 +130,12 @@ namespace vfife
         point.pressure      = 0.;
         if (!locate(pair, point, x, path, pair.awake_at[i]))
           continue;
+        // lambda counts in lengths of m, the gap between the true surfaces in mm.
         const Projection &p      = point.projection;
         const double      length = master_.state(p.facet).normal(p.xi, p.eta).norm();
         point.gap = p.lambda * length - master_.offset(p.facet, p.xi, p.eta) - point.slave_offset;
+        // Open: sleep. Closed: touching, unless it is deep enough to belong to the other side of a
+        // thin body.
         if (point.gap >= 0.)
           pair.awake_at[i] = path + sleep_per_gap * point.gap;
         else if (point.gap > -depth_limit_)
@@ -125,16 +144,39 @@ namespace vfife
   }
 
 
-  void ContactPass::press(ListedPoint      &point,
-                          const ContactLaw &law,
-                          GroupPairResult  &result,
-                          double           *slave_forces,
-                          double           *master_forces)
+  void ContactPass::press_pair(Pair                     &pair,
+                               const SurfaceInteraction &interaction,
+                               GroupPairResult          &result,
+                               double                   *slave_forces,
+                               double                   *master_forces)
+  {
+    // Penetrations of all touching points go through the law at once, then each point presses.
+    pressed_.clear();
+    for (const unsigned int i : pair.touching)
+      pressed_.push_back({-pair.points[i].gap, interaction.penalty});
+    interaction.law.evaluate(pressed_);
+    for (std::size_t i = 0; i < pressed_.size(); ++i)
+      press(pair.points[pair.touching[i]],
+            pressed_[i],
+            interaction,
+            result,
+            slave_forces,
+            master_forces);
+  }
+
+
+  void ContactPass::press(ListedPoint              &point,
+                          const PressedPoint       &elastic,
+                          const SurfaceInteraction &interaction,
+                          GroupPairResult          &result,
+                          double                   *slave_forces,
+                          double                   *master_forces)
   {
     const Vector3 x      = slave_point(point.slave_facet, point.rule_point);
     const Vector3 normal = master_.state(point.projection.facet)
                              .normal(point.projection.xi, point.projection.eta)
                              .normalized();
+    // Surfaces that do not face each other do not press.
     const Vector3 slave_normal = slave_.vector_area(point.slave_facet);
     if (normal.dot(slave_normal) > facing_cosine * slave_normal.norm())
       return;
@@ -151,11 +193,12 @@ namespace vfife
     const auto        &master_corners = master_.corners(p.facet);
     const TangentBasis basis(*this, point, x, normal);
 
+    // Pressure: elastic, and damped where the gap's rate counts.
     double  gap_rate = 0.;
     Vector3 slip     = Vector3::Zero();
-    if (law.damping > 0. || law.friction > 0.)
+    if (interaction.damping > 0. || interaction.friction > 0.)
       {
-        Vector3 velocity = Vector3::Zero();
+        Vector3 velocity = Vector3::Zero(); // of the slave's point over the master's
         for (unsigned int k = 0; k < 4; ++k)
           velocity += shape[k] * slave_.velocity(slave_corners[k]) -
                       weights[k] * master_.velocity(master_corners[k]);
@@ -163,29 +206,28 @@ namespace vfife
         gap_rate = normal.dot(velocity) - basis.slope_xi * basis.dual_xi.dot(slip) -
                    basis.slope_eta * basis.dual_eta.dot(slip);
       }
-
-    const double pressure = law.pressure(point.gap, gap_rate);
-    const double elastic  = -law.penalty * point.gap;
+    const double pressure = interaction.pressure(elastic.pressure, gap_rate);
     // What acts on the slave's area: a faded edge is soft and sinks in deeply, but carries little.
     point.pressure          = fade.weight * pressure;
     result.largest_pressure = std::max(result.largest_pressure, point.pressure);
-    result.energy -= 0.5 * elastic * point.gap * area;
-    result.damping_power -= (pressure - elastic) * gap_rate * area;
+    result.energy += elastic.energy * area;
+    result.damping_power -= (pressure - elastic.pressure) * gap_rate * area;
     if (pressure <= 0.)
       return;
 
-    // The force is the slope of the penalty energy w eps g^2 A/2: along the normal with the gap,
-    // and along the facet where gap or weight change as the point slides.
-    const double weight_energy = -0.5 * elastic * point.gap * point.area;
+    // The force is the slope of the energy w E(-g) A of the contact law: along the normal with the
+    // gap, and along the facet where gap or weight change as the point slides.
+    const double weight_energy = elastic.energy * point.area;
     const double along_xi      = pressure * area * basis.slope_xi + weight_energy * fade.slope_xi;
     const double along_eta     = pressure * area * basis.slope_eta + weight_energy * fade.slope_eta;
     Vector3      tangential    = -along_xi * basis.dual_xi - along_eta * basis.dual_eta;
-    if (law.friction > 0.)
+    if (interaction.friction > 0.)
       {
-        const Vector3 friction = area * law.friction_traction(pressure, slip);
+        const Vector3 friction = area * interaction.friction_traction(pressure, slip);
         result.friction_power -= friction.dot(slip);
         tangential += friction;
       }
+    // Opposite forces on the corners of both facets, by the weights of the point in each.
     basis.balance_couple(tangential, normal, master_corners, master_forces);
 
     const Vector3 force = (pressure * area) * normal + tangential;
@@ -201,35 +243,51 @@ namespace vfife
   }
 
 
-  void ContactPass::append_springs(const double                penalty,
+  void ContactPass::append_springs(const ContactLaw           &law,
+                                   const double                penalty,
                                    const bool                  swapped,
                                    std::vector<ContactSpring> &springs)
   {
     for (const Pair &pair : pairs_)
-      for (const ListedPoint &point : pair.points)
-        {
-          if (!(point.pressure > 0.))
-            continue;
-          const Projection  &p = point.projection;
-          const Vector3      x = slave_point(point.slave_facet, point.rule_point);
-          const Vector3      n = master_.state(p.facet).normal(p.xi, p.eta).normalized();
-          const TangentBasis basis(*this, point, x, n);
-          const Fading       fade = fading(p);
-          // The slope of g sqrt(w), by the slopes of the gap and of the weight along the facet.
-          const double by_weight = 0.5 * point.gap / fade.weight;
+      {
+        std::vector<const ListedPoint *> points;
+        pressed_.clear();
+        for (const ListedPoint &point : pair.points)
+          if (point.pressure > 0.)
+            {
+              points.push_back(&point);
+              pressed_.push_back({-point.gap, penalty * point.area});
+            }
+        law.evaluate(pressed_);
+        for (std::size_t i = 0; i < points.size(); ++i)
+          {
+            springs.push_back(make_spring(*points[i], pressed_[i]));
+            springs.back().swapped = swapped;
+          }
+      }
+  }
 
-          ContactSpring spring;
-          spring.swapped        = swapped;
-          spring.slave_nodes    = slave_.corners(point.slave_facet);
-          spring.master_nodes   = master_.corners(p.facet);
-          spring.slave_weights  = rule_[point.rule_point].shape;
-          spring.master_weights = bilinear_weights(p.xi, p.eta);
-          spring.direction      = std::sqrt(fade.weight) *
-                             (n - (basis.slope_xi - by_weight * fade.slope_xi) * basis.dual_xi -
-                              (basis.slope_eta - by_weight * fade.slope_eta) * basis.dual_eta);
-          spring.stiffness = penalty * point.area;
-          springs.push_back(spring);
-        }
+
+  ContactSpring ContactPass::make_spring(const ListedPoint &point, const PressedPoint &elastic)
+  {
+    const Projection  &p = point.projection;
+    const Vector3      x = slave_point(point.slave_facet, point.rule_point);
+    const Vector3      n = master_.state(p.facet).normal(p.xi, p.eta).normalized();
+    const TangentBasis basis(*this, point, x, n);
+    const Fading       fade = fading(p);
+    // The slope of g sqrt(w), by the slopes of the gap and of the weight along the facet.
+    const double by_weight = 0.5 * point.gap / fade.weight;
+
+    ContactSpring spring;
+    spring.slave_nodes    = slave_.corners(point.slave_facet);
+    spring.master_nodes   = master_.corners(p.facet);
+    spring.slave_weights  = rule_[point.rule_point].shape;
+    spring.master_weights = bilinear_weights(p.xi, p.eta);
+    spring.direction =
+      std::sqrt(fade.weight) * (n - (basis.slope_xi - by_weight * fade.slope_xi) * basis.dual_xi -
+                                (basis.slope_eta - by_weight * fade.slope_eta) * basis.dual_eta);
+    spring.stiffness = elastic.tangent;
+    return spring;
   }
 
 
@@ -238,6 +296,8 @@ namespace vfife
                                           const Vector3     &x,
                                           const Vector3     &normal)
   {
+    // Dual vectors of y_xi, y_eta, n; slopes of bilinear weights in the order (0,0), (1,0), (1,1),
+    // (0,1).
     const Projection &p      = point.projection;
     const FacetState &state  = pass.master_.state(p.facet);
     const Vector3     y_xi   = state.along_xi(p.eta);

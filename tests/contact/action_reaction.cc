@@ -48,7 +48,7 @@ namespace
   ContactOptions hard_options()
   {
     ContactOptions options;
-    options.penalty_from_step    = false;
+    options.penalty.from_step    = false;
     options.damping_ratio        = 0.2;
     options.friction_coefficient = 0.3;
     return options;
@@ -101,16 +101,16 @@ namespace
         add_forces(whole, slave, master);
         const auto            slave_forces = slave.forces, master_forces = master.forces;
         const GroupPairResult result = whole.results().at(0);
-        for (const unsigned int n_parts : {2u, 3u, 4u})
+        for (const unsigned int n_ranks : {2u, 3u, 4u})
           {
             slave.clear_forces();
             master.clear_forces();
             Contact shared(slave.surface, master.surface, options);
             shared.find_candidates(slave.body, master.body, 1.);
             GroupPairResult sum;
-            for (unsigned int part = 0; part < n_parts; ++part)
+            for (unsigned int rank = 0; rank < n_ranks; ++rank)
               {
-                add_forces(shared, slave, master, 1e-7, part, n_parts);
+                add_forces(shared, slave, master, 1e-7, rank, n_ranks);
                 sum.force += shared.results()[0].force;
                 sum.moment += shared.results()[0].moment;
                 sum.energy += shared.results()[0].energy;

@@ -1,7 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Time of the contact per step and point; compiled by hand (doc/contact.md), not a test:
-//   g++ -std=c++17 -O2 -DNDEBUG -Iinclude -I/usr/include/eigen3 tests/contact/contact_benchmark.cpp
-//   <library> -o benchmark
+// Time of the contact per step and point; not a test, but the build target contact_benchmark.
 #include "surfaces.h"
 
 #include <ctime>

@@ -15,8 +15,8 @@ namespace
   ContactOptions options_for(const double width, const double depth)
   {
     ContactOptions options;
-    options.penalty_from_step = false;
-    options.penalty           = penalty;
+    options.penalty.from_step = false;
+    options.penalty.value     = penalty;
     options.depth_limit       = 0.5;
     options.edge_fading       = 0.; // the relief alone
     options.edge_relief_width = width;

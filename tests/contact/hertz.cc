@@ -173,8 +173,8 @@ namespace
     ContactOptions options;
     options.discretization    = discretization;
     options.surface           = surface;
-    options.penalty_from_step = false;
-    options.penalty           = penalty;
+    options.penalty.from_step = false;
+    options.penalty.value     = penalty;
     options.edge_fading       = 0.; // planes of symmetry are no edges
     return options;
   }

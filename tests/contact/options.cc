@@ -27,6 +27,46 @@ namespace
       }
     return false;
   }
+  /** At the voted step, elements (4/step^2) and springs together have the highest frequency that
+   * central differences allow; a spring moves one node at a wall, two between bodies. */
+  void check_vote()
+  {
+    const double step = 1e-7, mass_per_area = 3e-9;
+    for (const unsigned int n_moving : {1u, 2u})
+      {
+        PenaltyOptions    penalty(n_moving);
+        const std::string name = n_moving == 1 ? "wall: " : "two bodies: ";
+        penalty.fraction       = 1.5;
+        double       dt        = penalty.vote_on_step(step, mass_per_area);
+        const double spring    = penalty.value_for_step(mass_per_area, dt) / mass_per_area;
+        check_close(name + "frequency at the voted step, penalty from the step",
+                    (4. / (step * step) + n_moving * spring) * dt * dt,
+                    4.,
+                    1e-14);
+        check_close(name + "mass of a penalty",
+                    penalty.mass_per_area_for(spring * mass_per_area, dt),
+                    mass_per_area,
+                    1e-23);
+        penalty.from_step = false;
+        penalty.value     = 2e5;
+        dt                = penalty.vote_on_step(step, mass_per_area);
+        check_close(name + "frequency at the voted step, given penalty",
+                    (4. / (step * step) + n_moving * penalty.value / mass_per_area) * dt * dt,
+                    4.,
+                    1e-14);
+        // omega^2 = n k/m = (2 fraction)^2
+        check_close(name + "mass for a relaxation",
+                    n_moving * 3. / penalty.relaxation_mass(3., 0.8),
+                    1.6 * 1.6,
+                    1e-14);
+      }
+    // A wall bears twice the fraction of two bodies.
+    dealii::ParameterHandler prm;
+    PenaltyOptions           wall(1);
+    wall.declare(prm);
+    prm.parse_input_from_string("set penalty fraction = 2\n");
+    check_close("wall: fraction of 2", wall.fraction, 2., 0.);
+  }
 } // namespace
 
 int main()
@@ -47,20 +87,23 @@ int main()
   check_close("friction coefficient", options.friction_coefficient, 0.08, 0.);
   check_close("search skin [mm]", options.search_skin, 0.05, 1e-15);
   check_close("edge fading keeps its default", options.edge_fading, 0.15, 0.);
-  check_close("given penalty", options.penalty_for(1e-9, 1e-7), 4e6, 0.);
-  options.penalty_from_step = true;
-  options.penalty_fraction  = 0.5;
-  check_close("penalty from the step", options.penalty_for(2e-9, 5e-8), 4e5, 1e-4);
+  check_close("given penalty", options.penalty.value_for_step(1e-9, 1e-7), 4e6, 0.);
+  options.penalty.from_step = true;
+  options.penalty.fraction  = 0.5;
+  check_close("penalty from the step", options.penalty.value_for_step(2e-9, 5e-8), 4e5, 1e-4);
 
   check("no points are refused",
         refused([](ContactOptions &o) { o.points_per_facet = 0; }, "Contact/points per facet"));
   check("an unstable fraction is refused",
-        refused([](ContactOptions &o) { o.penalty_fraction = 3.; }, "Contact/penalty fraction"));
+        refused([](ContactOptions &o) { o.penalty.fraction = 3.; }, "Contact/penalty fraction"));
+  check("so is one that leaves a step of a tenth",
+        refused([](ContactOptions &o) { o.penalty.fraction = 1.98; }, "Contact/penalty fraction"));
   check("a negative penalty is refused",
         refused(
           [](ContactOptions &o) {
-            o.penalty_from_step = false;
-            o.penalty           = -1.;
+            o.penalty.from_step = false;
+            o.penalty.value     = -1.;
           },
           "Contact/penalty"));
+  check_vote();
 }

@@ -230,8 +230,8 @@ namespace
   ContactOptions options_for(const ContactDiscretization discretization, const unsigned int points)
   {
     ContactOptions options;
-    options.penalty_from_step = false;
-    options.penalty           = penalty;
+    options.penalty.from_step = false;
+    options.penalty.value     = penalty;
     options.discretization    = discretization;
     options.points_per_facet  = points;
     options.edge_fading       = 0.;

@@ -14,8 +14,8 @@ namespace
   ContactOptions options_for(const ContactSurfaceKind kind, const unsigned int points)
   {
     ContactOptions options;
-    options.penalty_from_step = false;
-    options.penalty           = penalty;
+    options.penalty.from_step = false;
+    options.penalty.value     = penalty;
     options.surface           = kind;
     options.points_per_facet  = points;
     options.depth_limit       = 0.5; // the slider of one point is smaller than its depth

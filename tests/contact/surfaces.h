@@ -201,14 +201,14 @@ namespace test_surfaces
                          MovingSurface     &slave,
                          MovingSurface     &master,
                          const double       dt      = 1e-7,
-                         const unsigned int part    = 0,
-                         const unsigned int n_parts = 1)
+                         const unsigned int rank    = 0,
+                         const unsigned int n_ranks = 1)
   {
     contact.add_forces(slave.motion(),
                        master.motion(),
                        dt,
-                       part,
-                       n_parts,
+                       rank,
+                       n_ranks,
                        slave.forces.data(),
                        master.forces.data());
   }

@@ -18,8 +18,8 @@ namespace
   {
     ContactOptions options;
     options.surface                 = surface;
-    options.penalty_from_step       = false;
-    options.penalty                 = penalty;
+    options.penalty.from_step       = false;
+    options.penalty.value           = penalty;
     options.friction_coefficient    = friction;
     options.regularization_velocity = creep;
 

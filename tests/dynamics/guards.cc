@@ -73,8 +73,8 @@ namespace
     pair.master_surface            = "z+";
     pair.options.surface           = ContactSurfaceKind::flat_facets;
     pair.options.edge_fading       = 0;
-    pair.options.penalty_from_step = false;
-    pair.options.penalty           = 1;
+    pair.options.penalty.from_step = false;
+    pair.options.penalty.value     = 1;
     pair.options.depth_limit       = 1;
     pair.options.penetration_limit = 0.1;
     model.contacts.push_back(pair);

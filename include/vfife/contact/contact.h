@@ -7,6 +7,7 @@
 #include <vfife/contact/law/contact_options.h>
 #include <vfife/contact/search/broad_search.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,8 @@ namespace vfife
    * doc/contact.md.
    *
    * Quadrature points x_s of the slave's facets are projected onto the master along its continuous
-   * normal field, x_s = y(xi, eta) + lambda n(xi, eta), and pressed with p = eps (-g) where the gap
+   * normal field, x_s = y(xi, eta) + lambda n(xi, eta), and pressed with p(-g) of the contact law
+   * (p = eps (-g) of the linear one) where the gap
    *   g = n.(x_s - y) - delta_master(xi, eta) - delta_slave < 0.
    * As x_s - y is parallel to n, forces on both bodies are equal and opposite in force and in
    * moment. Areas are those of the undeformed slave. Units mm, s, t, N, MPa.
@@ -66,10 +68,9 @@ namespace vfife
     }
 
     /**
-     * Penalty [N/mm^3], see ContactOptions::penalty_for, and the least nodal mass per tributary
+     * Penalty [N/mm^3], see PenaltyOptions::value_for_step, and the least nodal mass per tributary
      * area [t/mm^2], which scales the gap-rate damping c = 2 ratio sqrt(eps m/A) and bounds the
-     * friction's slope. Without it (0) the mass for which the penalty is penalty_fraction of the
-     * stability limit at the step's dt is taken.
+     * friction's slope. Without it (0) that of PenaltyOptions::mass_per_area_for the step is taken.
      */
     void   set_penalty(double penalty, double mass_per_area = 0.);
     double penalty() const
@@ -78,35 +79,35 @@ namespace vfife
     }
 
     /**
-     * Adds the contact forces [N] of the slave facets f with f % n_parts == part (of master facets
+     * Adds the contact forces [N] of the slave facets f with f % n_ranks == rank (of master facets
      * in the second of two passes) to 3 doubles per surface node. @p dt is the time step [s]. Keep
-     * `part` for an object: a change costs a wide search. Throws NumericalError when a position is
-     * not finite.
+     * `rank` and `n_ranks` for an object: a change costs a wide search. Throws NumericalError when
+     * a position is not finite.
      */
     void add_forces(const SurfaceMotion &slave,
                     const SurfaceMotion &master,
                     double               dt,
-                    unsigned int         part,
-                    unsigned int         n_parts,
+                    unsigned int         rank,
+                    unsigned int         n_ranks,
                     double              *slave_forces,
                     double              *master_forces);
 
-    /** Of this part in the last add_forces(), in the order of candidate_pairs(). */
+    /** Of this rank in the last add_forces(), in the order of candidate_pairs(). */
     const std::vector<GroupPairResult> &results() const
     {
       return results_;
     }
 
     /**
-     * The point with the smallest gap (negative: penetration) of this part over all candidate
+     * The point with the smallest gap (negative: penetration) of this rank over all candidate
      * pairs, also when open: gaps within +- @p reach [mm] are looked at, found without warm start.
      * The gap is infinite when there is none.
      */
     ContactPoint smallest_gap(const SurfaceMotion &slave,
                               const SurfaceMotion &master,
                               double               reach,
-                              unsigned int         part    = 0,
-                              unsigned int         n_parts = 1);
+                              unsigned int         rank    = 0,
+                              unsigned int         n_ranks = 1);
 
     /** Undeformed tributary areas of the surface nodes [mm^2]. */
     const std::vector<double> &slave_node_areas() const
@@ -122,17 +123,17 @@ namespace vfife
     double mass_per_area(const std::vector<double> &slave_masses,
                          const std::vector<double> &master_masses) const;
 
-    /** Points under pressure in the last add_forces() (this part); its position arrays must still
+    /** Points under pressure in the last add_forces() (this rank); its position arrays must still
      * be valid. */
     std::vector<ContactPoint> points() const;
 
-    /** Tangent of the elastic forces of the last add_forces() (this part, no friction, no
+    /** Tangent of the elastic forces of the last add_forces() (this rank, no friction, no
      * damping); its position arrays must still be valid. */
     std::vector<ContactSpring> springs();
 
     /**
      * For checkpoints: what is known of the candidate pairs. An object of the same surfaces and
-     * options that reads it goes on to the last digit, if its part is the same.
+     * options that reads it goes on to the last digit, if its rank is the same.
      */
     void exchange(ByteStream &stream);
 
@@ -158,14 +159,15 @@ namespace vfife
     std::size_t n_wide_searches() const;
 
   private:
-    ContactLaw law(double dt) const;
-    void       find_active_nodes();
+    SurfaceInteraction interaction(double dt) const;
+    void               find_active_nodes();
 
-    ContactOptions           options_;
-    std::vector<ContactPass> passes_; ///< one, or two with swapped roles
-    BroadSearch              broad_search_;
-    double                   penalty_;
-    double                   mass_per_area_ = 0.;
+    ContactOptions                    options_;
+    std::unique_ptr<const ContactLaw> law_;
+    std::vector<ContactPass>          passes_; ///< one, or two with swapped roles
+    BroadSearch                       broad_search_;
+    double                            penalty_;
+    double                            mass_per_area_ = 0.;
 
     std::vector<std::pair<unsigned int, unsigned int>> candidate_pairs_;
     std::vector<unsigned int>                          active_slave_nodes_, active_master_nodes_;

@@ -4,8 +4,8 @@
 
 #include <vfife/contact/contact_results.h>
 #include <vfife/contact/contact_times.h>
-#include <vfife/contact/law/contact_law.h>
 #include <vfife/contact/law/contact_spring.h>
+#include <vfife/contact/law/surface_interaction.h>
 #include <vfife/contact/search/broad_search.h>
 #include <vfife/contact/search/group_path.h>
 #include <vfife/contact/search/local_search.h>
@@ -30,30 +30,30 @@ namespace vfife
   class ContactPass
   {
   public:
-    /** @p share scales all areas (one half for each of two passes). */
+    /** @p area_factor scales all areas (one half for each of two passes). */
     ContactPass(const FacetSurface   &slave,
                 const FacetSurface   &master,
                 const ContactOptions &options,
-                double                share);
+                double                area_factor);
 
     /** Pairs of groups to look at (sorted); lists of pairs that remain are kept. */
     void set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs);
 
     /** See Contact::add_forces. */
-    void add_forces(const SurfaceMotion &slave,
-                    const SurfaceMotion &master,
-                    const ContactLaw    &law,
-                    unsigned int         part,
-                    unsigned int         n_parts,
-                    double              *slave_forces,
-                    double              *master_forces);
+    void add_forces(const SurfaceMotion      &slave,
+                    const SurfaceMotion      &master,
+                    const SurfaceInteraction &interaction,
+                    unsigned int              rank,
+                    unsigned int              n_ranks,
+                    double                   *slave_forces,
+                    double                   *master_forces);
 
     /** See Contact::smallest_gap. */
     ContactPoint smallest_gap(const SurfaceMotion &slave,
                               const SurfaceMotion &master,
                               double               reach,
-                              unsigned int         part,
-                              unsigned int         n_parts);
+                              unsigned int         rank,
+                              unsigned int         n_ranks);
 
     const std::vector<GroupPairResult> &results() const
     {
@@ -64,7 +64,10 @@ namespace vfife
     void append_points(std::vector<ContactPoint> &points, bool swapped) const;
 
     /** Appends the springs of the points with pressure of the last add_forces(). */
-    void append_springs(double penalty, bool swapped, std::vector<ContactSpring> &springs);
+    void append_springs(const ContactLaw           &law,
+                        double                      penalty,
+                        bool                        swapped,
+                        std::vector<ContactSpring> &springs);
 
     /** For checkpoints: lists with their last projections, and paths. */
     void exchange(ByteStream &stream);
@@ -157,7 +160,7 @@ namespace vfife
     void         update_paths(const SurfaceMotion &slave, const SurfaceMotion &master);
     Vector3      slave_point(unsigned int facet, unsigned int rule_point) const;
     void         find_points(
-              Pair &pair, double open_reach, double depth_reach, unsigned int part, unsigned int n_parts);
+              Pair &pair, double open_reach, double depth_reach, unsigned int rank, unsigned int n_ranks);
     /** Boxes of the master's facets of a group, in their order. */
     std::vector<Box> facet_boxes(unsigned int group) const;
     /** The nearest foot on the facets with the numbers @p near in @p group; the facet found goes to
@@ -169,16 +172,23 @@ namespace vfife
                       const Vector3                   &slave_normal,
                       double                           reach,
                       Projection                      &projection);
-    void list_points(unsigned int part, unsigned int n_parts);
+    void list_points(unsigned int rank, unsigned int n_ranks);
     void find_gaps(Pair &pair);
     bool
     locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);
-    void   press(ListedPoint      &point,
-                 const ContactLaw &law,
-                 GroupPairResult  &result,
-                 double           *slave_forces,
-                 double           *master_forces);
-    Fading fading(const Projection &projection) const;
+    void          press_pair(Pair                     &pair,
+                             const SurfaceInteraction &interaction,
+                             GroupPairResult          &result,
+                             double                   *slave_forces,
+                             double                   *master_forces);
+    void          press(ListedPoint              &point,
+                        const PressedPoint       &elastic,
+                        const SurfaceInteraction &interaction,
+                        GroupPairResult          &result,
+                        double                   *slave_forces,
+                        double                   *master_forces);
+    ContactSpring make_spring(const ListedPoint &point, const PressedPoint &elastic);
+    Fading        fading(const Projection &projection) const;
 
     SurfaceGeometry                   slave_, master_;
     std::vector<FacetQuadraturePoint> rule_;
@@ -188,7 +198,8 @@ namespace vfife
     GroupPath                    slave_path_, master_path_;
     std::vector<Pair>            pairs_;
     std::vector<GroupPairResult> results_;
-    unsigned int                 part_ = 0, n_parts_ = 0;
+    std::vector<PressedPoint>    pressed_; ///< of the pair at hand
+    unsigned int                 rank_ = 0, n_ranks_ = 0;
     std::size_t                  n_wide_searches_ = 0;
     ContactTimes                *times_           = nullptr;
   };

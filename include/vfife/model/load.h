@@ -4,6 +4,7 @@
 
 #include <vfife/base/parameters/parameter_history.h>
 #include <vfife/base/types.h>
+#include <vfife/contact/law/penalty_options.h>
 
 #include <string>
 #include <vector>
@@ -42,18 +43,17 @@ namespace vfife
 
   /**
    * A rigid plane at rest that nodes of a body must not pass: a node at the depth d > 0 behind it
-   * is pushed back by eps A d along the normal, A being the area that belongs to the node.
+   * is pushed back by A p(d) of the contact law along the normal (linear: eps A d), A being the
+   * area that belongs to the node.
    */
   struct RigidWall
   {
     std::string               name;
     unsigned int              body = 0;
-    std::vector<unsigned int> nodes;                                ///< of the body
-    Vector3                   point             = Vector3::Zero();  ///< of the plane [mm]
-    Vector3                   normal            = Vector3::UnitX(); ///< unit, out of the wall
-    bool                      penalty_from_step = true; ///< eps = fraction min(m/A)/dt^2
-    double                    penalty_fraction  = 0.5;  ///< [-]
-    double                    penalty           = 1e6;  ///< eps [N/mm^3] otherwise
+    std::vector<unsigned int> nodes;                     ///< of the body
+    Vector3                   point  = Vector3::Zero();  ///< of the plane [mm]
+    Vector3                   normal = Vector3::UnitX(); ///< unit, out of the wall
+    PenaltyOptions            penalty{1};
   };
 } // namespace vfife
 

@@ -2,8 +2,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/contact/law/contact_options.h>
 
-#include <cmath>
-
 namespace vfife
 {
   namespace
@@ -51,21 +49,7 @@ namespace vfife
                    "quadratic patches with the nodal normals, or themselves");
     declare_integer(
       prm, "points per facet", points_per_facet, "Gauss points of a facet per direction", 1, 10);
-    declare_switch(prm,
-                   "penalty from step",
-                   penalty_from_step,
-                   "Take the penalty from the stability limit of the time step");
-    declare_number(prm,
-                   "penalty fraction",
-                   penalty_fraction,
-                   "Penalty times dt^2 over the least nodal mass per area of both surfaces",
-                   {0., 1.9, true});
-    declare_quantity(prm,
-                     "penalty",
-                     penalty,
-                     "N/mm^3",
-                     "Pressure per penetration, used when it is not taken from the step",
-                     Range::positive());
+    penalty.declare(prm);
     declare_number(prm,
                    "damping ratio",
                    damping_ratio,
@@ -127,12 +111,7 @@ namespace vfife
     };
     if (points_per_facet < 1 || points_per_facet > 10)
       throw InputError(entry("points per facet"), "1 to 10 points per direction are possible");
-    if (penalty_from_step && !(penalty_fraction > 0. && penalty_fraction <= 2.))
-      throw InputError(
-        entry("penalty fraction"),
-        "the fraction must be positive and at most 1.9; from 2 on no step is stable");
-    if (!penalty_from_step && !(penalty > 0. && std::isfinite(penalty)))
-      throw InputError(entry("penalty"), "the penalty must be a positive number of N/mm^3");
+    penalty.check(section);
     if (!(damping_ratio >= 0. && damping_ratio <= 1.))
       throw InputError(entry("damping ratio"), "the damping ratio must lie between 0 and 1");
     if (!(friction_coefficient >= 0.))
@@ -155,11 +134,5 @@ namespace vfife
     if (!(penetration_limit > 0. && penetration_limit <= 1.))
       throw InputError(entry("penetration limit"),
                        "the penetration limit must be positive and at most 1");
-  }
-
-
-  double ContactOptions::penalty_for(const double mass_per_area, const double dt) const
-  {
-    return penalty_from_step ? penalty_fraction * mass_per_area / (dt * dt) : penalty;
   }
 } // namespace vfife

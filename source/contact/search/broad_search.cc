@@ -102,6 +102,7 @@ namespace vfife
     : slave_spheres_(group_spheres(slave))
     , master_spheres_(group_spheres(master))
   {
+    // The slave's facets with their spheres, by group; the master's as a tree and a box each group.
     slave_facets_.resize(slave.n_groups());
     slave_facet_spheres_.resize(slave.n_groups());
     for (unsigned int g = 0; g < slave.n_groups(); ++g)
@@ -153,6 +154,7 @@ namespace vfife
         const Vector3 centre = from(slave_spheres_[s].centre);
         const double  way =
           (to(slave_spheres_[s].centre) - centre).norm() + turn * slave_spheres_[s].radius;
+        // Spheres of groups, far cheaper, before any facet is looked at.
         for (unsigned int m = 0; m < master_spheres_.size(); ++m)
           {
             const double reach =
@@ -174,6 +176,8 @@ namespace vfife
   {
     for (std::size_t i = 0; i < slave_facets_[slave_group].size(); ++i)
       {
+        // The slave facet's sphere against the box of the master's group, then its own box against
+        // the tree of the master's facets.
         const Sphere &sphere = slave_facet_spheres_[slave_group][i];
         if (master_boxes_[master_group].square_distance(slave_to_master(sphere.centre)) >
             (sphere.radius + margin) * (sphere.radius + margin))

@@ -18,6 +18,7 @@ namespace vfife
 
   void GroupPath::set_active(const std::vector<unsigned int> &groups)
   {
+    // Positions of groups that are no longer followed are out of date when they come back.
     std::vector<bool> keep(previous_.size(), false);
     for (const unsigned int g : groups)
       keep[g] = true;
@@ -30,13 +31,14 @@ namespace vfife
 
   void GroupPath::update(const SurfaceGeometry &surface, const RigidMotion &frame)
   {
+    // Positions in the frame, R^T (x - t), against those at the last update.
     const Matrix3 back = frame.rotation.transpose();
     const Vector3 to   = -(back * frame.translation);
     for (const unsigned int g : active_)
       {
         const auto &nodes    = surface.group_nodes(g);
         auto       &previous = previous_[g];
-        const bool  known    = !previous.empty();
+        const bool  known    = !previous.empty(); // else the path goes on from here
         previous.resize(3 * nodes.size());
         double *before  = previous.data();
         double  largest = 0., sum = 0.;

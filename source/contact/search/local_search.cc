@@ -52,7 +52,14 @@ namespace vfife
       return std::abs(d_xi) + std::abs(d_eta) < last_step ? Outcome::converged : Outcome::moving;
     }
 
-    /** How far (xi, eta) lie beyond side s (0: eta=0, 1: xi=1, 2: eta=1, 3: xi=0); negative inside.
+    /**
+     * How far (xi, eta) lie beyond side s; negative inside. Corners and (sides) of a facet:
+     *
+     *      3--(2)--2
+     *      |       |     eta
+     *     (3)     (1)     ^
+     *      |       |      |
+     *      0--(0)--1      +--> xi
      */
     inline double excess(const Projection &p, const unsigned int side)
     {
@@ -157,6 +164,7 @@ namespace vfife
     unsigned int crossings = 0, clamps = 0;
     for (unsigned int i = 0; i < 60 && clamps < most_clamps; ++i)
       {
+        // A step on this facet: where it has converged inside, that is the foot.
         const Outcome outcome = newton_step(master.state(p.facet), x, p);
         if (outcome == Outcome::singular)
           return false;
@@ -165,6 +173,7 @@ namespace vfife
             p.inside = true;
             return true;
           }
+        // Outside: on in the neighbour, without waiting for convergence here.
         const unsigned int side = side_to_cross(master, p);
         if (side < 4)
           {
@@ -173,8 +182,9 @@ namespace vfife
             cross_side(master, side, p);
             continue;
           }
+        // No neighbour there: beyond the border once converged.
         if (outcome == Outcome::converged)
-          return true; // beyond the border
+          return true;
         clamps = clamp(p) ? clamps + 1 : 0;
       }
     return !is_inside(master.border_sides(p.facet), p);

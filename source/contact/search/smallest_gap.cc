@@ -25,6 +25,7 @@ namespace vfife
     {
       using Vector2 = Eigen::Vector2d;
       // g[i + 3 j] at (i - 1, j - 1): least-squares coefficients of the full quadratic
+      //   g = g0 + by_s s + by_t t + by_ss s^2/2 + by_st s t + by_tt t^2/2.
       double by_s = 0., by_t = 0., by_ss = 0., by_tt = 0., by_st = 0.;
       for (unsigned int k = 0; k < 3; ++k)
         {
@@ -37,7 +38,8 @@ namespace vfife
       Eigen::Matrix2d hessian;
       hessian << by_ss, by_st, by_st, by_tt;
       const Vector2 slope(by_s, by_t);
-      Vector2       best = Vector2::Zero();
+      // Its lowest point where it has one, else down the slope; back into the square.
+      Vector2 best = Vector2::Zero();
       if (by_ss > 0. && hessian.determinant() > 0.)
         best = -hessian.inverse() * slope;
       else if (slope.norm() > 0.)
@@ -56,7 +58,8 @@ namespace vfife
     Projection   last   = sample.projection;
     const double no_gap = std::numeric_limits<double>::infinity();
     ContactPoint smallest;
-    const auto   gap_at = [&](const double s, const double t) {
+    // The gap at a place of the slave's facet, projected from where the last one was.
+    const auto gap_at = [&](const double s, const double t) {
       const auto    N = bilinear_weights(s, t);
       const Vector3 x = N[0] * slave_.node(k[0]) + N[1] * slave_.node(k[1]) +
                         N[2] * slave_.node(k[2]) + N[3] * slave_.node(k[3]);
@@ -79,6 +82,7 @@ namespace vfife
       return gap;
     };
 
+    // From the sample on, to the lowest point of a parabola through stencils that become narrower.
     double s = rule_[sample.rule_point].xi, t = rule_[sample.rule_point].eta;
     gap_at(s, t);
     for (const double width : stencil_widths)
@@ -104,20 +108,21 @@ namespace vfife
   ContactPoint ContactPass::smallest_gap(const SurfaceMotion &slave,
                                          const SurfaceMotion &master,
                                          const double         reach,
-                                         const unsigned int   part,
-                                         const unsigned int   n_parts)
+                                         const unsigned int   rank,
+                                         const unsigned int   n_ranks)
   {
     slave_.bind(slave);
     master_.bind(master);
     ContactPoint smallest;
     for (const Pair &pair : pairs_)
       {
+        // A list of its own with all points in reach, the kept lists stay as they are.
         Pair all         = {};
         all.slave_group  = pair.slave_group;
         all.master_group = pair.master_group;
-        find_points(all, reach, reach, part, n_parts);
+        find_points(all, reach, reach, rank, n_ranks);
 
-        // the smallest sample of each facet
+        // The smallest sample of each facet, and of these the smallest few.
         std::vector<const ListedPoint *> samples;
         for (const ListedPoint &point : all.points)
           if (!std::isfinite(point.gap))

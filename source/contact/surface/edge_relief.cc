@@ -18,6 +18,7 @@ namespace vfife
 
       double square_distance(const Vector3 &x) const
       {
+        // The foot on the line, or the end that is nearer.
         const double t = (x - start).dot(along) / along.squaredNorm();
         return (x - start - std::min(1., std::max(0., t)) * along).squaredNorm();
       }
@@ -36,6 +37,7 @@ namespace vfife
     {
       if (!surface.edges.empty())
         return surface.edges[facet][side];
+      // Not numbered: the whole border of a group is its edge 1.
       const unsigned int other = surface.neighbours[facet][side];
       return other == FacetSurface::no_facet ||
              group_of(surface, other) != group_of(surface, facet);
@@ -75,6 +77,8 @@ namespace vfife
         (!surface.edges.empty() && surface.edges.size() != surface.facets.size()))
       throw InputError("surface \"" + surface.name +
                        "\": every facet needs its neighbours, and its edges or none");
+    // For every facet and every edge of its group (tip, toe, heel): the distances d/width of the
+    // corners as c0 + c1 xi + c2 eta + c3 xi eta, kept where they come below 1.
     const auto edges = collect_edges(surface);
     depth_           = options.edge_relief_depth;
     for (std::size_t f = 0; f < surface.facets.size(); ++f)

@@ -29,6 +29,8 @@ namespace vfife
   void
   gauss_legendre(const unsigned int n, std::vector<double> &points, std::vector<double> &weights)
   {
+    // Newton's method on P_n from the zeros of its asymptote, with (1 - x^2) P_n' = n (P_{n-1} - x
+    // P_n); on [-1, 1] the weights are 2/((1 - x^2) P_n'^2), on [0, 1] half of that.
     points.resize(n);
     weights.resize(n);
     for (unsigned int i = 0; i < n; ++i)
@@ -107,6 +109,7 @@ namespace vfife
         vandermonde(i, j) = j == 0 ? 1. : vandermonde(i, j - 1) * (2. * points[i] - 1.);
     const Eigen::MatrixXd inverse = vandermonde.inverse();
 
+    // Each row of values v becomes V^-1 v V^-T: first along one direction, then along the other.
     using Row = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     for (std::size_t row = 0; row < offsets.size(); row += n * n)
       {

@@ -32,6 +32,8 @@ namespace vfife
     public:
       NagataPatch(const std::array<Vector3, 4> &x, const std::array<Vector3, 4> &n)
       {
+        // On its sides the patch is the edges' curves; c21 and c12 lead from one curve to that of
+        // the opposite edge.
         const Vector3 bottom = edge_curvature(x[0], x[1], n[0], n[1]);
         const Vector3 right  = edge_curvature(x[1], x[2], n[1], n[2]);
         const Vector3 top    = edge_curvature(x[3], x[2], n[3], n[2]);
@@ -68,6 +70,7 @@ namespace vfife
     double distance_along(
       const NagataPatch &patch, const Vector3 &foot, const Vector3 &normal, double xi, double eta)
     {
+      // Newton's method for P(xi, eta) - foot - distance normal = 0.
       double distance = 0.;
       for (unsigned int iteration = 0; iteration < 8; ++iteration)
         {
@@ -86,6 +89,7 @@ namespace vfife
 
     std::vector<Vector3> mean_facet_normals(const FacetSurface &surface)
     {
+      // Cross products of diagonals are twice the vector areas: larger facets count more.
       std::vector<Vector3> normals(surface.positions.size(), Vector3::Zero());
       for (const auto &k : surface.facets)
         {
@@ -112,6 +116,8 @@ namespace vfife
     surface.offsets.clear();
     for (std::size_t f = 0; f < surface.facets.size(); ++f)
       {
+        // The patch through the facet's corners, as offsets along the interpolated normal at the
+        // Gauss-Lobatto points.
         surface.offset_row[f] = static_cast<unsigned int>(f);
         std::array<Vector3, 4> x, n;
         for (unsigned int k = 0; k < 4; ++k)

@@ -27,7 +27,7 @@ namespace vfife
     , facets_(surface.facets)
     , relief_(std::move(relief))
   {
-    check(surface);
+    check_arrays(surface);
     collect_groups(surface);
     connect(surface);
     compute_areas();
@@ -44,6 +44,7 @@ namespace vfife
               std::max(largest_offset_,
                        std::abs(offsets_.value(row, 0.25 * (i % 5), 0.25 * (i / 5))));
       }
+    // Searches reach so much farther than the facets.
     largest_offset_ += relief_.largest();
     normal_corrections_.assign(n_nodes(), Vector3::Zero());
     if (curved)
@@ -55,7 +56,7 @@ namespace vfife
   }
 
 
-  void SurfaceGeometry::check(const FacetSurface &surface) const
+  void SurfaceGeometry::check_arrays(const FacetSurface &surface) const
   {
     const std::string name = "surface \"" + surface.name + "\": ";
     if (facets_.empty())
@@ -80,6 +81,7 @@ namespace vfife
 
   void SurfaceGeometry::collect_groups(const FacetSurface &surface)
   {
+    // Facets of every node, one after the other.
     std::vector<std::vector<unsigned int>> facets_of_node(n_nodes());
     for (unsigned int f = 0; f < n_facets(); ++f)
       for (const unsigned int n : facets_[f])
@@ -91,10 +93,12 @@ namespace vfife
         node_facet_starts_.push_back(static_cast<unsigned int>(node_facets_.size()));
       }
 
+    // Facets of every group; without groups all are one.
     group_facets_.resize(surface.group.empty() ? 1 : surface.n_groups);
     for (unsigned int f = 0; f < n_facets(); ++f)
       group_facets_[surface.group.empty() ? 0 : surface.group[f]].push_back(f);
 
+    // Nodes of every group, with those of all facets that touch them: normals are sums over facets.
     group_nodes_.resize(n_groups());
     for (unsigned int g = 0; g < n_groups(); ++g)
       {
@@ -125,6 +129,7 @@ namespace vfife
               border_sides_[f] |= static_cast<unsigned char>(1u << s);
               continue;
             }
+          // The neighbour has the common edge a-b as b-a: by which of its sides it is entered.
           const unsigned int a = facets_[f][s], b = facets_[f][(s + 1) % 4];
           for (unsigned int t = 0; t < 4; ++t)
             if (facets_[other][t] == b && facets_[other][(t + 1) % 4] == a)
@@ -152,6 +157,7 @@ namespace vfife
 
   void SurfaceGeometry::compute_areas()
   {
+    // A_k = sum over facets of the integral of N_k |y_xi x y_eta|.
     node_areas_.assign(n_nodes(), 0.);
     double     total = 0.;
     const auto rule  = facet_quadrature(ContactDiscretization::surface_points, 3);
@@ -175,6 +181,7 @@ namespace vfife
       return;
     for (unsigned int n = 0; n < n_nodes(); ++n)
       {
+        // How much the true normal N differs from that of the facets around, N_f.
         Vector3 sum = Vector3::Zero();
         for (unsigned int i = node_facet_starts_[n]; i < node_facet_starts_[n + 1]; ++i)
           {
@@ -202,6 +209,7 @@ namespace vfife
   {
     if (node_stamps_[n] != stamp_)
       {
+        // n = normalize(R (N - N_f) + n_f): the difference turns with the body.
         Vector3 sum = Vector3::Zero();
         for (unsigned int i = node_facet_starts_[n]; i < node_facet_starts_[n + 1]; ++i)
           sum += vector_area(node_facets_[i]);
@@ -215,6 +223,7 @@ namespace vfife
 
   void SurfaceGeometry::prepare(const unsigned int facet)
   {
+    // From corner values to coefficients of 1, xi, eta, xi eta.
     const auto   &k  = facets_[facet];
     FacetState   &s  = states_[facet];
     const Vector3 y0 = node(k[0]), y1 = node(k[1]), y2 = node(k[2]), y3 = node(k[3]);

@@ -25,40 +25,40 @@ namespace vfife
     }
   } // namespace
 
-  ContactSide::ContactSide(const unsigned int body_index,
-                           const Body        &b,
-                           const std::string &surface_name,
-                           const Partition   &partition)
+  ContactSurface::ContactSurface(const unsigned int body_index,
+                                 const Body        &b,
+                                 const std::string &surface_name,
+                                 const Partition   &partition)
     : body(body_index)
-    , surface(&find_surface(b, surface_name))
-    , positions(3 * surface->nodes.size())
-    , velocities(3 * surface->nodes.size())
-    , forces(3 * surface->nodes.size())
+    , facets(&find_surface(b, surface_name))
+    , positions(3 * facets->nodes.size())
+    , velocities(3 * facets->nodes.size())
+    , forces(3 * facets->nodes.size())
   {
-    for (const unsigned int node : surface->nodes)
+    for (const unsigned int node : facets->nodes)
       {
         local.push_back(partition.local_node[b.first_node + node]);
         mass.push_back(b.node_masses()[node]);
       }
   }
 
-  double ContactSide::largest_deformation(const Partition   &partition,
-                                          const RigidMotion &motion,
-                                          const NodeField   &all_positions) const
+  double ContactSurface::largest_deformation(const Partition   &partition,
+                                             const RigidMotion &motion,
+                                             const NodeField   &all_positions) const
   {
     double largest = 0.;
     for (std::size_t i = 0; i < local.size(); ++i)
       if (local[i] != Partition::absent && partition.owned[local[i]])
         largest =
           std::max(largest,
-                   (all_positions.value(local[i]) - motion(surface->positions[i])).squaredNorm());
+                   (all_positions.value(local[i]) - motion(facets->positions[i])).squaredNorm());
     return std::sqrt(largest);
   }
 
-  void ContactSide::collect_motion(const Partition &partition,
-                                   const NodeField &local_positions,
-                                   const NodeField &local_velocities,
-                                   const bool       with_velocities)
+  void ContactSurface::collect_motion(const Partition &partition,
+                                      const NodeField &local_positions,
+                                      const NodeField &local_velocities,
+                                      const bool       with_velocities)
   {
     for (const unsigned int i : *active)
       {
@@ -74,7 +74,7 @@ namespace vfife
       }
   }
 
-  void ContactSide::distribute_forces(NodeField &local_forces) const
+  void ContactSurface::distribute_forces(NodeField &local_forces) const
   {
     for (const unsigned int i : *active)
       {
@@ -91,7 +91,7 @@ namespace vfife
     : definition(pair)
     , slave(pair.slave_body, model.bodies[pair.slave_body], pair.slave_surface, partition)
     , master(pair.master_body, model.bodies[pair.master_body], pair.master_surface, partition)
-    , contact(*slave.surface, *master.surface, pair.options)
+    , contact(*slave.facets, *master.facets, pair.options)
     , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
   {
     slave.active  = &contact.active_slave_nodes();

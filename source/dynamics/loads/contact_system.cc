@@ -6,7 +6,6 @@
 #include <vfife/dynamics/loads/contact_system.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vfife
 {
@@ -22,29 +21,29 @@ namespace vfife
       return {turn * motion.rotation, turn * motion.translation + duration * rate.velocity};
     }
 
-    /** Adds up over the ranks what belongs to the active nodes of all sides, 3 numbers a node: the
-     * owner of a node has it, all others zero, so that sums are exact copies. */
+    /** Adds up over the ranks what belongs to the active nodes of all surfaces, 3 numbers a node:
+     * the owner of a node has it, all others zero, so that sums are exact copies. */
     void sum_over_ranks(const std::vector<std::unique_ptr<ContactOfPair>> &pairs,
-                        std::vector<double> ContactSide::*values,
-                        std::vector<double>              &buffer,
-                        const Communicator               &communicator)
+                        std::vector<double> ContactSurface::*values,
+                        std::vector<double>                 &buffer,
+                        const Communicator                  &communicator)
     {
       if (communicator.size() == 1)
         return;
       buffer.clear();
       for (const auto &pair : pairs)
-        for (const ContactSide *side : pair->sides())
-          for (const unsigned int i : *side->active)
+        for (const ContactSurface *surface : pair->surfaces())
+          for (const unsigned int i : *surface->active)
             buffer.insert(buffer.end(),
-                          (side->*values).begin() + 3 * i,
-                          (side->*values).begin() + 3 * i + 3);
+                          (surface->*values).begin() + 3 * i,
+                          (surface->*values).begin() + 3 * i + 3);
       communicator.sum(buffer);
       const double *record = buffer.data();
       for (const auto &pair : pairs)
-        for (ContactSide *side : pair->sides())
-          for (const unsigned int i : *side->active)
+        for (ContactSurface *surface : pair->surfaces())
+          for (const unsigned int i : *surface->active)
             {
-              std::copy_n(record, 3, (side->*values).data() + 3 * i);
+              std::copy_n(record, 3, (surface->*values).data() + 3 * i);
               record += 3;
             }
     }
@@ -74,25 +73,17 @@ namespace vfife
 
   double ContactSystem::vote_on_step(const double element_step) const
   {
-    // omega^2 of elements and of springs between two nodes add at most: (4/dt^2) = (4/dt_e^2) + 2
-    // eps A/m.
+    // A surface node is in one pair at a time: the pairs' springs do not add up.
     double dt = element_step;
     for (const auto &pair : pairs_)
-      {
-        const ContactOptions &options = pair->definition.options;
-        const double          inverse_square =
-          options.penalty_from_step
-                     ? 1. / (element_step * element_step * (1. - 0.5 * options.penalty_fraction))
-                     : 1. / (element_step * element_step) + 0.5 * options.penalty / pair->mass_per_area;
-        dt = std::min(dt, 1. / std::sqrt(inverse_square));
-      }
+      dt = std::min(dt, pair->penalty().vote_on_step(element_step, pair->mass_per_area));
     return dt;
   }
 
   void ContactSystem::set_penalties(const double dt)
   {
     for (const auto &pair : pairs_)
-      pair->contact.set_penalty(pair->definition.options.penalty_for(pair->mass_per_area, dt),
+      pair->contact.set_penalty(pair->penalty().value_for_step(pair->mass_per_area, dt),
                                 pair->mass_per_area);
   }
 
@@ -117,9 +108,9 @@ namespace vfife
       later.push_back(move_on(body_motion[b], rates[b], duration));
     std::vector<double> deformations;
     for (const auto &pair : pairs_)
-      for (const ContactSide *side : pair->sides())
+      for (const ContactSurface *surface : pair->surfaces())
         deformations.push_back(
-          side->largest_deformation(partition_, body_motion[side->body], positions));
+          surface->largest_deformation(partition_, body_motion[surface->body], positions));
     communicator_.max(deformations);
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
@@ -152,17 +143,17 @@ namespace vfife
     if (pairs_.empty())
       return;
     for (const auto &pair : pairs_)
-      for (ContactSide *side : pair->sides())
-        side->collect_motion(partition_, positions, velocities, needs_velocities_);
-    sum_over_ranks(pairs_, &ContactSide::positions, buffer_, communicator_);
+      for (ContactSurface *surface : pair->surfaces())
+        surface->collect_motion(partition_, positions, velocities, needs_velocities_);
+    sum_over_ranks(pairs_, &ContactSurface::positions, buffer_, communicator_);
     if (needs_velocities_)
-      sum_over_ranks(pairs_, &ContactSide::velocities, buffer_, communicator_);
+      sum_over_ranks(pairs_, &ContactSurface::velocities, buffer_, communicator_);
 
     largest_penetration_ = 0;
     sums_                = {{0., 0., 0.}};
     for (const auto &pair : pairs_)
       {
-        ContactSide &s = pair->slave, &m = pair->master;
+        ContactSurface &s = pair->slave, &m = pair->master;
         pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion[s.body]},
                                  {m.positions.data(), m.velocities.data(), body_motion[m.body]},
                                  dt,
@@ -180,26 +171,25 @@ namespace vfife
           }
       }
 
-    sum_over_ranks(pairs_, &ContactSide::forces, buffer_, communicator_);
+    sum_over_ranks(pairs_, &ContactSurface::forces, buffer_, communicator_);
     communicator_.sum(sums_.data(), sums_.size());
     for (const auto &pair : pairs_)
-      for (const ContactSide *side : pair->sides())
-        side->distribute_forces(forces);
+      for (const ContactSurface *surface : pair->surfaces())
+        surface->distribute_forces(forces);
   }
 
   void ContactSystem::add_relaxation_masses(const double         fraction,
                                             std::vector<double> &masses) const
   {
     for (const auto &pair : pairs_)
-      for (const ContactSide *side : pair->sides())
+      for (const ContactSurface *surface : pair->surfaces())
         {
-          const auto &areas = side == &pair->slave ? pair->contact.slave_node_areas()
-                                                   : pair->contact.master_node_areas();
-          for (std::size_t i = 0; i < side->local.size(); ++i)
-            if (side->local[i] != Partition::absent)
-              // Two nodes on one spring k: omega^2 = 2 k/m <= (2 fraction)^2.
-              masses[side->local[i]] +=
-                pair->contact.penalty() * areas[i] / (2 * fraction * fraction);
+          const auto &areas = surface == &pair->slave ? pair->contact.slave_node_areas()
+                                                      : pair->contact.master_node_areas();
+          for (std::size_t i = 0; i < surface->local.size(); ++i)
+            if (surface->local[i] != Partition::absent)
+              masses[surface->local[i]] +=
+                pair->penalty().relaxation_mass(pair->contact.penalty() * areas[i], fraction);
         }
   }
 } // namespace vfife

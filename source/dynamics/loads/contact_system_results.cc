@@ -40,12 +40,13 @@ namespace vfife
           const double ratio = -point.gap / pair->penetration_limit();
           if (!(ratio > deepest))
             continue;
-          deepest                    = ratio;
-          const ContactSide &pressed = point.swapped ? pair->slave : pair->master;
-          const ContactSide &from    = point.swapped ? pair->master : pair->slave;
-          const auto         place   = [&](const ContactSide &side, const unsigned int facet) {
-            return "\"" + model_.bodies[side.body].name() + "\", tooth or group " +
-                   std::to_string(side.surface->group[facet]) + ", facet " + std::to_string(facet);
+          deepest                       = ratio;
+          const ContactSurface &pressed = point.swapped ? pair->slave : pair->master;
+          const ContactSurface &from    = point.swapped ? pair->master : pair->slave;
+          const auto place = [&](const ContactSurface &surface, const unsigned int facet) {
+            return "\"" + model_.bodies[surface.body].name() + "\", tooth or group " +
+                   std::to_string(surface.facets->group[facet]) + ", facet " +
+                   std::to_string(facet);
           };
           text.str("");
           text << pair->definition.side << " side: " << place(from, point.slave_facet) << ", is "

@@ -9,6 +9,14 @@
 
 namespace vfife
 {
+  RigidWalls::Wall::Wall(const RigidWall &wall)
+    : definition(&wall)
+    , law(wall.penalty.law(wall.penalty))
+    , mass_per_area(std::numeric_limits<double>::infinity())
+    , penalty(wall.penalty.value)
+  {
+  }
+
   RigidWalls::RigidWalls(const Model        &model,
                          const Partition    &partition,
                          const Communicator &communicator)
@@ -18,8 +26,7 @@ namespace vfife
       {
         const Body &body  = model.bodies[definition.body];
         const auto  areas = compute_nodal_areas(body, definition.nodes);
-        Wall        wall{
-          &definition, std::numeric_limits<double>::infinity(), definition.penalty, 0, 0, 0, {}};
+        Wall        wall(definition);
         for (std::size_t i = 0; i < areas.size(); ++i)
           if (areas[i] > 0)
             {
@@ -42,49 +49,51 @@ namespace vfife
   {
     double dt = step;
     for (const Wall &wall : walls_)
-      {
-        const RigidWall &w = *wall.definition;
-        dt =
-          std::min(dt,
-                   w.penalty_from_step
-                     ? step * std::sqrt(1. - 0.25 * w.penalty_fraction)
-                     : 1. / std::sqrt(1. / (step * step) + 0.25 * w.penalty / wall.mass_per_area));
-      }
+      dt = std::min(dt, wall.options().vote_on_step(step, wall.mass_per_area));
     return dt;
   }
 
   void RigidWalls::set_penalties(const double dt)
   {
     for (Wall &wall : walls_)
-      if (wall.definition->penalty_from_step)
-        wall.penalty = wall.definition->penalty_fraction * wall.mass_per_area / (dt * dt);
+      wall.penalty = wall.options().value_for_step(wall.mass_per_area, dt);
   }
 
   void RigidWalls::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
   {
     for (const Wall &wall : walls_)
       for (const Node &node : wall.nodes)
-        masses[node.local] += wall.penalty * node.area / (4 * fraction * fraction);
+        masses[node.local] += wall.options().relaxation_mass(wall.penalty * node.area, fraction);
   }
 
   void RigidWalls::add_forces(const NodeField &positions, NodeField &forces)
   {
     for (Wall &wall : walls_)
       {
-        wall.force = wall.energy = wall.penetration = 0;
         const Vector3 &n = wall.definition->normal, &p = wall.definition->point;
+        wall.touching.clear();
+        wall.pressed.clear();
         for (const Node &node : wall.nodes)
           {
             const double depth = -n.dot(positions.value(node.local) - p);
             if (!(depth > 0))
               continue;
-            const double force = wall.penalty * node.area * depth;
-            forces.add(node.local, force * n);
-            wall.penetration = std::max(wall.penetration, depth);
+            wall.touching.push_back(&node);
+            wall.pressed.push_back({depth, wall.penalty * node.area});
+          }
+        wall.law->evaluate(wall.pressed);
+
+        wall.force = wall.energy = wall.penetration = 0;
+        for (std::size_t k = 0; k < wall.pressed.size(); ++k)
+          {
+            const Node         &node    = *wall.touching[k];
+            const PressedPoint &pressed = wall.pressed[k];
+            forces.add(node.local, pressed.pressure * n);
+            wall.penetration = std::max(wall.penetration, pressed.penetration);
             if (node.owned)
               {
-                wall.force += force;
-                wall.energy += 0.5 * force * depth;
+                wall.force += pressed.pressure;
+                wall.energy += pressed.energy;
               }
           }
       }

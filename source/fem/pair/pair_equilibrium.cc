@@ -43,20 +43,20 @@ namespace vfife
         set_position(turn);
         find_candidates();
         for (const auto &pair : pairs_)
-          for (const Side *side : {&pair->slave, &pair->master})
-            for (const unsigned int i : pair->active(*side))
-              points.insert(side->first_point + side->surface.nodes[i]);
+          for (const Surface *surface : {&pair->slave, &pair->master})
+            for (const unsigned int i : pair->active(*surface))
+              points.insert(surface->first_point + surface->facets.nodes[i]);
       }
     compliance_.watch({points.begin(), points.end()});
     const std::vector<unsigned int> &watched = compliance_.watched();
     for (const auto &pair : pairs_)
-      for (Side *side : {&pair->slave, &pair->master})
-        for (std::size_t i = 0; i < side->place.size(); ++i)
+      for (Surface *surface : {&pair->slave, &pair->master})
+        for (std::size_t i = 0; i < surface->place.size(); ++i)
           {
-            const unsigned int point = side->first_point + side->surface.nodes[i];
+            const unsigned int point = surface->first_point + surface->facets.nodes[i];
             const auto         found = std::lower_bound(watched.begin(), watched.end(), point);
             if (found != watched.end() && *found == point)
-              side->place[i] = found - watched.begin();
+              surface->place[i] = found - watched.begin();
           }
   }
 
@@ -98,12 +98,12 @@ namespace vfife
                                     pair->margin());
   }
 
-  double PairEquilibrium::load(const double part) const
+  double PairEquilibrium::load(const double load_factor) const
   {
     double sum = 0;
     for (const Torque &torque : model_.torques)
       if (torque.body == model_.transmission->driven)
-        sum += part * torque.value;
+        sum += load_factor * torque.value;
     return sum;
   }
 
@@ -141,13 +141,13 @@ namespace vfife
   void PairEquilibrium::move(Pair &pair, const Eigen::VectorXd &u)
   {
     const Discretization &d = compliance_.discretization();
-    for (Side *side : {&pair.slave, &pair.master})
-      for (const unsigned int i : pair.active(*side))
+    for (Surface *surface : {&pair.slave, &pair.master})
+      for (const unsigned int i : pair.active(*surface))
         {
-          const Vector3 &X = d.points()[side->first_point + side->surface.nodes[i]];
-          Eigen::Map<Vector3>(side->positions.data() + 3 * i) =
-            place(side->body, X + u.segment<3>(3 * side->place[i]));
-          std::fill_n(side->forces.data() + 3 * i, 3, 0.);
+          const Vector3 &X = d.points()[surface->first_point + surface->facets.nodes[i]];
+          Eigen::Map<Vector3>(surface->positions.data() + 3 * i) =
+            place(surface->body, X + u.segment<3>(3 * surface->place[i]));
+          std::fill_n(surface->forces.data() + 3 * i, 3, 0.);
         }
   }
 
@@ -164,7 +164,7 @@ namespace vfife
         // and its forces are turned back into the axes of time zero. At rest: velocities and
         // time step are zero.
         move(*pair, u);
-        Side &s = pair->slave, &m = pair->master;
+        Surface &s = pair->slave, &m = pair->master;
         pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion(s.body)},
                                  {m.positions.data(), m.velocities.data(), body_motion(m.body)},
                                  0.,
@@ -174,14 +174,15 @@ namespace vfife
                                  m.forces.data());
         for (const GroupPairResult &result : pair->contact.results())
           trial.energy += result.energy;
-        for (const Side *side : {&s, &m})
-          for (const unsigned int i : pair->active(*side))
+        for (const Surface *surface : {&s, &m})
+          for (const unsigned int i : pair->active(*surface))
             {
-              const Vector3 f = Eigen::Map<const Vector3>(side->forces.data() + 3 * i);
-              trial.force.segment<3>(3 * side->place[i]) += rotations_[side->body].transpose() * f;
-              if (side->body == driven)
+              const Vector3 f = Eigen::Map<const Vector3>(surface->forces.data() + 3 * i);
+              trial.force.segment<3>(3 * surface->place[i]) +=
+                rotations_[surface->body].transpose() * f;
+              if (surface->body == driven)
                 trial.torque += axis.direction.dot(
-                  (Eigen::Map<const Vector3>(side->positions.data() + 3 * i) - axis.point)
+                  (Eigen::Map<const Vector3>(surface->positions.data() + 3 * i) - axis.point)
                     .cross(f));
             }
       }
@@ -199,8 +200,8 @@ namespace vfife
       {
         set_turn(turn);
         move(pair, base);
-        const Side  &s = pair.slave, &m = pair.master;
-        const double gap =
+        const Surface &s = pair.slave, &m = pair.master;
+        const double   gap =
           pair.contact
             .smallest_gap({s.positions.data(), s.velocities.data(), body_motion(s.body)},
                           {m.positions.data(), m.velocities.data(), body_motion(m.body)},

@@ -15,24 +15,27 @@ namespace vfife
   constexpr unsigned int not_watched = static_cast<unsigned int>(-1);
 
   /** One surface of a contact pair, its nodes' places among the watched points, their motion. */
-  struct PairEquilibrium::Side
+  struct PairEquilibrium::Surface
   {
     unsigned int              body;
-    const FacetSurface       &surface;
+    const FacetSurface       &facets;
     unsigned int              first_point; ///< of the body
     std::vector<unsigned int> place;       ///< among the watched points, or not_watched
     std::vector<double>       mass, positions, velocities, forces;
 
-    Side(const Model &model, const Discretization &d, const unsigned int b, const std::string &name)
+    Surface(const Model          &model,
+            const Discretization &d,
+            const unsigned int    b,
+            const std::string    &name)
       : body(b)
-      , surface(model.bodies[b].mesh().surfaces.at(name))
+      , facets(model.bodies[b].mesh().surfaces.at(name))
       , first_point(d.find_part(b)->first_point)
-      , place(surface.nodes.size(), not_watched)
-      , positions(3 * surface.nodes.size(), 0.)
-      , velocities(3 * surface.nodes.size(), 0.)
-      , forces(3 * surface.nodes.size(), 0.)
+      , place(facets.nodes.size(), not_watched)
+      , positions(3 * facets.nodes.size(), 0.)
+      , velocities(3 * facets.nodes.size(), 0.)
+      , forces(3 * facets.nodes.size(), 0.)
     {
-      for (const unsigned int node : surface.nodes)
+      for (const unsigned int node : facets.nodes)
         mass.push_back(model.bodies[b].node_masses()[node]);
     }
   };
@@ -40,21 +43,21 @@ namespace vfife
   struct PairEquilibrium::Pair
   {
     const ContactPair &definition;
-    Side               slave, master;
+    Surface            slave, master;
     Contact            contact;
 
     Pair(const ContactPair &pair, const Model &model, const Discretization &d, const double penalty)
       : definition(pair)
       , slave(model, d, pair.slave_body, pair.slave_surface)
       , master(model, d, pair.master_body, pair.master_surface)
-      , contact(slave.surface, master.surface, pair.options)
+      , contact(slave.facets, master.facets, pair.options)
     {
       contact.set_penalty(penalty, contact.mass_per_area(slave.mass, master.mass));
     }
 
-    const std::vector<unsigned int> &active(const Side &side) const
+    const std::vector<unsigned int> &active(const Surface &surface) const
     {
-      return &side == &slave ? contact.active_slave_nodes() : contact.active_master_nodes();
+      return &surface == &slave ? contact.active_slave_nodes() : contact.active_master_nodes();
     }
     /** Undeformed flanks may be apart by this and touch under load [mm]. */
     double margin() const

@@ -30,31 +30,33 @@ namespace vfife
     Tangent             tangent;
     std::vector<double> inverse, by_turn;
     tangent.arm = model_.transmission->arm;
+    // Every spring as directions at the watched points, in the axes of time zero, with the way that
+    // a turn of the driven body makes along them.
     for (const auto &pair : pairs_)
       for (const ContactSpring &spring : pair->contact.springs())
         {
-          std::array<std::pair<unsigned int, Vector3>, 8> nodes;
-          double                                          turned = 0;
-          const auto                                      add = [&](const Side                        &side,
+          auto  &nodes  = tangent.springs.emplace_back();
+          double turned = 0;
+
+          const auto add = [&](const Surface                     &surface,
                                const std::array<unsigned int, 4> &corners,
                                const std::array<double, 4>       &weights,
                                const double                       sign,
                                const unsigned int                 first) {
             for (unsigned int k = 0; k < 4; ++k)
               {
-                const Vector3 f = sign * weights[k] * spring.direction;
-                nodes[first + k] = {side.place[corners[k]], rotations_[side.body].transpose() * f};
-                if (side.body == driven)
-                  turned += f.dot(axis.direction.cross(
-                    Eigen::Map<const Vector3>(side.positions.data() + 3 * corners[k]) -
-                    axis.point));
+                const Vector3                   f = sign * weights[k] * spring.direction;
+                const Eigen::Map<const Vector3> x(surface.positions.data() + 3 * corners[k]);
+                nodes[first + k] = {surface.place[corners[k]],
+                                    rotations_[surface.body].transpose() * f};
+                if (surface.body == driven)
+                  turned += f.dot(axis.direction.cross(x - axis.point));
               }
           };
-          const Side &slave  = spring.swapped ? pair->master : pair->slave;
-          const Side &master = spring.swapped ? pair->slave : pair->master;
+          const Surface &slave  = spring.swapped ? pair->master : pair->slave;
+          const Surface &master = spring.swapped ? pair->slave : pair->master;
           add(slave, spring.slave_nodes, spring.slave_weights, 1., 0);
           add(master, spring.master_nodes, spring.master_weights, -1., 4);
-          tangent.springs.push_back(nodes);
           inverse.push_back(1. / spring.stiffness);
           by_turn.push_back(turned);
         }
@@ -62,7 +64,8 @@ namespace vfife
     tangent.inverse_stiffness = Eigen::Map<Eigen::VectorXd>(inverse.data(), n);
     tangent.by_turn           = Eigen::Map<Eigen::VectorXd>(by_turn.data(), n);
 
-    // [D^-1 + B^T A B, -b; b^T, 0], the turn counted as a way at the arm.
+    // [D^-1 + B^T A B, -b; b^T, 0], the turn counted as a way at the arm: what the springs give
+    // way by themselves and the compliance A of the bodies, and the balance of torques.
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 1, n + 1);
     for (std::size_t i = 0; i < n; ++i)
       {
@@ -85,14 +88,15 @@ namespace vfife
     const double start = now.potential(load);
     const double scale = 0.5 * std::abs(now.force.dot(now.deflection)) + now.trial.energy +
                          std::abs(load * (full.turn - now.turn));
-    double  part = 1;
+    // Half the step until the potential energy does not grow and something is still pressed.
+    double  step = 1;
     Iterate next;
-    for (unsigned int i = 0;; ++i, part *= 0.5)
+    for (unsigned int i = 0;; ++i, step *= 0.5)
       {
         // Deflections belong to forces linearly, so that both are cut by the same part.
-        next.force         = now.force + part * (full.force - now.force);
-        next.deflection    = now.deflection + part * (full.deflection - now.deflection);
-        next.turn          = now.turn + part * (full.turn - now.turn);
+        next.force         = now.force + step * (full.force - now.force);
+        next.deflection    = now.deflection + step * (full.deflection - now.deflection);
+        next.turn          = now.turn + step * (full.turn - now.turn);
         next.trial         = evaluate(base + next.deflection, next.turn);
         const bool presses = next.trial.energy > 0;
         if ((presses && next.potential(load) <= start + energy_round_off * scale) ||
@@ -135,7 +139,7 @@ namespace vfife
       }
   }
 
-  PairEquilibriumResult PairEquilibrium::solve(const double driver_turn, const double part)
+  PairEquilibriumResult PairEquilibrium::solve(const double driver_turn, const double load_factor)
   {
     PairEquilibriumResult result;
     result.driver_turn = driver_turn;
@@ -143,10 +147,10 @@ namespace vfife
 
     // What the bodies do without contact; Newton's method adds the deflection by contact forces.
     const Eigen::VectorXd base =
-      at_watched(compliance_.spun()) + part * at_watched(compliance_.twisted());
-    Iterate now = press_rigid(base, load(part));
-    balance(base, load(part), now, result);
-    report(now, part, result);
+      at_watched(compliance_.spun()) + load_factor * at_watched(compliance_.twisted());
+    Iterate now = press_rigid(base, load(load_factor));
+    balance(base, load(load_factor), now, result);
+    report(now, load_factor, result);
     return result;
   }
 
@@ -172,7 +176,9 @@ namespace vfife
     return result;
   }
 
-  void PairEquilibrium::report(const Iterate &now, const double part, PairEquilibriumResult &result)
+  void PairEquilibrium::report(const Iterate         &now,
+                               const double           load_factor,
+                               PairEquilibriumResult &result)
   {
     result.turn           = now.turn;
     result.contact_torque = model_.transmission->driven_sense * now.trial.torque;
@@ -181,7 +187,7 @@ namespace vfife
         if (group.normal_force > 0)
           result.teeth.push_back(make_tooth_contact(model_, pair->definition, group));
 
-    // Per part of the torque the bodies twist further, and the springs answer.
+    // Per unit of the load factor the bodies twist further, and the springs answer.
     const Tangent         tangent = linearize();
     const auto            change  = tangent.solve(at_watched(compliance_.twisted()), load(1.));
     const Eigen::VectorXd slope   = tangent.spread(change.first, now.force.size());
@@ -199,7 +205,7 @@ namespace vfife
     result.displacement_slope = compliance_.solve(spread(slope));
     for (std::size_t i = 0; i < result.displacements.size(); ++i)
       {
-        result.displacements[i] += compliance_.spun()[i] + part * compliance_.twisted()[i];
+        result.displacements[i] += compliance_.spun()[i] + load_factor * compliance_.twisted()[i];
         result.displacement_slope[i] += compliance_.twisted()[i];
       }
   }

@@ -38,28 +38,18 @@ namespace vfife
     selection.declare(prm);
     declare_vector(prm, "wall point", wall.point, "mm", "Point of the wall");
     declare_vector(prm, "wall normal", wall.normal, "-", "Direction out of the wall");
-    declare_switch(prm,
-                   "penalty from step",
-                   wall.penalty_from_step,
-                   "Whether the penalty follows from the time step");
-    declare_number(prm,
-                   "penalty fraction",
-                   wall.penalty_fraction,
-                   "Penalty over least nodal mass per area and square of the step",
-                   Range::between(1e-6, 2.));
-    declare_quantity(prm,
-                     "penalty",
-                     wall.penalty,
-                     "N/mm^3",
-                     "Pressure per depth where it does not follow from the step",
-                     Range::positive());
+    wall.penalty.declare(prm);
   }
 
   void ContactPairOptions::check(const std::string &section) const
   {
     if (kind == Kind::bodies)
-      contact.check(section);
-    else if (wall.normal.norm() == 0)
+      {
+        contact.check(section);
+        return;
+      }
+    wall.penalty.check(section);
+    if (wall.normal.norm() == 0)
       throw InputError(section + "/wall normal", "a direction of length zero");
   }
 

@@ -2,47 +2,49 @@
 #ifndef vfife_contact_law_contact_law_h
 #define vfife_contact_law_contact_law_h
 
-#include <vfife/base/types.h>
-
-#include <algorithm>
-#include <cmath>
+#include <memory>
+#include <vector>
 
 namespace vfife
 {
-  /** Pressure and friction at one point: unilateral penalty, gap-rate damping, regularized Coulomb
-   * friction. */
-  struct ContactLaw
+  struct PenaltyOptions;
+
+  /** What goes into a contact law at a point, and what comes out; with the penalty times the
+   * point's area also force [N], energy [mJ] and stiffness [N/mm]. */
+  struct PressedPoint
   {
-    double penalty        = 0.; ///< [N/mm^3]
-    double damping        = 0.; ///< pressure per closing speed [N s/mm^3]
-    double friction       = 0.; ///< coefficient [-]
-    double regularization = 1.; ///< velocity [mm/s]
-    double mass_per_area_by_dt =
-      0.; ///< largest stable traction per sliding speed [N s/mm^3]; 0: unbounded
-
-    /**
-     * p = max(0, eps (-g) - c g') for a gap g < 0 [mm] and its rate g' [mm/s]: never adhesive
-     * [MPa].
-     */
-    double pressure(const double gap, const double gap_rate) const
-    {
-      return std::max(0., -penalty * gap - damping * gap_rate);
-    }
-
-    /**
-     * Friction traction on the slave [MPa] against the sliding velocity @p slip [mm/s] of the slave
-     * over the master, -mu p s / sqrt(|s|^2 + v_r^2). The slope mu p/v_r acts as a dashpot on the
-     * nodes: v_r is raised to mu p dt/(m/A) where the step could not carry it.
-     */
-    Vector3 friction_traction(const double pressure, const Vector3 &slip) const
-    {
-      const double strength = friction * pressure;
-      double       v_r      = regularization;
-      if (mass_per_area_by_dt > 0.)
-        v_r = std::max(v_r, strength / mass_per_area_by_dt);
-      return (-strength / std::sqrt(slip.squaredNorm() + v_r * v_r)) * slip;
-    }
+    double penetration = 0.; ///< h, positive [mm]
+    double penalty     = 0.; ///< eps [N/mm^3]
+    double pressure    = 0.; ///< p(h) [MPa]
+    double energy      = 0.; ///< integral of p from 0 to h [mJ/mm^2]
+    double tangent     = 0.; ///< dp/dh [N/mm^3]
   };
+
+  /**
+   * The elastic pressure between two surfaces, or a body and a rigid wall, by their penetration h.
+   *
+   * p(0) = 0, p grows with h, and p is proportional to the penalty eps, which scales the law. The
+   * tangent is at most eps: the stable step is that of springs of the stiffness eps
+   * (PenaltyOptions). A law that stiffens with h goes on with the slope eps from where it has
+   * reached it.
+   */
+  class ContactLaw
+  {
+  public:
+    virtual ~ContactLaw() = default;
+
+    /** From penetration and penalty of all points that a pair of groups (teeth) or a wall presses:
+     * pressure, energy and tangent. One call for all of them, as it is part of every step. */
+    virtual void evaluate(std::vector<PressedPoint> &points) const = 0;
+  };
+
+  using MakeContactLaw = std::unique_ptr<const ContactLaw> (*)(const PenaltyOptions &options);
+
+  template <typename Law>
+  std::unique_ptr<const ContactLaw> make_contact_law(const PenaltyOptions &options)
+  {
+    return std::make_unique<const Law>(options);
+  }
 } // namespace vfife
 
 #endif

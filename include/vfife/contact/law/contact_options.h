@@ -3,6 +3,7 @@
 #define vfife_contact_law_contact_options_h
 
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/contact/law/penalty_options.h>
 
 #include <string>
 
@@ -34,9 +35,7 @@ namespace vfife
     ContactSurfaceKind    surface          = ContactSurfaceKind::true_flank;
     unsigned int          points_per_facet = 3; ///< Gauss points per direction
 
-    bool   penalty_from_step = true; ///< penalty = penalty_fraction * min(m/A) / dt^2
-    double penalty_fraction  = 0.5;  ///< [-]
-    double penalty           = 1e6;  ///< [N/mm^3], used when not taken from the step
+    PenaltyOptions penalty;
 
     double damping_ratio           = 0.; ///< of the critical gap-rate damping of a surface node [-]
     double friction_coefficient    = 0.; ///< [-]
@@ -56,14 +55,6 @@ namespace vfife
     /** Throws InputError when the options contradict each other (entries named relative to @p
      * section). */
     void check(const std::string &section) const;
-
-    /**
-     * Penalty [N/mm^3] that keeps the central differences stable: penalty_fraction * mass_per_area
-     * / dt^2 with the least nodal mass per tributary area [t/mm^2] of both surfaces, or the given
-     * penalty. With a fraction f the contact adds at most 2 f/dt^2 to the square of the highest
-     * circular frequency (two nodes press on each other), of 4/dt^2 allowed.
-     */
-    double penalty_for(double mass_per_area, double dt) const;
   };
 } // namespace vfife
 

@@ -188,7 +188,7 @@ namespace vfife
     /** @p curved: the facets stand for the surface given by offsets and normals. */
     SurfaceGeometry(const FacetSurface &surface, bool curved, EdgeRelief relief);
 
-    void           check(const FacetSurface &surface) const;
+    void           check_arrays(const FacetSurface &surface) const;
     void           collect_groups(const FacetSurface &surface);
     void           connect(const FacetSurface &surface);
     void           compute_areas();

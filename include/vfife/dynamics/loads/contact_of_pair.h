@@ -14,12 +14,12 @@ namespace vfife
 {
   /** One surface of a contact pair in the explicit loop: its nodes' place in the arrays of this
    * rank, and their motion and forces by surface node. */
-  struct ContactSide
+  struct ContactSurface
   {
-    ContactSide(unsigned int       body_index,
-                const Body        &body,
-                const std::string &surface_name,
-                const Partition   &partition);
+    ContactSurface(unsigned int       body_index,
+                   const Body        &body,
+                   const std::string &surface_name,
+                   const Partition   &partition);
 
     /** Brings the active nodes' motion from the fields of this rank, zero where another rank owns
      * the node, and clears their forces. */
@@ -38,7 +38,7 @@ namespace vfife
                                const NodeField   &positions) const;
 
     unsigned int                     body;
-    const FacetSurface              *surface;
+    const FacetSurface              *facets;
     std::vector<std::uint32_t>       local; ///< local node of each surface node, or absent
     std::vector<double>              mass;  ///< [t]
     std::vector<double>              positions, velocities, forces;
@@ -56,13 +56,18 @@ namespace vfife
       return definition.options.penetration_limit * contact.depth_limit();
     }
 
-    std::array<ContactSide *, 2> sides()
+    const PenaltyOptions &penalty() const
+    {
+      return definition.options.penalty;
+    }
+
+    std::array<ContactSurface *, 2> surfaces()
     {
       return {{&slave, &master}};
     }
 
     const ContactPair &definition;
-    ContactSide        slave, master;
+    ContactSurface     slave, master;
     Contact            contact;
     double             mass_per_area;
   };

@@ -5,6 +5,7 @@
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
+#include <memory>
 #include <vector>
 
 namespace vfife
@@ -54,11 +55,24 @@ namespace vfife
     };
     struct Wall
     {
-      const RigidWall  *definition;
-      double            mass_per_area;              ///< least of its nodes [t/mm^2]
-      double            penalty;                    ///< [N/mm^3]
-      double            force, energy, penetration; ///< of this rank
-      std::vector<Node> nodes;
+      explicit Wall(const RigidWall &definition);
+
+      const PenaltyOptions &options() const
+      {
+        return definition->penalty;
+      }
+
+      const RigidWall                  *definition;
+      std::unique_ptr<const ContactLaw> law;
+      double                            mass_per_area; ///< least of its nodes [t/mm^2]
+      double                            penalty;       ///< [N/mm^3]
+      std::vector<Node>                 nodes;
+
+      /** Of the last add_forces(), this rank: nodes behind the wall and what the law says of them,
+       * with the penalty times their area; sums. */
+      std::vector<const Node *> touching;
+      std::vector<PressedPoint> pressed;
+      double                    force = 0, energy = 0, penetration = 0;
     };
 
     const Communicator &communicator_;

@@ -29,8 +29,9 @@ namespace vfife
     /** Of all points (3 a point) on top of the turns, axes of time zero [mm]. */
     std::vector<double> displacements;
 
-    double              turn_slope = 0;     ///< change of turn per part of the torque [rad]
-    std::vector<double> displacement_slope; ///< change of displacements per part of the torque [mm]
+    double turn_slope = 0; ///< change of turn per unit of the load factor [rad]
+    std::vector<double>
+      displacement_slope; ///< change of displacements per unit of the load factor [mm]
 
     std::vector<ToothContact> teeth;
     std::vector<ContactTie>   ties;               ///< the linearized contact
@@ -60,9 +61,9 @@ namespace vfife
                     const std::vector<double> &driver_turns);
     ~PairEquilibrium();
 
-    /** Under @p part of the torques. Throws NumericalError, naming the position and the history of
-     * residuals. */
-    PairEquilibriumResult solve(double driver_turn, double part);
+    /** Under the torques times @p load_factor. Throws NumericalError, naming the position and the
+     * history of residuals. */
+    PairEquilibriumResult solve(double driver_turn, double load_factor);
 
     /**
      * Where the pair comes to rest when its bodies would have the displacements @p free (3 a point)
@@ -80,7 +81,7 @@ namespace vfife
     Vector3 place(unsigned int body, const Vector3 &x) const;
 
   private:
-    struct Side;
+    struct Surface;
     struct Pair;
     struct Trial;
     struct Tangent;
@@ -98,11 +99,11 @@ namespace vfife
     Eigen::VectorXd     at_watched(const std::vector<double> &u) const;
     Eigen::VectorXd     apply_compliance(const Eigen::VectorXd &force);
     std::vector<double> spread(const Eigen::VectorXd &force) const;
-    double              load(double part) const;
+    double              load(double load_factor) const;
     void search_line(const Eigen::VectorXd &base, double load, const Iterate &full, Iterate &now);
     void
     balance(const Eigen::VectorXd &base, double load, Iterate &now, PairEquilibriumResult &result);
-    void              report(const Iterate &now, double part, PairEquilibriumResult &result);
+    void              report(const Iterate &now, double load_factor, PairEquilibriumResult &result);
     [[noreturn]] void fail(const std::string &what, const std::string &history) const;
 
     const Model                       &model_;

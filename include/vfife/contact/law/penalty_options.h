@@ -1,0 +1,56 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_contact_law_penalty_options_h
+#define vfife_contact_law_penalty_options_h
+
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/contact/law/contact_laws.h>
+
+#include <string>
+
+namespace vfife
+{
+  /**
+   * The penalty eps [N/mm^3] of a contact between two bodies, or between a body and a rigid wall,
+   * and the law that it scales: entries, value for a time step, and what it does to the largest
+   * stable step.
+   *
+   * Each contact point is a spring of stiffness eps A between n nodes that move: two, or one at a
+   * wall. To the square of the highest circular frequency it adds at most n eps A/m (Gershgorin) of
+   * the 4/dt^2 that central differences allow. With eps = f (m/A)/dt^2, m/A the least nodal mass
+   * per tributary area, that is n f/dt^2: the fraction f must stay below 4/n.
+   */
+  struct PenaltyOptions
+  {
+    /** @p n_moving: bodies that give way, 2 or 1. */
+    explicit PenaltyOptions(unsigned int n_moving = 2);
+
+    unsigned int n_moving;         ///< nodes at the ends of a spring that move
+    bool         from_step = true; ///< eps = fraction * min(m/A) / dt^2
+    double       fraction  = 0.5;  ///< f [-]
+    double       value     = 1e6;  ///< eps [N/mm^3] when it is not taken from the step
+    /** Entry "contact law" where there is more than one. */
+    MakeContactLaw law = contact_laws().front().second;
+
+    /** Declares the entries in the subsection entered. */
+    void declare(dealii::ParameterHandler &prm);
+
+    /** Throws InputError naming the entry relative to @p section where a value is out of its range.
+     */
+    void check(const std::string &section) const;
+
+    /** eps [N/mm^3] at the step @p dt [s] with the least nodal mass per area [t/mm^2]. */
+    double value_for_step(double mass_per_area, double dt) const;
+
+    /** The mass per area [t/mm^2] for which a penalty is the fraction of what the step bears. */
+    double mass_per_area_for(double penalty, double dt) const;
+
+    /** Largest stable step [s] where everything else allows @p step. */
+    double vote_on_step(double step, double mass_per_area) const;
+
+    /** Mass that a node needs for a spring of @p stiffness in a relaxation with pseudo time step 1,
+     * so that omega is at most twice @p fraction. */
+    double relaxation_mass(double stiffness, double fraction) const;
+  };
+} // namespace vfife
+
+#endif
