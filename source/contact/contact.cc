@@ -226,11 +226,11 @@ namespace vfife
   }
 
 
-  void Contact::exchange(ByteStream &stream)
+  void Contact::serialize(ByteStream &stream)
   {
     stream.pass(candidate_pairs_);
     for (ContactPass &pass : passes_)
-      pass.exchange(stream);
+      pass.serialize(stream);
     if (stream.reads())
       find_active_nodes();
   }

@@ -298,7 +298,7 @@ namespace vfife
   }
 
 
-  void ContactPass::exchange(ByteStream &stream)
+  void ContactPass::serialize(ByteStream &stream)
   {
     std::size_t n = pairs_.size();
     stream.pass(n, rank_, n_ranks_, n_wide_searches_);
@@ -310,8 +310,8 @@ namespace vfife
                   pair.built_at,
                   pair.points,
                   pair.awake_at);
-    slave_path_.exchange(stream);
-    master_path_.exchange(stream);
+    slave_path_.serialize(stream);
+    master_path_.serialize(stream);
   }
 
 

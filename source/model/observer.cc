@@ -3,7 +3,7 @@
 
 namespace vfife
 {
-  void Observer::exchange(ByteStream &)
+  void Observer::serialize(ByteStream &)
   {
   }
 

@@ -20,7 +20,7 @@ namespace
     std::vector<std::vector<Vector3>>           lists;
     std::vector<std::pair<std::string, double>> pairs;
 
-    void exchange(ByteStream &stream)
+    void serialize(ByteStream &stream)
     {
       stream.pass(number, answer, text, vector, motion, lists, pairs);
     }
@@ -53,10 +53,10 @@ int main()
   values.lists                 = {{}, {Vector3(4, 5, 6), Vector3(7, 8, 9)}};
   values.pairs                 = {{"x", 1}, {"", 2}};
   ByteStream written;
-  values.exchange(written);
+  values.serialize(written);
   ByteStream stored(written.bytes());
   Values     again;
-  again.exchange(stored);
+  again.serialize(stored);
   check("directions", !written.reads() && stored.reads());
   check("numbers and texts",
         again.number == values.number && again.answer && again.text == values.text);
@@ -71,21 +71,21 @@ int main()
   table.add_row({1.5, "one"});
   table.add_row({2.5, "two"});
   ByteStream rows;
-  table.exchange_rows(rows);
+  table.serialize_rows(rows);
   const std::string last = table.csv_row(1);
   table.clear_rows();
   ByteStream stored_rows(rows.bytes());
-  table.exchange_rows(stored_rows);
+  table.serialize_rows(stored_rows);
   check("rows of a table", table.n_rows() == 2 && table.csv_row(1) == last);
 
   refuse([&] {
     ByteStream part(written.bytes().substr(0, written.bytes().size() - 1));
-    again.exchange(part);
+    again.serialize(part);
   });
   refuse([&] {
     Table other;
     other.add_column("length", "m");
     ByteStream from(rows.bytes());
-    other.exchange_rows(from);
+    other.serialize_rows(from);
   });
 }

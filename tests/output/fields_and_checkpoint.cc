@@ -259,16 +259,16 @@ namespace
     Model      model = make_model();
     ByteStream written;
     model.probes.push_back({"p", 1, 7});
-    exchange_model(written, model);
+    serialize_model(written, model);
     model.probes[0].node = 3;
     ByteStream again(written.bytes());
-    exchange_model(again, model);
+    serialize_model(again, model);
     check("probes stay where they were", model.probes[0].node == 7);
     Model other = make_model(4.001);
     try
       {
         ByteStream third(written.bytes());
-        exchange_model(third, other);
+        serialize_model(third, other);
         check("refused", false);
       }
     catch (const InputError &error)

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Study kind linear static against closed forms: loads, springs, histories, reactions, led
+// Study kind linear static against closed forms: loads, springs, histories, reactions, prescribed
 // displacements, spin; what it refuses; a gear pair's members in their turning axes.
 #include "../tests.h"
-#include "led_ring.h"
+#include "prescribed_ring.h"
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
@@ -169,20 +169,20 @@ end
                 2e-4);
   }
 
-  void led(Communicator &world)
+  void prescribed_ring_cases(Communicator &world)
   {
     auto         ring = run_static("linear_ring",
-                           led_ring() + "subsection Output\n set verbosity = quiet\nend\n",
+                           prescribed_ring() + "subsection Output\n set verbosity = quiet\nend\n",
                            world);
     const double a = 20, b = 40, nu = 0.29;
     // Lame, plane stress; chords of 6 degrees, ten cells: some 1e-3.
     const double grown =
       0.01 * ((1 - nu) * b + (1 + nu) * b) / ((1 - nu) * a + (1 + nu) * b * b / a);
-    check_close("led radius: growth outside over Lame's",
+    check_close("prescribed radius: growth outside over Lame's",
                 ring["outer displacement r"].back() / grown,
                 1.,
                 5e-3);
-    check_close("led angle: way outside over r phi",
+    check_close("prescribed angle: way outside over r phi",
                 ring["outer displacement theta"].back() / (40 * pi / 360),
                 1.,
                 1e-8);
@@ -242,7 +242,7 @@ int main(int argc, char **argv)
   pulled(session.world());
   bent(session.world());
   spun(session.world());
-  led(session.world());
+  prescribed_ring_cases(session.world());
   pair(session.world());
   errors(session.world());
 }

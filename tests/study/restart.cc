@@ -78,7 +78,7 @@ namespace
     std::cout << name << ": exit code " << ending.exit_code << "\n" << text;
   }
 
-  void go_on_after_the_end()
+  void resume_after_the_end()
   {
     // The end of a short run is a stop at a step that is known.
     const std::string steps = "Dynamics/largest number of steps=";
@@ -92,7 +92,7 @@ namespace
           log.find("step 57") != std::string::npos && log.find("step 131") != std::string::npos);
   }
 
-  void go_on_after_signals()
+  void resume_after_signals()
   {
     const std::size_t third = fs::file_size("whole/history.csv") / 3;
     Ending ending = run_program(command("killed"), when_written("killed", third), SIGKILL);
@@ -117,7 +117,7 @@ namespace
   }
 
   /** Half of the run on one rank, the rest on two. */
-  void go_on_with_more_ranks()
+  void resume_with_more_ranks()
   {
     run_program(command("ranks", {"--set", "Dynamics/largest number of steps=100"}));
     std::vector<std::string> words = command("ranks", {"--restart"});
@@ -189,9 +189,9 @@ int main()
   const Ending whole = run_program(command("whole"));
   std::cout << whole.text;
   check("run without a stop", whole.exit_code == 0);
-  go_on_after_the_end();
-  go_on_after_signals();
-  go_on_with_more_ranks();
+  resume_after_the_end();
+  resume_after_signals();
+  resume_with_more_ranks();
   refuse_others();
   report_full_disk();
 }

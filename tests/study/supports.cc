@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Supports of general models against closed forms: springs to the ground, and radius and angle that
-// are led.
+// are prescribed.
 #include "../tests.h"
-#include "led_ring.h"
+#include "prescribed_ring.h"
 #include "quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
@@ -114,7 +114,7 @@ end
   void led_radius(Communicator &world)
   {
     auto ring = run_text("ring",
-                         "subsection Study\n set kind = static\nend\n" + led_ring() + R"(
+                         "subsection Study\n set kind = static\nend\n" + prescribed_ring() + R"(
 subsection Dynamics
   subsection Relaxation
     set tolerance = 1e-7
@@ -122,11 +122,11 @@ subsection Dynamics
 end
 )",
                          world);
-    check_close("led radius: displacement inside [mm]",
+    check_close("prescribed radius: displacement inside [mm]",
                 ring["inner displacement r"].back(),
                 20.01 * std::cos(pi / 360) - 20,
                 1e-9);
-    check_close("led angle: way inside [mm]",
+    check_close("prescribed angle: way inside [mm]",
                 ring["inner displacement theta"].back(),
                 20.01 * std::sin(pi / 360),
                 1e-9);
@@ -137,8 +137,8 @@ end
     const double radius =
       std::hypot(40 + ring["outer displacement r"].back(), ring["outer displacement theta"].back());
     // Chords of 6 degrees, ten cells: some 1e-3.
-    check_close("led radius: growth outside over Lame's", (radius - 40) / grown, 1., 5e-3);
-    check_close("led angle: turn outside [deg]",
+    check_close("prescribed radius: growth outside over Lame's", (radius - 40) / grown, 1., 5e-3);
+    check_close("prescribed angle: turn outside [deg]",
                 std::atan2(ring["outer displacement theta"].back(),
                            40 + ring["outer displacement r"].back()) *
                   180 / pi,

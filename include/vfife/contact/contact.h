@@ -135,7 +135,7 @@ namespace vfife
      * For checkpoints: what is known of the candidate pairs. An object of the same surfaces and
      * options that reads it goes on to the last digit, if its rank is the same.
      */
-    void exchange(ByteStream &stream);
+    void serialize(ByteStream &stream);
 
     /** Motion between wide searches [mm]. */
     double search_skin() const;

@@ -70,7 +70,7 @@ namespace vfife
                         std::vector<ContactSpring> &springs);
 
     /** For checkpoints: lists with their last projections, and paths. */
-    void exchange(ByteStream &stream);
+    void serialize(ByteStream &stream);
 
     const SurfaceGeometry &slave() const
     {

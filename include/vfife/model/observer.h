@@ -24,7 +24,7 @@ namespace vfife
     virtual void observe(const Model &model, const State &state) = 0;
 
     /** For checkpoints: passes what has been observed so far, equal on all ranks. Collective. */
-    virtual void exchange(ByteStream &stream);
+    virtual void serialize(ByteStream &stream);
 
     /** After the last step, and after a failure with the last state that was reached. */
     virtual void finish(const Model &model, const State &state);

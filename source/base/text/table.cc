@@ -100,7 +100,7 @@ namespace vfife
     add_row(std::vector<Cell>(cells));
   }
 
-  void Table::exchange_rows(ByteStream &stream)
+  void Table::serialize_rows(ByteStream &stream)
   {
     // Names and units first: rows of a run with other columns must not be mixed in.
     std::string columns = csv_header();

@@ -66,7 +66,7 @@ namespace vfife
   }
 
 
-  void GroupPath::exchange(ByteStream &stream)
+  void GroupPath::serialize(ByteStream &stream)
   {
     stream.pass(active_, lengths_, previous_);
   }

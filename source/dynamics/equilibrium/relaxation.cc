@@ -208,8 +208,8 @@ namespace vfife
       loads.hold_rotation ? std::vector<double>(masses.size(), std::numeric_limits<double>::max())
                           : masses);
 
-    // What is led goes where it belongs before the first look at the forces, which would find
-    // equilibrium in the old place.
+    // What is prescribed goes where it belongs before the first look at the forces, which would
+    // find equilibrium in the old place.
     place(state, constraints);
 
     NodeField applied = operator_.make_field();

@@ -128,10 +128,10 @@ namespace vfife
       times_->broad_search += processor_time() - start;
   }
 
-  void ContactSystem::exchange(ByteStream &stream)
+  void ContactSystem::serialize(ByteStream &stream)
   {
     for (const auto &pair : pairs_)
-      pair->contact.exchange(stream);
+      pair->contact.serialize(stream);
   }
 
   void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,

@@ -166,20 +166,20 @@ namespace vfife
     return contact_watch_.losses();
   }
 
-  void ExplicitSolver::exchange(ByteStream &common, ByteStream *own, State &state)
+  void ExplicitSolver::serialize(ByteStream &common, ByteStream *own, State &state)
   {
     Beginning beginning = beginning_.value_or(Beginning());
     common.pass(beginning, state.time, state.step, state.dt, state.body_motion);
     pass_vectors(common, *state.partition, communicator_, state.position);
     pass_vectors(common, *state.partition, communicator_, state.velocity);
-    constraints_.exchange(common, *state.partition);
+    constraints_.serialize(common, *state.partition);
     for (RigidVelocity &rate : rigid_)
       common.pass(rate.velocity, rate.omega);
-    energy_.exchange(common);
-    damping_watch_.exchange(common);
-    contact_watch_.exchange(common);
+    energy_.serialize(common);
+    damping_watch_.serialize(common);
+    contact_watch_.serialize(common);
     if (own != nullptr)
-      contact_.exchange(*own);
+      contact_.serialize(*own);
     if (!common.reads())
       return;
 

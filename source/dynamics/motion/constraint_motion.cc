@@ -25,8 +25,8 @@ namespace vfife
                                         const Model      &model,
                                         const Partition  &partition)
   {
-    const bool                              led  = constraint.kind == ConstraintKind::directions;
-    const Body                             &body = model.bodies[constraint.body];
+    const bool  prescribed = constraint.kind == ConstraintKind::directions;
+    const Body &body       = model.bodies[constraint.body];
     std::vector<std::pair<Group *, Node *>> taken(partition.n_local());
     for (Group &group : groups_)
       for (Node &node : group.nodes)
@@ -42,7 +42,7 @@ namespace vfife
         const Vector3 start = body.placement(body.node_positions()[i]) - body.axis.point;
         Node          node{local, partition.owned[local] != 0, mass, mass, start};
         for (unsigned int c = 0; c < 3; ++c)
-          node.leads[c] = led && constraint.prescribed[c] ? &constraint : nullptr;
+          node.prescribing[c] = prescribed && constraint.prescribed[c] ? &constraint : nullptr;
         const auto [known_group, known] = taken[local];
         if (known == nullptr)
           {
@@ -51,15 +51,15 @@ namespace vfife
           }
 
         const Constraint *const first = known_group->definition;
-        if (led && first->kind == ConstraintKind::held && constraint.displacement.isZero(0.))
+        if (prescribed && first->kind == ConstraintKind::held && constraint.displacement.isZero(0.))
           continue;
-        bool can_join = led && first->kind == ConstraintKind::directions &&
+        bool can_join = prescribed && first->kind == ConstraintKind::directions &&
                         first->cylindrical == constraint.cylindrical;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            can_join = can_join && !(node.leads[c] && known->leads[c]);
-            if (can_join && node.leads[c])
-              known->leads[c] = node.leads[c];
+            can_join = can_join && !(node.prescribing[c] && known->prescribing[c]);
+            if (can_join && node.prescribing[c])
+              known->prescribing[c] = node.prescribing[c];
           }
         if (!can_join)
           throw InputError("node " + std::to_string(i) + " of body \"" + body.name() +
@@ -107,15 +107,16 @@ namespace vfife
                           dt * (force / node.moved_mass - damping.mesh.at(node.old_position)) +
                           2. * half * damping.rigid.at(node.old_position)) /
                          (1. + half);
-    const Vector3   free = node.old_position + dt * node.free_velocity;
-    LedDisplacement led;
+    const Vector3          free = node.old_position + dt * node.free_velocity;
+    PrescribedDisplacement prescribed;
     for (unsigned int c = 0; c < 3; ++c)
-      if (node.leads[c])
-        led[c] = node.leads[c]->displacement[c] * factor(*node.leads[c], time + dt, frame);
+      if (node.prescribing[c])
+        prescribed[c] =
+          node.prescribing[c]->displacement[c] * factor(*node.prescribing[c], time + dt, frame);
     const Vector3 start = group.axis.point + node.start;
     return group.definition->cylindrical
-             ? place_led(group.axis, start, node.old_position, free, led)
-             : place_led(start, free, led);
+             ? place_prescribed(group.axis, start, node.old_position, free, prescribed)
+             : place_prescribed(start, free, prescribed);
   }
 
   void ConstraintMotion::set_masses(const std::vector<double> &masses)
@@ -224,12 +225,13 @@ namespace vfife
                 f               = t.dot(forces.value(node.local)) * t;
               }
             else if (group.kind == ConstraintKind::directions)
-              f = project_free(
-                group.axis,
-                group.definition->cylindrical,
-                positions.value(node.local),
-                {{node.leads[0] != nullptr, node.leads[1] != nullptr, node.leads[2] != nullptr}},
-                forces.value(node.local));
+              f = project_free(group.axis,
+                               group.definition->cylindrical,
+                               positions.value(node.local),
+                               {{node.prescribing[0] != nullptr,
+                                 node.prescribing[1] != nullptr,
+                                 node.prescribing[2] != nullptr}},
+                               forces.value(node.local));
             forces.set(node.local, f);
           }
       }

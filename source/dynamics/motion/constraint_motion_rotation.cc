@@ -122,7 +122,7 @@ namespace vfife
       accelerate(node.rate, torque_and_inertia[0] / torque_and_inertia[1]);
   }
 
-  void ConstraintMotion::exchange(ByteStream &stream, const Partition &partition)
+  void ConstraintMotion::serialize(ByteStream &stream, const Partition &partition)
   {
     std::vector<double> angles; // and rates, by node of the model
     const auto          place = [&](const Node &node) {

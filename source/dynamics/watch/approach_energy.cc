@@ -10,13 +10,13 @@ namespace vfife
   {
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
-        const bool led = std::any_of(model.constraints.begin(),
-                                     model.constraints.end(),
-                                     [b](const Constraint &constraint) {
-                                       return constraint.body == b &&
-                                              constraint.kind != ConstraintKind::directions;
-                                     });
-        bodies_.push_back({!model.bodies[b].turns_on_axis && !led, model.bodies[b].mass()});
+        const bool prescribed = std::any_of(model.constraints.begin(),
+                                            model.constraints.end(),
+                                            [b](const Constraint &constraint) {
+                                              return constraint.body == b &&
+                                                     constraint.kind != ConstraintKind::directions;
+                                            });
+        bodies_.push_back({!model.bodies[b].turns_on_axis && !prescribed, model.bodies[b].mass()});
       }
     for (const ContactPair &pair : model.contacts)
       if (bodies_[pair.slave_body].flies || bodies_[pair.master_body].flies)

@@ -40,7 +40,7 @@ namespace vfife
     touched_ = touching;
   }
 
-  void ContactWatch::exchange(ByteStream &stream)
+  void ContactWatch::serialize(ByteStream &stream)
   {
     stream.pass(losses_, touched_);
   }

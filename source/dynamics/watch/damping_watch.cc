@@ -64,7 +64,7 @@ namespace vfife
     return audit;
   }
 
-  void DampingWatch::exchange(ByteStream &stream)
+  void DampingWatch::serialize(ByteStream &stream)
   {
     stream.pass(n_steps_, n_samples_);
     for (DampingAudit &sum : sums_)

@@ -103,7 +103,7 @@ namespace vfife
     return ledger_;
   }
 
-  void EnergyBook::exchange(ByteStream &stream)
+  void EnergyBook::serialize(ByteStream &stream)
   {
     stream.pass(ledger_, at_start_, largest_approach_, has_touched_, has_sample_, has_warned_);
     stream.pass(warning_watch_, failure_watch_);

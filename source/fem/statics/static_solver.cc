@@ -288,19 +288,19 @@ namespace vfife
     const std::vector<double> spun = find_spun(loads, matrices, K);
 
     // K T q = -(K u - f) at the prescribed displacements u alone.
-    const std::vector<double> led =
+    const std::vector<double> prescribed =
       compute_prescribed_displacements(discretization_, [&loads](const Constraint &constraint) {
         return factor_of(constraint.history, loads);
       });
     double              energy = 0;
-    std::vector<double> forces = balance(loads, led, spun, energy);
+    std::vector<double> forces = balance(loads, prescribed, spun, energy);
     std::transform(forces.begin(), forces.end(), forces.begin(), std::negate<double>());
 
     StaticResult result;
     result.displacements =
       solve_system(matrices, std::move(K), assembly.restrict_forces(forces), result.n_iterations);
-    std::transform(led.begin(),
-                   led.end(),
+    std::transform(prescribed.begin(),
+                   prescribed.end(),
                    result.displacements.begin(),
                    result.displacements.begin(),
                    std::plus<double>());

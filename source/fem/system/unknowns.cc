@@ -36,16 +36,16 @@ namespace vfife
       // A small rotation: angle times a x (X - c).
       if (constraint.kind == ConstraintKind::prescribed_rotation)
         return constraint.angle.value_or(0.) * axis.direction.cross(point - axis.point);
-      Vector3 led = Vector3::Zero();
+      Vector3 prescribed = Vector3::Zero();
       if (constraint.kind == ConstraintKind::directions)
         for (unsigned int c = 0; c < 3; ++c)
           if (constraint.prescribed[c])
-            led[c] = constraint.displacement[c];
+            prescribed[c] = constraint.displacement[c];
       if (!constraint.cylindrical)
-        return led;
+        return prescribed;
       // Prescribed is an angle.
-      led[1] *= distance_from(axis, point);
-      return cylindrical_axes(axis, point) * led;
+      prescribed[1] *= distance_from(axis, point);
+      return cylindrical_axes(axis, point) * prescribed;
     }
   } // namespace
 
@@ -286,11 +286,11 @@ namespace vfife
       if (const Discretization::Part *part = discretization.find_part(constraint.body))
         for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
           {
-            const Vector3 led = prescribed_displacement(constraint,
-                                                        model.bodies[constraint.body].axis,
-                                                        discretization.points()[p]);
-            if (!led.isZero(0.))
-              Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) += factor(constraint) * led;
+            const Vector3 prescribed = prescribed_displacement(constraint,
+                                                               model.bodies[constraint.body].axis,
+                                                               discretization.points()[p]);
+            if (!prescribed.isZero(0.))
+              Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) += factor(constraint) * prescribed;
           }
     return u;
   }

@@ -44,7 +44,7 @@ namespace vfife
     }
 
     /** One order for writing and reading; what changes it raises Header::format_version. */
-    void exchange(ByteStream &stream, Checkpoint &checkpoint)
+    void serialize(ByteStream &stream, Checkpoint &checkpoint)
     {
       stream.pass(checkpoint.version, checkpoint.parameters, checkpoint.log_size);
       stream.pass(checkpoint.common, checkpoint.own);
@@ -109,7 +109,7 @@ namespace vfife
                close(mass, other.mass) && close(coordinate_sum, other.coordinate_sum);
       }
 
-      void exchange(ByteStream &stream)
+      void serialize(ByteStream &stream)
       {
         stream.pass(name, n_nodes, n_elements, mass, coordinate_sum);
       }
@@ -133,7 +133,7 @@ namespace vfife
     checkpoint.log_size   = folder.log_size();
     checkpoint.common     = common;
     ByteStream stream;
-    exchange(stream, checkpoint);
+    serialize(stream, checkpoint);
     Header header;
     header.size     = stream.bytes().size();
     header.checksum = compute_checksum(stream.bytes());
@@ -181,12 +181,12 @@ namespace vfife
     // The bytes go to all ranks, each of which takes its own part later.
     Checkpoint checkpoint;
     ByteStream stream(communicator.broadcast(bytes));
-    exchange(stream, checkpoint);
+    serialize(stream, checkpoint);
     checkpoint.file = communicator.broadcast(file);
     return checkpoint;
   }
 
-  void exchange_model(ByteStream &stream, Model &model)
+  void serialize_model(ByteStream &stream, Model &model)
   {
     // The marks are those of the writer when reading, which are compared with the present ones;
     // when writing both are the same.
@@ -199,7 +199,7 @@ namespace vfife
         // When reading, "mark" becomes what is stored; when writing it stays what is now.
         const BodyMark now(model.bodies[b]);
         BodyMark       mark = now;
-        mark.exchange(stream);
+        mark.serialize(stream);
         same = mark.is_same(now);
       }
     if (!same)

@@ -227,7 +227,7 @@ namespace vfife
     is_requested_ = true;
   }
 
-  void FieldWriter::exchange(ByteStream &stream)
+  void FieldWriter::serialize(ByteStream &stream)
   {
     // A resumed run goes on with the numbering, and its list names no file written after
     // the checkpoint.

@@ -110,7 +110,7 @@ namespace vfife
         }
   }
 
-  void PatternWriter::exchange(ByteStream &stream)
+  void PatternWriter::serialize(ByteStream &stream)
   {
     // With the start of the last tooth mesh, so that a run that goes on knows which one it was.
     double start = start_;

@@ -119,7 +119,7 @@ namespace vfife
     log_preload();
   }
 
-  void PreloadedPair::exchange(ByteStream &stream)
+  void PreloadedPair::serialize(ByteStream &stream)
   {
     stream.pass(preload_.parts, preload_.swing, preload_.penalty_lag);
   }

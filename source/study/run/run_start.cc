@@ -3,7 +3,7 @@
 
 namespace vfife
 {
-  void RunStart::exchange(ByteStream &)
+  void RunStart::serialize(ByteStream &)
   {
   }
 

@@ -72,17 +72,17 @@ namespace vfife
     return earlier_time_ + seconds_since(begin_);
   }
 
-  void Stepping::exchange(ByteStream &common, ByteStream *own)
+  void Stepping::serialize(ByteStream &common, ByteStream *own)
   {
-    exchange_model(common, model_);
+    serialize_model(common, model_);
     double time = run_time();
     // The wall time so far goes on counting after a restart.
     common.pass(time);
     earlier_time_ = common.reads() ? time : earlier_time_;
-    solver_.exchange(common, own, state_);
-    start_->exchange(common);
+    solver_.serialize(common, own, state_);
+    start_->serialize(common);
     for (const auto &observer : observers_)
-      observer->exchange(common);
+      observer->serialize(common);
 
     std::vector<std::pair<std::string, unsigned int>> warnings;
     for (const Log::Warning &warning : log_.warnings())
@@ -98,7 +98,7 @@ namespace vfife
   void Stepping::write()
   {
     ByteStream common, own;
-    exchange(common, &own);
+    serialize(common, &own);
     write_checkpoint(folder_, common.bytes(), own.bytes(), has_checkpoint_);
     has_checkpoint_  = true;
     last_checkpoint_ = WallClock::now();
@@ -109,7 +109,7 @@ namespace vfife
     ByteStream common(checkpoint.common);
     const bool same_ranks = checkpoint.own.size() == communicator_.size();
     ByteStream own(same_ranks ? checkpoint.own[communicator_.rank()] : "");
-    exchange(common, same_ranks ? &own : nullptr);
+    serialize(common, same_ranks ? &own : nullptr);
     has_checkpoint_ = true;
     log_.line("goes on from \"",
               checkpoint.file,

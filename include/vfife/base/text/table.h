@@ -72,7 +72,7 @@ namespace vfife
     void add_row(std::initializer_list<Cell> cells);
 
     /** For checkpoints: passes the rows. Throws InputError where stored rows have other columns. */
-    void exchange_rows(ByteStream &stream);
+    void serialize_rows(ByteStream &stream);
 
     /** Forgets the rows and keeps the columns. */
     void clear_rows();

@@ -28,7 +28,7 @@ namespace vfife
     void update(const SurfaceGeometry &surface, const RigidMotion &frame);
 
     /** For checkpoints. */
-    void exchange(ByteStream &stream);
+    void serialize(ByteStream &stream);
 
     /** Length so far [mm]. */
     double length(const unsigned int group) const

@@ -83,7 +83,7 @@ namespace vfife
     std::vector<ToothContact> collect_results() const;
 
     /** For checkpoints: what this rank knows of the pairs that may touch. */
-    void exchange(ByteStream &stream);
+    void serialize(ByteStream &stream);
 
     /** Adds the stabilizing mass that penalty springs need in a relaxation with pseudo time step 1.
      */

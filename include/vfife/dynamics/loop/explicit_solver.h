@@ -62,7 +62,7 @@ namespace vfife
     using BeforeStep = std::function<void(State &)>;
 
     /**
-     * Integrates from state.time (after exchange() with a reading stream: goes on) to @p end_time,
+     * Integrates from state.time (after serialize() with a reading stream: goes on) to @p end_time,
      * counted from where the run began; @p state is then the one that was measured last. Throws
      * NumericalError (non-finite or runaway energy, runaway penetration, inverted element) after
      * observers have seen that state.
@@ -78,7 +78,7 @@ namespace vfife
      * @p own is this rank's, and of use to the same number of ranks only: nullptr when reading for
      * another one, where the run agrees to round-off. Collective.
      */
-    void exchange(ByteStream &common, ByteStream *own, State &state);
+    void serialize(ByteStream &common, ByteStream *own, State &state);
 
     /** Fills State::measured of a state at rest (no energies of motion, no work). Collective. */
     void measure_at_rest(State &state);

@@ -2,8 +2,8 @@
 #ifndef vfife_dynamics_motion_constraint_motion_h
 #define vfife_dynamics_motion_constraint_motion_h
 
-#include <vfife/dynamics/motion/led_place.h>
 #include <vfife/dynamics/motion/nodal_update.h>
+#include <vfife/dynamics/motion/prescribed_place.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
@@ -25,7 +25,7 @@ namespace vfife
    * The nodes that constraints hold or lead. After update_nodes() has moved all nodes, apply() puts
    * these where they belong: prescribed rotations by position, X -> p + R(rate t)(X - p), so that
    * nothing drifts; free rotations on their circles with one angle a node, or one angle for all
-   * (rigid hub); nodes led in some directions where these and their free motion put them.
+   * (rigid hub); nodes prescribed in some directions where these and their free motion put them.
    */
   class ConstraintMotion
   {
@@ -51,7 +51,7 @@ namespace vfife
 
     /** For checkpoints: angles and angular velocities of free rotations by node of the model, for
      * any number of ranks. Collective. */
-    void exchange(ByteStream &stream, const Partition &partition);
+    void serialize(ByteStream &stream, const Partition &partition);
 
     /** In the rotating frame: what part of the prescribed displacements and angles is taken,
      * instead of their histories at time zero. */
@@ -90,7 +90,7 @@ namespace vfife
       double        angle = 0, rate = 0; ///< free rotations
 
       /** Directions that lead the node, one constraint each, or nullptr. */
-      std::array<const Constraint *, 3> leads         = {{nullptr, nullptr, nullptr}};
+      std::array<const Constraint *, 3> prescribing   = {{nullptr, nullptr, nullptr}};
       Vector3                           free_velocity = Vector3::Zero(); ///< without the leads
     };
 

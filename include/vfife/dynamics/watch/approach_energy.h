@@ -16,8 +16,8 @@ namespace vfife
    * The kinetic energy that impacts between the bodies of a model can convert: what a fully
    * inelastic one takes from each two bodies that may touch, mu |v_a - v_b|^2/2 with the velocities
    * of their centres and mu = 1/(1/m_a + 1/m_b), and the spin of those that fly freely. Bodies in
-   * bearings, with held or driven nodes, and walls have an infinite mass and their spin is led: a
-   * gear pair has none. Measured between bodies, so it does not depend on the frame.
+   * bearings, with held or driven nodes, and walls have an infinite mass and their spin is
+   * prescribed: a gear pair has none. Measured between bodies, so it does not depend on the frame.
    */
   class ApproachEnergy
   {

@@ -23,7 +23,7 @@ namespace vfife
     void observe(double time, double dt, bool touching);
 
     /** For checkpoints. */
-    void exchange(ByteStream &stream);
+    void serialize(ByteStream &stream);
 
     const ContactLosses &losses() const;
 

@@ -36,7 +36,7 @@ namespace vfife
     std::vector<DampingAudit> compute_audit(const std::vector<RigidVelocity> &rates) const;
 
     /** For checkpoints. */
-    void exchange(ByteStream &stream);
+    void serialize(ByteStream &stream);
 
   private:
     const Model               &model_;

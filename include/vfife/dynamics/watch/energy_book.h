@@ -58,7 +58,7 @@ namespace vfife
     const EnergyLedger &ledger() const;
 
     /** For checkpoints. */
-    void exchange(ByteStream &stream);
+    void serialize(ByteStream &stream);
 
   private:
     const Model   &model_;

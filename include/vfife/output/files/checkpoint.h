@@ -47,7 +47,7 @@ namespace vfife
    * although the run may get longer. Throws InputError when reading of other bodies, meshes or
    * masses: the mesh is not stored but made again from the parameters.
    */
-  void exchange_model(ByteStream &stream, Model &model);
+  void serialize_model(ByteStream &stream, Model &model);
 } // namespace vfife
 
 #endif

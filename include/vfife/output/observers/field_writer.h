@@ -49,7 +49,7 @@ namespace vfife
 
     bool due(const State &state) const override;
     void observe(const Model &model, const State &state) override;
-    void exchange(ByteStream &stream) override;
+    void serialize(ByteStream &stream) override;
 
     /** Asks for a file at the next step, whatever its number. On all ranks. */
     void request();

@@ -30,7 +30,7 @@ namespace vfife
 
     bool due(const State &state) const override;
     void observe(const Model &model, const State &state) override;
-    void exchange(ByteStream &stream) override;
+    void serialize(ByteStream &stream) override;
     void finish(const Model &model, const State &state) override;
 
   private:

@@ -39,9 +39,9 @@ namespace vfife
       file_.append_new_rows(table_);
     }
 
-    void exchange(ByteStream &stream) override
+    void serialize(ByteStream &stream) override
     {
-      table_.exchange_rows(stream);
+      table_.serialize_rows(stream);
       file_.append_new_rows(table_); // a run that goes on writes them again
       file_.flush();
     }

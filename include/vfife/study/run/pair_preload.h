@@ -39,7 +39,7 @@ namespace vfife
                   Log                   &log);
 
     void               prepare(State &state) override;
-    void               exchange(ByteStream &stream) override;
+    void               serialize(ByteStream &stream) override;
     const PairPreload *preload() const override;
 
   private:

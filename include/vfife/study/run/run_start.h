@@ -19,7 +19,7 @@ namespace vfife
     virtual void prepare(State &state) = 0;
 
     /** For checkpoints: passes what prepare() has found out. */
-    virtual void exchange(ByteStream &stream);
+    virtual void serialize(ByteStream &stream);
 
     /** What the equilibrium of a gear pair has told; nullptr for starts without one. */
     virtual const PairPreload *preload() const;

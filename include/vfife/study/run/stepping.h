@@ -76,7 +76,7 @@ namespace vfife
     void   stop(int signal) const;
     void   write();
     void   restore(const Checkpoint &checkpoint);
-    void   exchange(ByteStream &common, ByteStream *own);
+    void   serialize(ByteStream &common, ByteStream *own);
     double run_time() const;
     void   finish(const std::function<void()> &complete);
 

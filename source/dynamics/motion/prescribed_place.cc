@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/dynamics/motion/led_place.h>
+#include <vfife/dynamics/motion/prescribed_place.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,45 +28,48 @@ namespace vfife
     };
   } // namespace
 
-  Vector3 place_led(const Vector3 &start, const Vector3 &free, const LedDisplacement &led)
+  Vector3 place_prescribed(const Vector3                &start,
+                           const Vector3                &free,
+                           const PrescribedDisplacement &prescribed)
   {
     Vector3 x = free;
     for (unsigned int c = 0; c < 3; ++c)
-      if (led[c])
-        x[c] = start[c] + *led[c];
+      if (prescribed[c])
+        x[c] = start[c] + *prescribed[c];
     return x;
   }
 
-  Vector3 place_led(const Axis            &axis,
-                    const Vector3         &start,
-                    const Vector3         &old,
-                    const Vector3         &free,
-                    const LedDisplacement &led)
+  Vector3 place_prescribed(const Axis                   &axis,
+                           const Vector3                &start,
+                           const Vector3                &old,
+                           const Vector3                &free,
+                           const PrescribedDisplacement &prescribed)
   {
     const Cylindrical first(axis, start), last(axis, old);
     const Vector3     from   = free - axis.point;
-    const double      radius = first.radius + led[0].value_or(0.), angle = led[1].value_or(0.);
-    const Vector3     ray = std::cos(angle) * first.e_r + std::sin(angle) * first.e_theta;
+    const double      radius = first.radius + prescribed[0].value_or(0.),
+                 angle       = prescribed[1].value_or(0.);
+    const Vector3 ray        = std::cos(angle) * first.e_r + std::sin(angle) * first.e_theta;
 
     Vector3 flat = from - axis.direction.dot(from) * axis.direction;
-    if (led[0] && led[1])
+    if (prescribed[0] && prescribed[1])
       flat = radius * ray;
-    else if (led[0])
+    else if (prescribed[0])
       {
         const double across = last.e_theta.dot(flat);
         flat = std::sqrt(std::max(0., radius * radius - across * across)) * last.e_r +
                across * last.e_theta;
       }
-    else if (led[1])
+    else if (prescribed[1])
       flat = last.e_r.dot(flat) / last.e_r.dot(ray) * ray;
-    const double height = led[2] ? first.height + *led[2] : axis.direction.dot(from);
+    const double height = prescribed[2] ? first.height + *prescribed[2] : axis.direction.dot(from);
     return axis.point + flat + height * axis.direction;
   }
 
   Vector3 project_free(const Axis                &axis,
                        const bool                 cylindrical,
                        const Vector3             &x,
-                       const std::array<bool, 3> &led,
+                       const std::array<bool, 3> &prescribed,
                        const Vector3             &f)
   {
     Matrix3 directions = Matrix3::Identity();
@@ -77,7 +80,7 @@ namespace vfife
       }
     Vector3 rest = f;
     for (unsigned int c = 0; c < 3; ++c)
-      if (led[c])
+      if (prescribed[c])
         rest -= directions.col(c).dot(f) * directions.col(c);
     return rest;
   }

@@ -1,12 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_tests_study_led_ring_h
-#define vfife_tests_study_led_ring_h
+#ifndef vfife_tests_study_prescribed_ring_h
+#define vfife_tests_study_prescribed_ring_h
 
 #include <string>
 
 /** Section Model: a thin ring, widened by 0.01 mm and turned by half a degree at its inner radius.
  */
-inline std::string led_ring()
+inline std::string prescribed_ring()
 {
   return R"(
 subsection Model
