@@ -63,7 +63,7 @@ private:
     const double     turned = rot1 + pair_.pinion().turn(pair_.pinion_side(side_));
     try
       {
-        const SurfacePoint point = pinion_.point_at(x[0], x[1]);
+        const GeneratedPoint point = pinion_.point_at(x[0], x[1]);
         if (point.s < pinion_.straight_start())
           return none;
         const Vector3 P   = pair_.pinion_placement(turned)(point.position);
@@ -71,7 +71,7 @@ private:
         if (L_h[0] < two_.inner_cone_distance() || L_h[0] > two_.outer_cone_distance ||
             L_h[1] > two_.addendum(L_h[0]) || L_h[1] < -3.8)
           return none;
-        const SurfacePoint gear = gear_.point_at(L_h[0], L_h[1]);
+        const GeneratedPoint gear = gear_.point_at(L_h[0], L_h[1]);
         if (gear.s < gear_.straight_start())
           return none;
         const MeanContact &mean = pair_.mean_contact(side_);

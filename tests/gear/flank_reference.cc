@@ -51,19 +51,19 @@ void check_reference(const std::string      &name,
   for (const Row &row : flank_rows)
     if (row.flank == name)
       {
-        const auto        &n     = row.numbers; // i,j,L,h,t,phi,s,x,y,z,nx,ny,nz
-        const SurfacePoint point = flank.point_at(n[2], n[3]);
-        position                 = std::max(position, distance(n, 7, point.position));
-        normal                   = std::max(normal, distance(n, 10, point.normal));
+        const auto          &n     = row.numbers; // i,j,L,h,t,phi,s,x,y,z,nx,ny,nz
+        const GeneratedPoint point = flank.point_at(n[2], n[3]);
+        position                   = std::max(position, distance(n, 7, point.position));
+        normal                     = std::max(normal, distance(n, 10, point.normal));
         parameters = std::max(parameters, distance(n, 4, {point.t, point.phi, point.s}));
       }
   for (const Row &row : fillet_rows)
     if (row.flank == name)
       {
-        const auto        &n     = row.numbers; // L,lambda,t,phi,x,y,z,nx,ny,nz
-        const SurfacePoint point = flank.fillet_at(n[0], n[1]);
-        fillet                   = std::max(fillet, distance(n, 4, point.position));
-        fillet_normal            = std::max(fillet_normal, distance(n, 7, point.normal));
+        const auto          &n     = row.numbers; // L,lambda,t,phi,x,y,z,nx,ny,nz
+        const GeneratedPoint point = flank.fillet_at(n[0], n[1]);
+        fillet                     = std::max(fillet, distance(n, 4, point.position));
+        fillet_normal              = std::max(fillet_normal, distance(n, 7, point.normal));
       }
   // the tables are rounded to 1e-9 mm in positions and in h, 1e-12 in normals
   check_below(name + " position [mm]", position, 1e-8);
@@ -77,11 +77,11 @@ void check_consistency(const std::string &name, const Flank &flank)
 {
   // central differences: 1e-5 leaves about 1e-9 of truncation and round-off
   const double             e       = 1e-5;
-  const SurfacePoint       middle  = flank.point_at(116.49, 0.);
+  const GeneratedPoint     middle  = flank.point_at(116.49, 0.);
   const SurfaceDerivatives surface = flank.derivatives(middle.t, middle.phi);
   const auto               by      = [&](const double dt, const double dphi, const bool of_normal) {
-    const SurfacePoint up   = flank.evaluate(middle.t + dt, middle.phi + dphi);
-    const SurfacePoint down = flank.evaluate(middle.t - dt, middle.phi - dphi);
+    const GeneratedPoint up   = flank.evaluate(middle.t + dt, middle.phi + dphi);
+    const GeneratedPoint down = flank.evaluate(middle.t - dt, middle.phi - dphi);
     return Vector3(
       (of_normal ? Vector3(up.normal - down.normal) : Vector3(up.position - down.position)) /
       (2 * e));
@@ -97,9 +97,9 @@ void check_consistency(const std::string &name, const Flank &flank)
               std::max(std::abs(surface.position_t.dot(surface.point.normal)),
                        std::abs(surface.position_phi.dot(surface.point.normal))),
               1e-11);
-  const SurfacePoint end   = flank.fillet_at(116.49, pi / 2 - flank.settings().blade_angle);
-  const Vector2      L_h   = flank.cone_coordinates(end.position);
-  const SurfacePoint start = flank.point_at(L_h[0], L_h[1]);
+  const GeneratedPoint end   = flank.fillet_at(116.49, pi / 2 - flank.settings().blade_angle);
+  const Vector2        L_h   = flank.cone_coordinates(end.position);
+  const GeneratedPoint start = flank.point_at(L_h[0], L_h[1]);
   check_below(name + " joint with the fillet [mm]", (end.position - start.position).norm(), 1e-10);
   check_below(name + " joint normal", (end.normal - start.normal).norm(), 1e-10);
   check_close(name + " joint at the blade's straight start [mm]",

@@ -16,7 +16,7 @@ struct Reference
   Vector2     curvatures;
 };
 
-void compare(const Reference &reference, const Flank &flank, const SurfacePoint &point)
+void compare(const Reference &reference, const Flank &flank, const GeneratedPoint &point)
 {
   const Vector2 L_h        = flank.cone_coordinates(point.position);
   const Vector2 curvatures = flank.principal_curvatures(point);

@@ -124,7 +124,7 @@ Differences compare(const MachineSettings &settings, const Blank &blank)
       const double L = blank.inner_cone_distance() + x * blank.face_width;
       for (const double y : {0.4, 0.7, 1.})
         {
-          const SurfacePoint point =
+          const GeneratedPoint point =
             flank.point_at(L, -blank.dedendum(L) + y * (blank.addendum(L) + blank.dedendum(L)));
           largest.flank =
             std::max(largest.flank,
@@ -135,7 +135,7 @@ Differences compare(const MachineSettings &settings, const Blank &blank)
         }
       for (const double lambda : {0.3, 1.})
         {
-          const SurfacePoint point = flank.fillet_at(L, lambda);
+          const GeneratedPoint point = flank.fillet_at(L, lambda);
           largest.fillet =
             std::max(largest.fillet,
                      std::abs(
@@ -153,12 +153,12 @@ void check_derivatives(const std::string &name, const MachineSettings &settings,
 {
   constexpr double         step = 1e-5;
   const Flank              flank(settings, blank.pitch_angle);
-  const SurfacePoint       point = flank.point_at(blank.mean_cone_distance, 0.4);
+  const GeneratedPoint     point = flank.point_at(blank.mean_cone_distance, 0.4);
   const SurfaceDerivatives exact = flank.derivatives(point.t, point.phi);
-  const SurfacePoint       up_t  = flank.evaluate(point.t + step, point.phi),
-                     down_t      = flank.evaluate(point.t - step, point.phi),
-                     up_phi      = flank.evaluate(point.t, point.phi + step),
-                     down_phi    = flank.evaluate(point.t, point.phi - step);
+  const GeneratedPoint     up_t  = flank.evaluate(point.t + step, point.phi),
+                       down_t    = flank.evaluate(point.t - step, point.phi),
+                       up_phi    = flank.evaluate(point.t, point.phi + step),
+                       down_phi  = flank.evaluate(point.t, point.phi - step);
   const double difference =
     std::max({((up_t.position - down_t.position) / (2. * step) - exact.position_t).norm(),
               ((up_phi.position - down_phi.position) / (2. * step) - exact.position_phi).norm(),
