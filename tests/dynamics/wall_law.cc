@@ -32,7 +32,7 @@ int main(int argc, char **argv)
   auto      observers = watch(1, [&](const State &state) {
     const ExponentialLaw      law(wall.penalty);
     std::vector<PressedPoint> points;
-    for (std::uint32_t i = 0; i < state.partition.n_local(); ++i)
+    for (std::uint32_t i = 0; i < state.partition->n_local(); ++i)
       {
         const double depth = wall.point[0] - state.node_position(i)[0];
         if (depth > 0)

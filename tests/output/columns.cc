@@ -13,8 +13,8 @@
 #include <vfife/contact/law/hertz.h>
 #include <vfife/fem/modes/campbell.h>
 #include <vfife/fem/pair/coupled_modes.h>
-#include <vfife/gear/contact_analysis.h>
-#include <vfife/gear/tooth_form.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
+#include <vfife/gear/unloaded_contact/tooth_form.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/primitives/primitives.h>

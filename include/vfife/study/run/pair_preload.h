@@ -7,6 +7,12 @@
 
 namespace vfife
 {
+  class Communicator;
+  class ExplicitSolver;
+  class Log;
+  struct DynamicsOptions;
+  struct Model;
+
   /** What the equilibrium of a loaded gear pair before the start tells. */
   struct PairPreload
   {
