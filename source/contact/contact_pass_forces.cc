@@ -151,9 +151,12 @@ namespace vfife
                                double                   *master_forces)
   {
     // Penetrations of all touching points go through the law at once, then each point presses.
-    pressed_.clear();
-    for (const unsigned int i : pair.touching)
-      pressed_.push_back({-pair.points[i].gap, interaction.penalty});
+    pressed_.resize(pair.touching.size());
+    for (std::size_t i = 0; i < pressed_.size(); ++i)
+      {
+        pressed_[i].penetration = -pair.points[pair.touching[i]].gap;
+        pressed_[i].penalty     = interaction.penalty;
+      }
     interaction.law.evaluate(pressed_);
     for (std::size_t i = 0; i < pressed_.size(); ++i)
       press(pair.points[pair.touching[i]],

@@ -8,7 +8,7 @@ namespace vfife
   StudyKind::resume(const std::string &, const EntryValues &, const Communicator &, Log &)
   {
     throw InputError("Study/kind",
-                     "--restart is for kinds run and sweep: this one has no checkpoints");
+                     "--restart is for kinds run, sweep and compare: this one has no checkpoints");
   }
 
   std::string StudyKind::last_file() const

@@ -95,7 +95,7 @@ namespace
   {
     MovingSurface       slave(slave_surface), master(master_surface);
     Contact             contact(slave.surface, master.surface, exponential_options());
-    const unsigned int  n_positions = 4000;
+    const unsigned int  n_positions = 8000;
     double              work = 0., most = 0., residual = 0., first = 0.;
     std::vector<double> positions, forces;
     for (unsigned int i = 0; i <= n_positions; ++i)
@@ -149,5 +149,5 @@ int main()
       motion.translation = Vector3(0.9 + 0.15 * std::sin(t), 0., -0.01 - 0.008 * std::cos(t));
       return motion;
     },
-    1e-4);
+    1e-5);
 }

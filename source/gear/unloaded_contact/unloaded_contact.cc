@@ -170,7 +170,7 @@ namespace vfife
 
   std::pair<double, double> UnloadedContact::path_range() const
   {
-    constexpr double     walk = 0.05, tolerance = 1e-13; // pitches
+    constexpr double     walk = 0.05, tolerance = 5e-14; // pitches
     UnloadedContactPoint point;
     const auto           inside = [&](const double pitches) {
       return find(reference() + pitches * pitch(), 0, point) && point.inside;

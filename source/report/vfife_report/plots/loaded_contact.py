@@ -22,10 +22,10 @@ def plot_deviations(axes, table, names):
     add_legend(axes)
 
 
-def plot_shares(axes, teeth):
-    for pair in sorted(set(zip(teeth["pinion tooth"], teeth["gear tooth"]))):
-        own = (teeth["pinion tooth"] == pair[0]) & (teeth["gear tooth"] == pair[1])
-        axes.plot(teeth["position"][own], teeth["share of torque"][own], ".-",
+def plot_shares(axes, table):
+    for pair in sorted(set(zip(table["pinion tooth"], table["gear tooth"]))):
+        own = (table["pinion tooth"] == pair[0]) & (table["gear tooth"] == pair[1])
+        axes.plot(table["position"][own], table["share of torque"][own], ".-",
                   label=f"teeth {pair[0]:.0f}/{pair[1]:.0f}")
     axes.set(xlabel=POSITION, ylabel="share of the torque")
     add_legend(axes)
