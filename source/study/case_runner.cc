@@ -18,6 +18,8 @@ namespace vfife
   {
     namespace fs = std::filesystem;
 
+    /** A summary is written after a failure too, so its status decides; other files are written
+     * at the end only. */
     bool has_results(const std::string &folder, const std::string &last_file)
     {
       return last_file == "summary.json"
@@ -79,6 +81,8 @@ namespace vfife
     if (communicator.is_root())
       try
         {
+          // Results have all entries in force beside them: read as a file they are compared with
+          // those of now, defaults included.
           CommandLine before;
           before.parameter_file = line.output_folder + "/parameters.prm";
           const CaseFile now    = read(line);
@@ -119,6 +123,7 @@ namespace vfife
       {
         if (is_finished(line, communicator))
           return {Outcome::finished, "was finished before"};
+        // The root's word counts on all ranks: they must all begin anew, or all go on.
         line.restart = communicator.any(communicator.is_root() &&
                                         fs::exists(line.output_folder + "/checkpoint.bin"));
       }

@@ -20,6 +20,8 @@ namespace vfife
       return found == values.end() ? "not there" : "\"" + found->second + "\"";
     };
 
+    // Entries of both: one that either has alone has changed as well. All are named at once, as a
+    // user would mend them at once.
     std::map<std::string, std::string> all = old;
     all.insert(fresh.begin(), fresh.end());
     std::vector<InputError> errors;

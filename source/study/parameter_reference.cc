@@ -20,6 +20,7 @@ namespace vfife
   {
     using Json = nlohmann::ordered_json;
 
+    /** A row of the page. */
     struct Entry
     {
       std::string              name, standard, meaning;
@@ -40,6 +41,8 @@ namespace vfife
       std::vector<std::string> kinds;
     };
 
+    /** The entries of a section itself: in deal.II's JSON what has a default is an entry, the
+     * rest are subsections. */
     std::vector<Entry> entries_of(const Json &section)
     {
       std::vector<Entry> entries;
@@ -53,6 +56,7 @@ namespace vfife
       return entries;
     }
 
+    /** A bare bar would end the cell of a table in Markdown. */
     std::string escape_bars(std::string text)
     {
       for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2))
@@ -60,6 +64,8 @@ namespace vfife
       return text;
     }
 
+    /** Adds a section of one kind, or that kind to the same section of others; defaults that
+     * differ between kinds are kept with the kinds that have them. */
     void add(const Section &section, std::vector<Section> &sections)
     {
       const auto same = std::find_if(sections.begin(), sections.end(), [&](const Section &known) {
@@ -77,6 +83,7 @@ namespace vfife
         }
     }
 
+    /** Adds a section and all below it. */
     void collect(const Json           &node,
                  const std::string    &path,
                  const std::string    &kind,
@@ -93,6 +100,7 @@ namespace vfife
     /** All that a study declares when these statements stand in its file. */
     Json declare(const std::vector<std::string> &statements)
     {
+      // The two passes of every study (study.cc), on a file that says nothing but the statements.
       const ParameterFile      file("/dev/null", statements);
       dealii::ParameterHandler first, prm;
       StudyOptions             options;
@@ -139,6 +147,8 @@ namespace vfife
       const std::string path = std::string("Model/") + part.section + " NAME";
       const auto        words =
         words_of(declared.at("Model").at(std::string(part.section) + " NAME").at(part.choice));
+      // Declared once with each word: an entry that appears with all words needs no remark, another
+      // one says with which.
       Section section{path, {}, {model_kinds}};
       for (const std::string &word : words)
         {
@@ -162,6 +172,8 @@ namespace vfife
       return section;
     }
 
+    /** The sections of a general model with one NAME of each part. Parts with a choice are
+     * collected word by word and taken out of the rest. */
     void collect_model(std::vector<Section> &sections)
     {
       std::vector<std::string> all = {"Study/kind=run"};
@@ -179,6 +191,7 @@ namespace vfife
       collect(declared, "", model_kinds, sections);
     }
 
+    /** A list between @p before and @p after; nothing where it is empty. */
     void write_list(std::ostream                   &out,
                     const std::string              &before,
                     const std::vector<std::string> &list,
@@ -194,6 +207,8 @@ namespace vfife
   void write_parameter_reference(std::ostream &out)
   {
     std::vector<Section> sections;
+    // All kinds as of a gear pair: an entry of it makes those that can do without it declare it.
+    // Then the general model, whose parts have names.
     for (const auto &kind : study_kinds())
       collect(declare({"Study/kind=" + kind.first, "Gear pair/Mounting/backlash=0"}),
               "",

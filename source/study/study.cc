@@ -35,6 +35,8 @@ namespace vfife
           options.declare(first);
           file.read_known(first);
         }
+        // Then everything is declared and read strictly: an entry that is not known now is an
+        // error. Entries are bound by address to the study and its options, which stay.
         study = options.kind(runner);
         options.declare(prm);
         study->declare(prm, file);
@@ -48,6 +50,7 @@ namespace vfife
                       Communicator        &communicator,
                       Log                 &log)
     {
+      // 1. What only looks at the file and leaves no trace: printing, checking, inspecting.
       ReadStudy   read(file, runner);
       auto       &prm   = read.prm;
       const auto &study = read.study;
@@ -63,6 +66,8 @@ namespace vfife
           study->inspect(communicator, log);
           return;
         }
+      // 2. The folder of results. What an earlier run has left is read before it is written to: its
+      // checkpoint says how much of the log is kept.
       const std::string path = command_line.output_folder.empty() ? read.options.output_folder
                                                                   : command_line.output_folder;
       std::optional<std::size_t> log_size;
@@ -72,9 +77,11 @@ namespace vfife
       folder.attach_log(log, log_size);
       folder.write_parameters(prm);
       log.line("vfife: ", file.path(), ", results in ", folder.path());
+      // 3. The study itself, on all ranks.
       study->run(folder, log);
     }
 
+    /** Knows the kinds by their table. Messages get file and line of the entry they are about. */
     class StudyRunner : public CaseRunner
     {
     public:

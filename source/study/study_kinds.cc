@@ -18,12 +18,14 @@ namespace vfife
 {
   namespace
   {
+    /** A study that needs no others. */
     template <typename Kind>
     std::unique_ptr<StudyKind> make(const CaseRunner &)
     {
       return std::make_unique<Kind>();
     }
 
+    /** A study that is made of cases. */
     template <typename Kind>
     std::unique_ptr<StudyKind> make_of_cases(const CaseRunner &runner)
     {

@@ -37,6 +37,8 @@ namespace vfife
             rates_.push_back(rate);
           }
         const Transmission &t = *model.transmission;
+        // Turned back against the drive by closing/arm: at the mean contact the flanks then lie
+        // `closing` in each other.
         closed_ =
           rotation_about(model.bodies[t.driven].axis.direction, -t.driven_sense * closing / t.arm);
       }
@@ -64,6 +66,7 @@ namespace vfife
       void add_step(const unsigned int step, const double dt, StepTimes &times)
       {
         place(step * dt);
+        // Times go where StepTimes has them: 0 internal forces, 1 update, 2 contact.
         double     last     = processor_time();
         const auto add_time = [&](const unsigned int part) {
           const double now = processor_time();
@@ -120,6 +123,8 @@ namespace vfife
       for (unsigned int step = 1; step <= steps; ++step)
         pair.add_step(step, dt, times);
       contact.measure_times(nullptr);
+      // Places 3 to 7 are the parts of the contact that it measures itself, 8 is what they leave:
+      // nodes copied to and fro.
       const std::array<double, 5> known = {
         {parts.broad_search, parts.wide_search, parts.motion, parts.projection, parts.forces}};
       times[8] = times[2];
@@ -183,7 +188,8 @@ namespace vfife
     std::array<double, std::tuple_size<StepTimes>::value> medians;
     for (unsigned int i = 0; i < medians.size(); ++i)
       medians[i] = median(samples[i]);
-    Table        table;
+    Table table;
+    // Shares are of a step: forces, update and contact; the rest are parts of the contact.
     const double step = medians[0] + medians[1] + medians[2];
     table.add_text_column("part");
     table.add_column("time", "us");

@@ -30,6 +30,8 @@ namespace vfife
         bandwidth_share, gain;
     };
 
+    /** One variant in one round. Times are in s an element and step; @p plain likewise, @p
+     * bandwidth in GB/s, @p arithmetic in GFLOP/s, measured next to it. */
     void measure(BenchmarkCase     &subject,
                  const FrameKind    frame,
                  const unsigned int set,
@@ -41,6 +43,8 @@ namespace vfife
     {
       const auto   time = subject.measure(frame, sets[set], steps);
       const double step = time[0] + time[1];
+      // Million element-steps a second, ns; shares are 100 (flops or bytes)/time over what the core
+      // can do.
       samples.rate.push_back(1e-6 / step);
       samples.forces.push_back(1e9 * time[0]);
       samples.update.push_back(1e9 * time[1]);
@@ -186,6 +190,8 @@ namespace vfife
       for (std::size_t c = 0; c < cases.size(); ++c)
         for (unsigned int f = 0; f < n_frame_kinds; ++f)
           {
+            // What a variant is compared with is measured next to it: clock and neighbours of the
+            // core change from round to round.
             const FrameKind frame     = frame_choices()[f].second;
             const double    plain     = cases[c]->measure_plain(frame);
             const double    bandwidth = triad.measure();

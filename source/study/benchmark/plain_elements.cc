@@ -42,6 +42,7 @@ namespace vfife
   {
     for (const Element &element : elements_)
       {
+        // f = -R K (R^T x - X), places relative to node 0: large coordinates would cost digits.
         HexahedronNodes x;
         for (unsigned int a = 0; a < 8; ++a)
           x.col(a) = Eigen::Map<const Vector3>(positions + 4 * std::size_t(element.nodes[a]));

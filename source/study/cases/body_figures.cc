@@ -69,6 +69,7 @@ namespace vfife
       table.add_column(column, "-");
     for (const char *column : {"least edge", "largest edge", "least height"})
       table.add_column(column, "mm");
+    // Mesh and true body have the same integrals in this order; the body's own units are t and mm.
     const std::pair<const char *, const char *> integrals[] = {{"volume", "mm^3"},
                                                                {"mass", "kg"},
                                                                {"centre of mass z", "mm"},

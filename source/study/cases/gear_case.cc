@@ -18,6 +18,7 @@ namespace vfife
 {
   namespace
   {
+    /** The name of a flank among the surfaces of a gear body. */
     const char *surface_of(const FlankSide side)
     {
       return side == FlankSide::concave ? surface_name::concave : surface_name::convex;
@@ -108,6 +109,7 @@ namespace vfife
 
   const Material &GearCase::material(const std::string &name) const
   {
+    // There are one or two: a material that both members name is declared once.
     return materials_.front().name == name ? materials_.front() : materials_.back();
   }
 
@@ -139,7 +141,8 @@ namespace vfife
                        "for models of the section Model");
   }
 
-  // Whole steps from sample to sample: a tooth mesh is divided into a multiple of their number.
+  // dt = 1/(f s n), n = ceil(1/(f s dt_s)): whole steps from sample to sample, so that samples lie
+  // at the same positions of every tooth mesh.
   double GearCase::choose_step(const double stable_step, const unsigned int samples) const
   {
     const double steps_per_sample = std::ceil(1. / (mesh_frequency() * stable_step * samples));
@@ -182,6 +185,9 @@ namespace vfife
 
   Transmission GearCase::make_transmission(const GearPair &pair) const
   {
+    // The mean contact's normal comes out of the gear: with the gear driving it is turned round,
+    // for the model's comes out of the driven member. The pair knows the arm p = |(P x n) . a|
+    // about the gear axis only; the driven pinion's is found here.
     const MeanContact &mean          = pair.mean_contact(working_side());
     const bool         pinion_drives = operation_.driving == DrivingMember::pinion;
     const double       sense         = operation_.direction == TurningDirection::forward ? 1. : -1.;
@@ -213,9 +219,9 @@ namespace vfife
     Model          model;
 
     // 1. Bodies, meshed and mounted so that the generated flanks of the working side touch in the
-    // mean contact at time zero.
+    // mean contact at time zero, the pinion's turned onto its tooth 0. They turn about their axes
+    // in opposite senses, the pinion about + when it goes forward.
     Body pinion("pinion", make_gear_body(pair.pinion(), pinion_body_), material(pinion_material_));
-    // Where the generated flanks of the working side touch, the pinion's turned onto its tooth 0.
     const MeshSide     side  = working_side();
     const MeanContact &mean  = pair.mean_contact(side);
     const double       sense = operation_.direction == TurningDirection::forward ? 1. : -1.;
@@ -230,8 +236,9 @@ namespace vfife
     // 2. What drives and what is driven.
     Transmission t      = make_transmission(pair);
     const Body  &driver = model.bodies[t.driver];
-    t.driven_rim        = model.bodies[t.driven].node_set(node_set::rim);
-    model.transmission  = t;
+    // The rim is where the parts of the transmission error are fitted.
+    t.driven_rim       = model.bodies[t.driven].node_set(node_set::rim);
+    model.transmission = t;
 
     // 3. Bores, load torque, flanks that may touch, places that are looked at.
     model.constraints.push_back({driver.name() + " bore",
@@ -270,6 +277,7 @@ namespace vfife
     load.name  = "load torque";
     load.body  = t.driven;
     load.nodes = t.driven_bore;
+    // A constant traction on the bore, against the sense in which the driven member turns.
     load.areas = compute_nodal_areas(driven, t.driven_bore);
     load.value = -t.driven_sense * operation_.torque;
     model.torques.push_back(load);
@@ -299,7 +307,8 @@ namespace vfife
 
   void GearCase::add_probes(Model &model) const
   {
-    const Body        &gear  = model.bodies[1];
+    const Body &gear = model.bodies[1];
+    // Of all sectors that which passes the mesh at 75 % of the run: late, and still within it.
     const unsigned int tooth = gear_tooth_in_mesh(std::lround(0.75 * operation_.meshes));
     for (const char *set : {node_set::node_A_front, node_set::node_A_back})
       if (gear.has_node_set(set) && tooth < gear.node_set(set).size())

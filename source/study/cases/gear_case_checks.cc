@@ -15,6 +15,7 @@ namespace vfife
 {
   namespace
   {
+    /** A sentence of texts and numbers, these with four digits. */
     template <typename... Parts>
     std::string text(const Parts &...parts)
     {
@@ -79,7 +80,8 @@ namespace vfife
 
     std::string check_flank(const GearCase &, const RunPlan &plan)
     {
-      // The pinion pushes along -n; that must turn the gear in the drive direction.
+      // The driver pushes along -n: the moment -a . ((P - c) x n) about the driven axis must have
+      // the sense in which the driven member turns.
       const Transmission &t    = *plan.model.transmission;
       const Axis         &axis = plan.model.bodies[t.driven].axis;
       const double        arm  = -t.driven_sense *
@@ -94,6 +96,8 @@ namespace vfife
       const ContactPair  &drive = plan.model.contacts.front();
       const FacetSurface &flank =
         plan.model.bodies[drive.slave_body].mesh().surfaces.at(drive.slave_surface);
+      // Hertz's contact of one tooth pair under the whole torque, T over the arm, is two smaller
+      // semi-axes wide. Fewer than two points across it are single forces.
       const double width   = 2 * gear_case.hertz_contact().semi_axes(load_torque(plan.model) /
                                                                    plan.model.transmission->arm)[1];
       const double facet   = compute_facet_width(flank);
@@ -123,6 +127,8 @@ namespace vfife
 
     std::string check_step(const GearCase &, const RunPlan &plan)
     {
+      // Whole steps from sample to sample cost little, unless samples are a few steps apart: then
+      // the user can have the time back.
       if (plan.step < 0.7 * plan.stable_step)
         return text("history every = ",
                     plan.output.history_every,
@@ -139,6 +145,7 @@ namespace vfife
     std::string check_fields(const GearCase &gear_case, const RunPlan &plan)
     {
       const unsigned int every = plan.output.fields_every;
+      // [tooth meshes], as the length of the run.
       if (every <= gear_case.operation().meshes)
         return "";
       return text("fields every = ",

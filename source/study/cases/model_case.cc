@@ -91,6 +91,7 @@ namespace vfife
 
   double ModelCase::choose_step(const double stable_step, const unsigned int) const
   {
+    // T/ceil(T/dt_s): the last step ends at the end time.
     return end_time_ / std::ceil(end_time_ / stable_step);
   }
 } // namespace vfife

@@ -32,6 +32,7 @@ namespace vfife
     /** Only --check looks at the cases before there are folders. */
     constexpr const char *no_folder = "";
 
+    /** All rows that the kinds of the cases allow. Reads files: for one rank. */
     ComparisonRows compare(const ComparedCases &cases, const ComparisonTolerances &tolerances)
     {
       ComparisonRows rows = compare_pair(cases, tolerances);
@@ -58,6 +59,7 @@ namespace vfife
   {
     folder_of_file_ = fs::path(file.path()).parent_path().string();
     {
+      // First pass: each name has a section, which the strict pass has to know.
       dealii::ParameterHandler first;
       {
         Subsection section(first, "Compare");
@@ -94,6 +96,8 @@ namespace vfife
   std::vector<std::string> CompareStudy::list_entries(const std::string &text,
                                                       const std::string &folder) const
   {
+    // {NAME} may stand anywhere in an entry, for any of the cases. Without a folder of results it
+    // becomes NAME: enough for reading and checking the file.
     std::vector<std::string> list = split_entries(text, "Compare/entries");
     for (std::string &entry : list)
       for (const Case &other : cases_)
@@ -167,7 +171,7 @@ namespace vfife
 
   ComparedCase CompareStudy::do_one(const Case &one, OutputFolder &folder, Log &log) const
   {
-    // A rank of its own communicator: cases are done one after the other by all ranks.
+    // All ranks do the cases, one after the other; a case takes a communicator that it may change.
     Communicator ranks(folder.communicator().mpi());
     ComparedCase compared;
     CommandLine  results;
@@ -183,6 +187,8 @@ namespace vfife
         if (report.outcome == Outcome::failed)
           throw NumericalError("case " + one.name + " has failed: " + report.message);
       }
+    // Kind and sections are those that the results state, also where they have been found as they
+    // are.
     results.parameter_file = compared.folder + "/parameters.prm";
     const CaseFile file    = runner_.read(results);
     compared.kind          = file.value("Study/kind");

@@ -24,6 +24,7 @@ namespace vfife
 
   std::string ComparisonRow::verdict() const
   {
+    // |value - reference| <= tolerance; comparisons with NaN would say "differs".
     if (!tolerance || !std::isfinite(difference()))
       return "not judged";
     return std::abs(difference()) <= *tolerance ? "agrees" : "differs";

@@ -12,6 +12,8 @@ namespace vfife
 {
   namespace
   {
+    /** Lines of a run that rings down beside the natural frequencies: what moves most at each
+     * probe. */
     void add_ring_down(const ComparedCase         &run,
                        const ComparedCase         &modal,
                        const ComparisonTolerances &tolerances,
@@ -19,6 +21,7 @@ namespace vfife
     {
       const Table         table = modal.table("modes.csv"), history = run.table("history.csv");
       std::vector<double> modes;
+      // Modes at the first speed of the table; rigid motions (0 Hz) make no line.
       for (std::size_t i = 0; i < table.n_rows(); ++i)
         if (table.numbers(column::speed)[i] == table.numbers(column::speed)[0] &&
             table.numbers(column::frequency)[i] > 0)
@@ -26,6 +29,8 @@ namespace vfife
       const std::vector<double> &time = history.numbers(column::time);
       if (modes.empty() || time.size() < 8)
         return;
+      // Above the highest mode that is known a line has nothing to stand beside; a tenth more shows
+      // one that comes out too high.
       const double highest = 1.1 * *std::max_element(modes.begin(), modes.end());
       for (const ProbeColumns &probe : find_probe_columns(history))
         {
@@ -44,6 +49,7 @@ namespace vfife
             }
           if (largest.empty())
             continue;
+          // Lines below a twentieth of the strongest may be side lobes of the window.
           for (const SpectrumLine &line :
                find_spectrum_lines(time, history.numbers(largest), highest, 0.05))
             rows.push_back(compare_with_modes(largest + ", line of the spectrum",

@@ -17,6 +17,8 @@ namespace vfife
       *std::min_element(modes.begin(), modes.end(), [line](const double a, const double b) {
         return std::abs(a - line) < std::abs(b - line);
       });
+    // Modes that are closer to each other than the tolerance count as one: the verdict hardly
+    // depends on which of them it is.
     double neighbour = std::numeric_limits<double>::infinity();
     for (const double other : modes)
       if (std::abs(other - mode) > tolerance * mode)
@@ -27,6 +29,7 @@ namespace vfife
     reason << "the record of " << 1e3 * length << " ms separates " << 2 / length << " Hz";
     if (std::isfinite(neighbour))
       reason << ", the next mode is " << neighbour << " Hz away";
+    // 2/T is half the width of the window's main lobe: lines of closer modes run into each other.
     if (neighbour > 2 / length)
       row.tolerance = tolerance * mode;
     row.reason = reason.str();

@@ -95,6 +95,8 @@ namespace vfife
             unsigned int n   = 0;
             for (std::size_t i = 0; i + 1 < time.size(); ++i)
               {
+                // In tooth meshes from the position: the mesh is there where this is a whole
+                // number, and there is one between the samples where ceil(here) < next.
                 const double here = time[i] * mesh_frequency - position;
                 const double next = time[i + 1] * mesh_frequency - position;
                 // Samples lie on positions up to round-off: the next sample is the first beyond.
@@ -113,6 +115,7 @@ namespace vfife
        * in the unit of the row. */
       void judge_slow(const double tolerance, ComparisonRow &row, const double swing = 0.) const
       {
+        // [rpm]. What the speed excludes is said first, then what the run, then what the modes do.
         const double limit = tolerances.slow * 30 / pi;
         if (rate_ > limit * (1 + 1e-9))
           row.reason += "; at " + number_text(rate_) +
@@ -152,6 +155,7 @@ namespace vfife
       bool is_steady_;
     };
 
+    /** The run beside the pair at rest in the same positions: mean, swing, distance, force. */
     void add_static_pair(const PairRun      &run,
                          const ComparedCase &loaded,
                          const ComparedCase *coupled,
@@ -188,6 +192,7 @@ namespace vfife
           row.reason =
             "mean tooth mesh of the run at the positions of the static curve; tolerance of "
             "the mean on both ends";
+          // The largest and the least value may each be off, to opposite sides.
           run.judge_slow(2 * run.tolerances.error * std::abs(mean(curve)), row, 2 * swing);
           rows.push_back(row);
 
@@ -221,6 +226,7 @@ namespace vfife
       rows.push_back(row);
     }
 
+    /** Stresses of the probes as their teeth pass the mesh. */
     void add_probes(const PairRun &run, const ComparedCase &loaded, ComparisonRows &rows)
     {
       const auto passages = compare_passages(run.table("probes.csv"),
@@ -255,6 +261,7 @@ namespace vfife
         }
     }
 
+    /** Mean force and torque of the contact against the load: holds at any speed. */
     void add_balance(const PairRun &run, ComparisonRows &rows)
     {
       ComparisonRow row{"mean contact force",
@@ -280,6 +287,7 @@ namespace vfife
       rows.push_back(row);
     }
 
+    /** Lines of the DTE beside the modes that take part in its static turn with more than 2 %. */
     void add_lines(const PairRun &run, const ComparedCase &coupled, ComparisonRows &rows)
     {
       const std::vector<double> modes =
@@ -311,6 +319,7 @@ namespace vfife
         }
     }
 
+    /** The lumped model's numbers, stated without a verdict. */
     void add_lumped(const PairRun &run, const ComparedCase &lumped, ComparisonRows &rows)
     {
       const auto response = [&](const char *column) {

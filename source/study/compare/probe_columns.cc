@@ -8,6 +8,8 @@ namespace vfife
   {
     const std::string         displacement = std::string(" ") + column::displacement + " ";
     std::vector<ProbeColumns> probes;
+    // The columns of a probe stand together: displacements open it, its stresses and von Mises
+    // follow.
     for (const Table::Column &column : history.columns())
       {
         const std::size_t at = column.name.find(displacement);

@@ -56,6 +56,8 @@ namespace vfife
         const double slack = 1e-6 / mesh_frequency;
         for (const auto &[meshes, stress] : curve_of(loaded, name))
           {
+            // Instants of both: the static positions count tooth meshes from the begin of the run.
+            // Peaks are taken at the same instants, for a run has many more of them.
             const double time = meshes / mesh_frequency;
             if (time < std::max(start, run.front().first) - slack ||
                 time > run.back().first + slack)

@@ -36,6 +36,9 @@ namespace vfife
       });
     const FourierSeries series    = FourierSeries::interpolate(curve);
     double              departure = 0;
+    // Without damping a mode follows harmonic k with 1/(1 - r^2); less the 1 of the static curve
+    // that is r^2/(1 - r^2). Modes are in phase or opposite, so their shares add up with signs;
+    // phases of the harmonics are left open, so magnitudes are added.
     for (std::size_t k = 1; k <= series.n_harmonics(); ++k)
       {
         if (series.amplitude(k) < least_part * largest)

@@ -21,6 +21,8 @@ namespace vfife
         : step_((time.back() - time.front()) / (time.size() - 1))
         , weighted_(signal)
       {
+        // Twice Hann's window, w_i = 1 - cos(2 pi i/(n - 1)): the factor cancels. The mean is the
+        // one that the window sees, so that nothing of it leaks into the lowest lines.
         const std::size_t   n = signal.size();
         std::vector<double> window(n);
         for (std::size_t i = 0; i < n; ++i)
@@ -32,6 +34,7 @@ namespace vfife
           weighted_[i] = window[i] * (signal[i] - mean);
       }
 
+      /** 2 |sum w x exp(-2 pi i f t)|/sum w: a sine's own amplitude at its frequency. */
       double amplitude(const double frequency) const
       {
         const std::complex<double> turn = std::polar(1., -2 * pi * frequency * step_);
@@ -72,6 +75,8 @@ namespace vfife
     std::vector<SpectrumLine> lines;
     if (time.size() < 8)
       return lines;
+    // 1. A grid of a quarter of 1/T, up to half the sampling rate: the main lobe of a line is 4/T
+    // wide, so no line falls between. A maximum needs both neighbours: the first can be at 1.5/T.
     const Spectrum      spectrum(time, signal);
     const double        length = time.back() - time.front();
     const double        grid = .25 / length, end = std::min(highest, .5 / spectrum.step());
@@ -81,12 +86,14 @@ namespace vfife
         frequencies.push_back(f);
         amplitudes.push_back(spectrum.amplitude(f));
       }
+    // 2. Maxima of the grid, refined between their neighbours.
     for (std::size_t i = 1; i + 1 < amplitudes.size(); ++i)
       if (amplitudes[i] >= amplitudes[i - 1] && amplitudes[i] > amplitudes[i + 1])
         {
           const double peak = spectrum.find_peak(frequencies[i - 1], frequencies[i + 1]);
           lines.push_back({peak, spectrum.amplitude(peak)});
         }
+    // 3. The strongest first; what is weak beside it may be a side lobe.
     std::sort(lines.begin(), lines.end(), [](const SpectrumLine &a, const SpectrumLine &b) {
       return a.amplitude > b.amplitude;
     });

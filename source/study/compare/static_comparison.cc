@@ -41,6 +41,7 @@ namespace vfife
                                });
     }
 
+    /** The last state of an explicit case beside that of linear statics, probe by probe. */
     class ModelAtRest
     {
     public:
@@ -55,6 +56,7 @@ namespace vfife
       {
         if (history_.n_rows() < (is_run_ ? 3 : 1) || reference_.n_rows() == 0)
           return;
+        // 1. Probes that both cases have.
         std::vector<ProbeColumns> probes = find_probe_columns(reference_);
         const auto                known  = find_probe_columns(history_);
         probes.erase(std::remove_if(probes.begin(),
@@ -68,6 +70,7 @@ namespace vfife
                                                           });
                                     }),
                      probes.end());
+        // 2. The largest of all of them: beside it small ones are not judged.
         double displacement = 0, stress = 0;
         for (const ProbeColumns &probe : probes)
           {
@@ -75,6 +78,7 @@ namespace vfife
               std::max(displacement, magnitude(find_largest(reference_, probe.displacements)));
             stress = std::max(stress, magnitude(probe.von_mises));
           }
+        // 3. Of each the component that moves most, the largest stress and von Mises.
         for (const ProbeColumns &probe : probes)
           {
             add_row(find_largest(reference_, probe.displacements),
@@ -94,6 +98,7 @@ namespace vfife
         return std::abs(reference_.numbers(column).back());
       }
 
+      /** @p largest: of such columns of all probes, @p tolerance: part of the reference. */
       void add_row(const std::string &column,
                    const std::string &unit,
                    const double       largest,

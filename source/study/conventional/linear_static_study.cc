@@ -27,8 +27,10 @@ namespace vfife
 {
   namespace
   {
+    /** Words for LinearStaticOptions::at_time. */
     const Choices<bool> load_choices = {{"full", false}, {"at time", true}};
 
+    /** @p part 's displacements [mm], 3 a node: points of a body are in the order of its nodes. */
     std::vector<double>
     displacements_of(const Discretization::Part &part, const Body &body, const StaticResult &result)
     {
@@ -92,6 +94,7 @@ namespace vfife
             for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
               {
                 const Vector3 place = discretization.points()[p];
+                // Of the reaction at the point only what this constraint holds, by its projector.
                 const Vector3 here =
                   held_directions(constraint, body.axis, place) *
                   Eigen::Map<const Vector3>(result.reactions.data() + 3 * std::size_t(p));
@@ -180,6 +183,8 @@ namespace vfife
   {
     if (model.transmission)
       return;
+    // Contact of a gear pair is left out by itself, each member being looked at alone; that of a
+    // general model is something that the user has asked for.
     for (const ContactPair &pair : model.contacts)
       throw InputError("Model/contacts",
                        "contact \"" + pair.side +
@@ -221,6 +226,7 @@ namespace vfife
                                        const StaticResult        &result,
                                        const std::vector<Stress> &stresses) const
   {
+    // Observers write what they are shown: a state that holds what a row of the probes asks for.
     State state;
     state.time = options_.at_time ? options_.time : 1.; // as in `static`, the part of the loads
     state.measured.energy.strain = result.strain_energy;
@@ -246,6 +252,7 @@ namespace vfife
     RunSummary  summary = start_summary("linear static", model, folder.communicator());
     const auto  start   = WallClock::now();
 
+    // 1. Loads, and how hubs are held that turn freely.
     StaticLoads loads    = options_.loads();
     HubRotation rotation = fem_.hold_hubs ? HubRotation::held : HubRotation::free;
     if (model.transmission)
@@ -255,6 +262,7 @@ namespace vfife
         if (!fem_.hold_hubs)
           rotation = HubRotation::pinned; // spin has no moment about the axis
       }
+    // 2. The solution, and stresses at the nodes.
     const StaticSolver solver(
       model, find_chosen_bodies(fem_, model), fem_, folder.communicator(), rotation);
     const StaticResult        result   = solver.solve(loads);

@@ -86,6 +86,8 @@ namespace vfife
                                                          const Communicator &communicator,
                                                          Log                &log) const
   {
+    // Penalties of a run follow from its step: the solver of that run is set up and asked, so that
+    // both have the same contact.
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return gear_case_.choose_step(stable_step, output_.history_every);
     });
@@ -123,6 +125,8 @@ namespace vfife
     std::vector<double> turns;
     for (unsigned int i = 0; i < options_.positions; ++i)
       turns.push_back(i * pitch / options_.positions);
+    // One factorization serves all positions: in turning axes the bodies stay as they are, and unit
+    // forces that one position has solved for are kept for the next.
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
     LoadedProbes    probes(model, gear_case_.operation().meshes);
     for (const double turn : turns)
@@ -143,6 +147,7 @@ namespace vfife
                  " unit forces, ",
                  seconds_since(start),
                  " s");
+        // Modes are those of the pair tied together where it touches in the reference position.
         if (turn == turns.front() && options_.coupled_modes > 0)
           find_modes(model, compliance, result, folder, log);
       }
@@ -175,6 +180,8 @@ namespace vfife
              ", stiffness ",
              1e-3 * modes.stiffness,
              " N m/rad");
+    // Only modes that turn the hub are named: 2 % is the limit of the comparison with lines of a
+    // run too.
     for (const auto *list : {&modes.turning, &modes.standing})
       for (const CoupledMode &mode : *list)
         if (mode.share_of_turn > .02)
@@ -187,6 +194,8 @@ namespace vfife
     add_coupled_modes(modes, table);
     write_tables(folder, "coupled_modes", table);
     folder.make_subfolder("modes");
+    // Shapes as they stand in space, where the pair turns. Points of a body are in the order of its
+    // nodes.
     const auto           &list = modes.standing.empty() ? modes.turning : modes.standing;
     const Discretization &d    = compliance.discretization();
     for (const Discretization::Part &part : d.parts())
@@ -218,12 +227,16 @@ namespace vfife
       return t.driven_sense *
              (turn + mean_rotation(compliance.discretization(), t.driven, t.driven_bore, u));
     };
+    // [rad]; transmission error = theta_driven - (z_driver/z_driven) theta_driver. A lead is
+    // counted from the kinematic turn, so of both angles only those at time zero remain.
     const double offset   = t.driven_start - t.ratio() * t.driver_start;
     const double unloaded = offset + lead(result.touch_turn, compliance.spun());
     const double loaded   = offset + lead(result.turn, result.displacements);
     const double torque   = load_torque(model);
-    const double secant   = torque / std::abs(loaded - unloaded);
-    const double tangent  = torque / std::abs(lead(result.turn_slope, result.displacement_slope));
+    // [N mm/rad]; the slope is the change per unit of the load factor, so the whole torque belongs
+    // to it.
+    const double secant  = torque / std::abs(loaded - unloaded);
+    const double tangent = torque / std::abs(lead(result.turn_slope, result.displacement_slope));
 
     // A row a tooth pair, and one for their sum.
     double force = 0, pressure = 0;

@@ -38,6 +38,8 @@ namespace vfife
         const double  pitch     = 2 * pi / (is_driver ? t.driver_teeth : t.driven_teeth);
         const double  sense     = is_driver ? t.driver_sense : t.driven_sense;
         const Vector3 arm = body.placement(body.node_positions()[probe.node]) - body.axis.point;
+        // In the position of m tooth meshes later the probe is where its copy m pitches ahead is
+        // now: the copies at the positions of one mesh make the probe's passage through all.
         std::vector<unsigned int> nodes;
         for (unsigned int m = 0; m <= meshes; ++m)
           nodes.push_back(find_node(
@@ -60,7 +62,9 @@ namespace vfife
           {
             const unsigned int node = copies_[p][m];
             const Stress      &here = stresses[body.first_node + node];
-            const Stress       turned =
+            // In the axes r, theta, z of the copy, which are those of the probe when it has come
+            // there.
+            const Stress turned =
               turn_stress(here,
                           body.placement.rotation *
                             compute_cylindrical_axes(body, body.node_positions()[node]));

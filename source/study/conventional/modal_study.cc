@@ -56,6 +56,7 @@ namespace vfife
     folder.make_subfolder("modes");
     for (const unsigned int b : find_chosen_bodies(fem_, model))
       solve_body(model, b, folder, log);
+    // A single speed has no branches.
     if (fem_.rates().size() > 1)
       {
         write_tables(folder, "campbell", campbell_);
@@ -114,6 +115,8 @@ namespace vfife
         write_shapes(folder, name.str(), body, shapes);
         speeds.push_back(std::move(found));
       }
+    // Modes of the same kind joined over the speeds, then their crossings with the orders of
+    // excitation.
     const std::vector<CampbellBranch> branches = make_branches(speeds);
     add_branches(body.name(), branches, campbell_);
     add_resonances(body.name(), branches, body.mesh().n_sectors, fem_.mesh_orders, resonances_);

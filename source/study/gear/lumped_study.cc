@@ -29,6 +29,7 @@ namespace vfife
         {
           Json critical = Json::array();
           for (unsigned int order = 1; order <= n_orders; ++order)
+            // n = 60 f/(k z_driver) [rpm]: harmonic k of the mesh meets the mode.
             critical.push_back(60 * mode.frequency / (order * model.pair().driver_teeth));
           modes.push_back({{lumped_place::frequency, mode.frequency},
                            {"damping ratio [-]", mode.damping_ratio},
@@ -82,6 +83,8 @@ namespace vfife
             largest = i;
           if (apart[i] > 0)
             lost.push_back({{"direction", pass[i]}, {"speed [rpm]", speed[i]}});
+          // The way down has the same speeds in opposite order: rows i and 2n - 1 - i are one
+          // speed. They differ where the response depends on where it comes from.
           if (i < n && speed.size() == 2 * n)
             {
               const double difference = std::abs(swing[i] - swing[2 * n - 1 - i]);
@@ -154,6 +157,8 @@ namespace vfife
     LumpedOptions filled = options_;
     if (has_pair_)
       {
+        // What the section leaves open is taken of the bodies' meshes and the pair: zeros, a
+        // negative backlash, a normal of no length.
         const Model         model = gear_case_.make_model(log);
         const Transmission &t     = *model.transmission;
         const auto          fill  = [](auto &value, const auto known) {
@@ -165,6 +170,7 @@ namespace vfife
         fill(filled.driver_inertia, model.bodies[t.driver].axial_inertia());
         fill(filled.driven_inertia, model.bodies[t.driven].axial_inertia());
         fill(filled.arm, t.arm);
+        // The turn of the gear [rad] times the arm: along the line of action [mm].
         if (filled.backlash < 0)
           filled.backlash = gear_case_.make_pair().backlash_angle() * filled.arm;
         if (filled.contact_normal.norm() == 0)
@@ -190,7 +196,9 @@ namespace vfife
   {
     const LumpedModel model(make_pair(log));
     log_model(model, log);
-    const double   speed  = operation().speed;
+    const double speed = operation().speed;
+    // The speed of the section Operation first, with its motion; then the sweep, of which only
+    // figures are kept.
     Table          motion = make_motion_table(model);
     LumpedResponse response;
     {

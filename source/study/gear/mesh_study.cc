@@ -89,6 +89,7 @@ namespace vfife
   void MeshStudy::run(OutputFolder &folder, Log &log)
   {
     const Model model = gear_case_.make_model(log);
+    // All ranks have made the same meshes: one writes them. Nothing below is collective.
     if (!folder.is_writer())
       return;
     const Table figures = body_figures_table(gear_case_.measure_bodies(model));
@@ -107,6 +108,7 @@ namespace vfife
       {
         if (export_.bodies)
           write(body.name(), {exported(body)});
+        // In its own file a body lies in its body frame, in that of the pair it is mounted.
         pair.push_back(exported(body));
         pair.back().placement = body.placement;
       }

@@ -29,6 +29,8 @@ namespace vfife
       return text;
     }
 
+    /** A point of a flank: where it is in the meridian plane (L, h) and in space, normal and
+     * principal curvatures. */
     Json point_json(const SurfacePoint &point, const Vector2 &L_h, const Vector2 &curvatures)
     {
       NamedFigures figures = {{"L", {L_h[0], "mm"}}, {"h", {L_h[1], "mm"}}};
@@ -61,6 +63,8 @@ namespace vfife
       return json;
     }
 
+    /** All that tca.json says of one side of the pair. Places on the path are in pitches, angles
+     * of the gear in arcsec. */
     Json side_json(const ContactAnalysis &a, const double gear_pitch)
     {
       const ContactEllipse &ellipse = a.mean.ellipse;
@@ -83,6 +87,7 @@ namespace vfife
                       {"gear L at the end", {a.path.back().contact.gear_L_h[0], "mm"}},
                       {"angle to the lengthwise direction", {a.path_angle / degree, "deg"}}});
       json["path"]["ended by"] = {a.ends[0].border, a.ends[1].border};
+      // Beyond either end of the path an edge may go on carrying.
       for (const unsigned int i : {0u, 1u})
         {
           const PathEnd &end  = a.ends[i];
@@ -96,6 +101,7 @@ namespace vfife
           part["is edge"] = end.is_edge;
         }
 
+      // The lag as sum c_i p^i [arcsec] over the place p on the path [pitches].
       NamedFigures lag;
       for (unsigned int i = 0; i < 2; ++i)
         lag.push_back({"power " + std::to_string(i), {a.lag_offset[i] / arcsecond, "arcsec"}});
@@ -115,6 +121,7 @@ namespace vfife
       return json;
     }
 
+    /** What a designer looks at first, of one side. */
     void log_side(const ContactAnalysis &a, Log &log)
     {
       const UnloadedContactPoint &p = a.mean.contact;
@@ -183,6 +190,7 @@ namespace vfife
           "carries there");
     }
 
+    /** Figures of the teeth at some sections of both members. */
     Json form_json(const ToothForms &forms)
     {
       Json json = figures_json({{"play of the gear", {forms.play / arcsecond, "arcsec"}},
@@ -228,6 +236,7 @@ namespace vfife
         log.warning(message);
     }
 
+    /** What can be said of blanks and settings before flanks are generated. */
     void warn(const GearPairOptions &options, Log &log)
     {
       for (const std::string &message : options.examine().warnings())
@@ -238,7 +247,8 @@ namespace vfife
     void write_pair(const GearPair &pair, const OutputFolder &folder)
     {
       GearPairOptions options = pair.options();
-      options.proposal        = PairProposal();
+      // What was proposed stands among the settings now: read again, nothing is to be proposed.
+      options.proposal = PairProposal();
       dealii::ParameterHandler prm;
       {
         Subsection section(prm, "Gear pair");
@@ -308,6 +318,7 @@ namespace vfife
       }
     const ToothForms forms = measure_tooth_forms(pair);
     log_forms(forms, log);
+    // Teeth that cannot be made end the study, but only after the log has shown them.
     forms.findings.raise();
     json["teeth"] = form_json(forms);
     if (!folder.is_writer())

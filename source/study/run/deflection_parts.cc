@@ -26,6 +26,8 @@ namespace vfife
     const Body         &body    = model_.bodies[b];
     const Vector3      &contact = model_.transmission->contact_point;
     std::vector<double> sums(4, 0.);
+    // u = sum w u/sum w over the nodes, w = exp(-d^2/2 width^2), d the distance from the mean
+    // contact. Each node counts on the rank that owns it.
     for (const unsigned int node : body.mesh().surfaces.at(surface).nodes)
       {
         const std::uint32_t local = state.partition->find_owned(body.first_node + node);
@@ -47,6 +49,8 @@ namespace vfife
     const Transmission &t    = *model_.transmission;
     const Body         &body = model_.bodies[t.driven];
     // Least squares of u = shift + turn x r over the rim's masses: a symmetric 6 x 6 system.
+    // With M = (1, e_x x r, e_y x r, e_z x r): sum m M^T M (shift, turn) = sum m M^T u, [mm],
+    // [rad].
     Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> right  = Eigen::Matrix<double, 6, 1>::Zero();
     for (const unsigned int node : t.driven_rim)
@@ -64,6 +68,7 @@ namespace vfife
         matrix += mass * motion.transpose() * motion;
         right += mass * motion.transpose() * (state.node_position(local) - start);
       }
+    // Both sides in one sum over the ranks: all ranks solve the same system.
     std::vector<double> sums(matrix.data(), matrix.data() + 36);
     sums.insert(sums.end(), right.data(), right.data() + 6);
     communicator_.sum(sums);
@@ -81,8 +86,9 @@ namespace vfife
     measure_transmission(model_, state, communicator_);
 
     Shape shape;
-    shape.hub_lead           = state.measured.transmission_error;
-    shape.rim_lead           = state.measured.rim_transmission_error;
+    shape.hub_lead = state.measured.transmission_error;
+    shape.rim_lead = state.measured.rim_transmission_error;
+    // psi = (n . u_g - n . u_p)/p: the master flank is the driven one, the normal comes out of it.
     const ContactPair &drive = model_.contacts.front();
     shape.contact = t.contact_normal.dot(flank_displacement(state, t.driven, drive.master_surface) -
                                          flank_displacement(state, t.driver, drive.slave_surface)) /
@@ -107,6 +113,8 @@ namespace vfife
                                        const DeflectionParts &parts,
                                        const double           torque) const
   {
+    // J psi^2 = sum m u . u over both bodies, u from the partly loaded state to the loaded one: the
+    // driver deforms in the swing too.
     double sum = 0;
     for (const Body &body : model_.bodies)
       for (unsigned int node = 0; node < body.n_nodes(); ++node)
@@ -117,12 +125,14 @@ namespace vfife
           const Vector3 before = partial_position_.value(local);
           sum += body.node_masses()[node] * (loaded.node_position(local) - before).squaredNorm();
         }
+    // The lag grows with the torque: positive, as is k = dT/psi.
     const double psi = partial_lead_ - parts.total;
     return {(torque - partial_torque_) / psi, communicator_.sum(sum) / (psi * psi)};
   }
 
   double Swing::frequency() const
   {
+    // f = (1/2 pi) sqrt(k/J)
     return stiffness > 0 && inertia > 0 ? std::sqrt(stiffness / inertia) / (2 * pi) : 0.;
   }
 
@@ -136,7 +146,8 @@ namespace vfife
     DeflectionParts parts;
     parts.total       = loaded.hub_lead;
     parts.centrifugal = spun_.contact;
-    parts.web_windup  = (loaded.hub_lead - loaded.rim_lead) - (spun_.hub_lead - spun_.rim_lead);
+    // Lead of the hub before its rim: what the torque adds to that of the spun state.
+    parts.web_windup = (loaded.hub_lead - loaded.rim_lead) - (spun_.hub_lead - spun_.rim_lead);
     // Of the rim's rigid motion only what is no rotation about the axis, taken to the contact
     // point.
     const Vector3 turn = loaded.rim_turn - spun_.rim_turn;
@@ -144,7 +155,8 @@ namespace vfife
     const Vector3 shift =
       loaded.rim_shift - spun_.rim_shift + tilt.cross(t.contact_point - axis.point);
     parts.rim_tilt = t.contact_normal.dot(shift) / t.arm;
-    parts.teeth    = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt;
+    // The parts add up by definition: what the split cannot tell apart, is here.
+    parts.teeth = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt;
     return parts;
   }
 } // namespace vfife

@@ -17,6 +17,7 @@ namespace vfife
 {
   namespace
   {
+    /** What relaxation says of itself, for the log. */
     std::string describe(const RelaxationReport &report)
     {
       std::ostringstream text;
@@ -71,6 +72,8 @@ namespace vfife
     if (options_.start_solver == StartSolver::factorization)
       factors.emplace(
         model_, options_, relaxation, solver_.contact().penalties(), communicator_, log_);
+    // Each equilibrium starts from the one before. Both ways to it have the same result up to their
+    // tolerance.
     const auto relax = [&](const char *name, const Relaxation::Loads &loads) {
       log_.line("  ",
                 name,
@@ -79,6 +82,8 @@ namespace vfife
     };
 
     // 1. Centrifugal force alone.
+    // Contact and torque are away and the hub is held: what the flanks do here is the centrifugal
+    // part of the transmission error.
     Relaxation::Loads spinning;
     spinning.torque        = 0;
     spinning.contact       = false;
@@ -88,12 +93,15 @@ namespace vfife
 
     // 2. A part of the torque, then all of it: the slope between both is the swing's stiffness.
     Relaxation::Loads partly;
-    partly.torque    = partial_load;
+    partly.torque = partial_load;
+    // A state that is passed through: a tenth of the torque moves far more than the tolerance
+    // leaves.
     partly.looseness = 10;
     relax("at 0.9 of the torque", partly);
     probe.take_partly_loaded(state, partly.torque * torque);
     relax("loaded", Relaxation::Loads());
-    preload_.parts       = probe.take_loaded(state);
+    preload_.parts = probe.take_loaded(state);
+    // The springs' energy is that of the state just found: to be asked before the next one.
     preload_.penalty_lag = compute_penalty_lag(solver_.contact().energy(), torque);
     preload_.swing       = probe.compute_swing(state, preload_.parts, torque);
 
@@ -101,11 +109,13 @@ namespace vfife
     StandingPattern pattern(model_, communicator_);
     if (options_.start == Start::ramp)
       {
+        // So little torque closes the flanks of the spun shapes and hardly deforms them.
         Relaxation::Loads touching;
         touching.torque = touching_load;
         relax("touching", touching);
       }
     else
+      // The pattern follows from the shape and its forces of inertia change the shape: in turn.
       for (unsigned int round = 0; round < pattern_rounds; ++round)
         {
           pattern.update(state);
@@ -114,6 +124,8 @@ namespace vfife
           relax("standing in space", standing);
         }
     log_.line("  took ", duration_text(seconds_since(start)));
+    // Velocities come last, of the places found: omega x r, and Omega u' of the standing pattern,
+    // which a ramp has not.
     solver_.set_rigid_velocities(state);
     pattern.add_velocities(state.velocity);
     log_preload();

@@ -20,6 +20,8 @@ namespace vfife
 {
   namespace
   {
+    /** Parts of the transmission error and the swing, in the units of users (1e-3 kg m^2 are
+     * 1 t mm^2). */
     void add_preload(const PairPreload &preload, RunSummary &summary)
     {
       const DeflectionParts &parts = preload.parts;
@@ -46,6 +48,7 @@ namespace vfife
     , hertz_(hertz)
     , output_(output)
   {
+    // The pattern on the flanks is gathered over the last tooth mesh [s] of the run.
     const double one_mesh = 1. / model.transmission->mesh_frequency();
     teeth_                = &stepping.add<TeethWriter>(model, history_steps, hertz).table();
     stepping.add<PatternWriter>(model, std::max(0., end_time - one_mesh), history_steps);
@@ -85,6 +88,7 @@ namespace vfife
                              RunSummary        &summary,
                              Log               &log) const
   {
+    // Zero where the run has failed before its equilibrium was found.
     if (preload.swing.frequency() > 0)
       {
         add_preload(preload, summary);
@@ -103,6 +107,8 @@ namespace vfife
     double ramp_end = 0;
     for (const Torque &torque : model_.torques)
       ramp_end = std::max(ramp_end, torque.ramp_time);
+    // Means are compared over swing periods, here in tooth meshes: f_mesh/f_swing. Under a growing
+    // torque nothing is steady.
     const double period = model_.transmission->mesh_frequency() / preload.swing.frequency();
     summary.steady      = find_steady_part(history, output_.history_every, period, ramp_end);
     log.line(summary.steady->explain());
@@ -127,12 +133,14 @@ namespace vfife
                                 RunSummary        &summary) const
   {
     const double force = load_torque(model_) / model_.transmission->arm;
+    // The springs let the gear lag: negative, as the part in which it is contained.
     summary.transmission_error.push_back(
       {"penalty springs, in teeth and rest", {-preload.penalty_lag / arcsecond, "arcsec"}});
     summary.figures.push_back(
       {"hertz pressure of one tooth pair", {hertz_.largest_pressure(force), "MPa"}});
 
     // How often the other side of the teeth touched.
+    // Rows are of single tooth pairs: an instant counts once, however many of them touch.
     std::set<double> coast;
     for (std::size_t i = 0; i < teeth_->n_rows(); ++i)
       if (teeth_->column(column::side).texts[i] == "coast")

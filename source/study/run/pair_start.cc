@@ -18,6 +18,8 @@ namespace vfife
      * takes away. */
     constexpr double least_gain = 0.5;
 
+    /** The conventional element that is nearest to the operator's, with the masses of the mass
+     * points: the nearer, the faster the rounds. */
     FemOptions fem_options(const DynamicsOptions &options)
     {
       FemOptions fem;
@@ -27,6 +29,7 @@ namespace vfife
       return fem;
     }
 
+    /** Whether the stiffness is that of a state of spin. */
     bool any_turns(const Model &model)
     {
       for (const Body &body : model.bodies)
@@ -64,6 +67,8 @@ namespace vfife
                                   const Discretization::Part &part,
                                   const std::uint32_t         local) const
   {
+    // Points of a body are in the order of its nodes, whatever rank and place the operator gives
+    // them.
     return part.first_point + state.partition->global_node[local] -
            model_.bodies[part.body].first_node;
   }
@@ -76,6 +81,8 @@ namespace vfife
 
   std::vector<double> PairStart::gather(const State &state, const NodeVector &vector) const
   {
+    // Each rank fills in the nodes that it owns and leaves zeros elsewhere: after the sum all ranks
+    // have all points. Collective.
     std::vector<double> all(3 * std::size_t(compliance_->discretization().n_points()), 0.);
     for (const Discretization::Part &part : compliance_->discretization().parts())
       for (const std::uint32_t i : state.partition->owned_nodes(part.body))
@@ -86,6 +93,7 @@ namespace vfife
 
   std::vector<double> PairStart::displacements(const State &state) const
   {
+    // u = R^T (x - c) - (X - c), R the turn of the body since time zero
     std::vector<double> u = gather(state, [&](const unsigned int body, const std::uint32_t i) {
       const Vector3 &c = model_.bodies[body].axis.point;
       return Vector3(c + rotation(body).transpose() * (state.node_position(i) - c));
@@ -105,6 +113,7 @@ namespace vfife
 
   double PairStart::moment(const State &state, const NodeField &forces) const
   {
+    // a . sum (x - c) x f over the driven body [N mm]. Collective.
     const unsigned int driven = model_.transmission->driven;
     const Axis        &axis   = model_.bodies[driven].axis;
     double             sum    = 0;
@@ -120,6 +129,7 @@ namespace vfife
       {
         const Vector3 &c = model_.bodies[part.body].axis.point;
         const Matrix3  R = rotation(part.body);
+        // x = c + R (X + u - c), on nodes that others own as well: all ranks know all of u.
         for (const std::uint32_t i : state.partition->nodes(part.body))
           {
             const std::size_t p = point_of(state, part, i);
@@ -128,6 +138,7 @@ namespace vfife
                                  R * (points[p] + Eigen::Map<const Vector3>(u.data() + 3 * p) - c));
           }
       }
+    // The factors hold what is prescribed to first order only.
     relaxation_.constrain(state);
   }
 
@@ -156,6 +167,8 @@ namespace vfife
             return text.str();
           }
         residuals.push_back(residual);
+        // Gives up where numbers are lost, where rounds are used up, or where two of them have
+        // gained too little: a single round may gain nothing.
         if (round == largest_rounds || !std::isfinite(residual) ||
             (round >= 3 && residual > least_gain * residuals[round - 2]))
           break;
@@ -168,12 +181,15 @@ namespace vfife
         // 3. The flanks are pressed together; the driven member turns as that asks.
         if (loads.contact)
           {
+            // The driver stands as at time zero; the torque is all that still turns the driven
+            // body.
             const PairEquilibriumResult pressed = pair_->press(0., u, moment(state, forces));
             u                                   = pressed.displacements;
             turn_                               = pressed.turn;
           }
         place(u, state);
       }
+    // Relaxation needs no stiffness: it goes on from where the rounds have ended.
     const RelaxationReport report = relaxation_.solve(state, loads);
     text << report.steps << " relaxation steps after the rounds, residual " << report.residual;
     return text.str();

@@ -77,6 +77,7 @@ namespace vfife
   Model RunStudy::make_model(Log &log) const
   {
     Model model = case_->make_model(log);
+    // A case does not know how its run starts: the ramp of the torque is set here.
     if (dynamics_.start == Start::ramp)
       for (Torque &torque : model.torques)
         torque.ramp_time = case_->ramp_time();
@@ -94,6 +95,8 @@ namespace vfife
                                                            const double   run_time,
                                                            Log           &log) const
   {
+    // The steps that elements, contact and samples allow, one after the other: checks tell by which
+    // of them a run is slow.
     RunPlan plan{dynamics_, output_, model};
     plan.element_step                    = dynamics_.safety * stepped.solver.element_step();
     plan.stable_step                     = stepped.solver.stable_step();
@@ -137,6 +140,7 @@ namespace vfife
                                const Communicator &communicator,
                                Log                &log)
   {
+    // What the log has beyond the checkpoint is written again by the steps that are repeated.
     checkpoint_ = find_checkpoint(folder, now, changeable_entries, communicator, log);
     return checkpoint_->log_size;
   }
@@ -152,6 +156,8 @@ namespace vfife
     stepped.log_step(model, log);
 
     // Observers: those of any model, those of a gear pair, fields.
+    // A checkpoint holds the data of the observers one after the other: whoever resumes has to add
+    // them in the same order. A run that is ended early still states the time of the whole one.
     const double whole_time = case_->end_time(), dt = stepped.dt;
     const double end_time =
       dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;

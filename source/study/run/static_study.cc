@@ -104,12 +104,14 @@ namespace vfife
                  report.residual);
         state.time = *loads.part;
         state.step = step;
+        // On all ranks: its sums over the bodies are collective.
         solver.measure_at_rest(state);
         for (const auto &observer : observers)
           observer->observe(model, state);
       }
     for (const auto &observer : observers)
       observer->finish(model, state);
+    // Steps of the summary are those of relaxation, not load steps: they are what takes the time.
     summary.run_time = seconds_since(start);
     summary.steps    = n_relaxation_steps;
     summary.energy   = state.measured.energy;

@@ -30,6 +30,7 @@ namespace vfife
     : solver(model, options, communicator, log, timers)
     , dt(choose_step(solver.stable_step()))
   {
+    // With it the contact finds its penalties.
     solver.set_step(dt);
   }
 
@@ -51,6 +52,8 @@ namespace vfife
     if (model.transmission)
       log.line(std::lround(1. / (model.transmission->mesh_frequency() * dt)),
                " steps a tooth mesh");
+    // What the mesh would allow without its worst elements: whether a few of them cost all the
+    // time.
     const auto without = [&](const int n) { return 1e9 * vfife.stable_step_without(n); };
     log.line("without the 10 worst ", without(10), " ns, the 100 worst ", without(100), " ns");
     const auto penalties = solver.contact().penalties();

@@ -22,6 +22,7 @@ namespace vfife
     /** Signals and clock are looked at every so many steps: ranks must agree on them. */
     constexpr unsigned int look_interval = 10;
 
+    /** Time and step of a state, for messages. */
     std::string where(const State &state)
     {
       return "time " + std::to_string(1e3 * state.time) + " ms, step " + std::to_string(state.step);
@@ -74,6 +75,8 @@ namespace vfife
 
   void Stepping::serialize(ByteStream &common, ByteStream *own)
   {
+    // One function writes and reads, so that both have the same order. `common` is equal on all
+    // ranks, `own` is of one rank, and missing where their number has changed.
     serialize_model(common, model_);
     double time = run_time();
     // The wall time so far goes on counting after a restart.
@@ -84,6 +87,7 @@ namespace vfife
     for (const auto &observer : observers_)
       observer->serialize(common);
 
+    // Warnings of the log belong to the run: its summary lists them at the end.
     std::vector<std::pair<std::string, unsigned int>> warnings;
     for (const Log::Warning &warning : log_.warnings())
       warnings.emplace_back(warning.text, warning.count);
@@ -107,6 +111,8 @@ namespace vfife
   void Stepping::restore(const Checkpoint &checkpoint)
   {
     ByteStream common(checkpoint.common);
+    // With as many ranks as before each goes on with its own part, bit by bit; otherwise the state
+    // is divided anew and sums have another order.
     const bool same_ranks = checkpoint.own.size() == communicator_.size();
     ByteStream own(same_ranks ? checkpoint.own[communicator_.rank()] : "");
     serialize(common, same_ranks ? &own : nullptr);
@@ -156,6 +162,8 @@ namespace vfife
         if (asked[2] > 0 && fields_ != nullptr)
           fields_->request();
       }
+    // Signals reach single ranks and clocks differ: by now all ranks have decided alike, and
+    // writing is collective. Who is stopped has written first.
     if (due)
       write();
     if (signal != 0)
@@ -173,6 +181,7 @@ namespace vfife
     summary_.contact_losses = solver_.contact_losses();
     for (const Log::Warning &warning : log_.warnings())
       summary_.warnings.push_back(warning.text);
+    // The study adds its figures last, when all others stand.
     complete();
     write_summary(folder_, summary_);
   }
@@ -185,6 +194,7 @@ namespace vfife
   {
     observers_.push_back(
       std::make_unique<ProgressLine>(log_, communicator_, 0., end_time, whole_time, sample_steps_));
+    // 1. The place of the first step: that of the checkpoint, or what the start finds.
     start_ = &start;
     begin_ = WallClock::now();
     try
@@ -195,6 +205,8 @@ namespace vfife
         folder_.remove_file("summary.json");
         if (checkpoint == nullptr)
           start.prepare(state_);
+        // 2. The steps. Run time and clock of the checkpoints begin here: the equilibrium is no
+        // part of the speed in steps. Signals are caught only while there is something to save.
         begin_ = last_checkpoint_     = WallClock::now();
         const std::uint64_t last_step = std::llround(end_time / state_.dt);
         RunSignals          signals;
@@ -202,6 +214,8 @@ namespace vfife
           before_step(signals, last_step);
         });
       }
+    // 3. The end. A failure is stated in the summary before others hear of it; an interruption
+    // passes by, as its checkpoint is all that it leaves.
     catch (const NumericalError &error)
       {
         summary_.status  = "failed";

@@ -36,6 +36,8 @@ namespace vfife
     {
       const double half      = 0.5 * *std::max_element(column.begin(), column.end());
       Numbers      crossings = find_crossings(time, column, half);
+      // Crossings go up and down in turn. A record that begins or ends above half has its end for
+      // the crossing that is missing, so that they make pairs.
       if (column.front() > half)
         crossings.insert(crossings.begin(), time.front());
       if (column.back() > half)
@@ -46,6 +48,7 @@ namespace vfife
       return sum;
     }
 
+    /** Mean of the samples above half the largest value; not known where none is positive. */
     double compute_mean_above_half(const Numbers &column)
     {
       const double half = 0.5 * *std::max_element(column.begin(), column.end());
@@ -60,6 +63,7 @@ namespace vfife
       return n > 0 ? sum / n : not_known;
     }
 
+    /** Frequency of a vibration about zero [Hz]: n crossings are (n - 1)/2 periods. */
     double compute_zero_crossing_rate(const Numbers &time, const Numbers &column)
     {
       const Numbers crossings = find_crossings(time, column, 0);
@@ -68,6 +72,8 @@ namespace vfife
                : 0.5 * (crossings.size() - 1) / (crossings.back() - crossings.front());
     }
 
+    /** One number of a column, in its unit but for change [-], time above half [s] and zero
+     * crossing rate [Hz]. */
     double compute_value(const FigureValue value, const Numbers &time, const Numbers &column)
     {
       switch (value)
@@ -176,6 +182,7 @@ namespace vfife
     if (reference.empty())
       return not_known;
     const double expected = parse_quantity(reference, "-");
+    // e = value/reference - 1, or the value itself
     return expected == 0 ? number : number / expected - 1;
   }
 
@@ -189,6 +196,8 @@ namespace vfife
                        const std::vector<std::string> &values_before,
                        const std::vector<std::string> &values)
   {
+    // p = log |e_before/e| / |log(h/h_before)|. All parameters that differ must do so by one ratio,
+    // up or down (a cell's number grows where its size falls); otherwise there is no h.
     double ratio = 0; // logarithm
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i] != values_before[i])
@@ -199,6 +208,7 @@ namespace vfife
             return not_known;
           ratio = own;
         }
+    // Where nothing differs, or an error is zero, this is not finite.
     const double order = std::log(std::abs(error_before / error)) / ratio;
     return std::isfinite(order) ? order : not_known;
   }

@@ -41,6 +41,7 @@ namespace vfife
   unsigned int SweepStudy::count_groups(const Communicator &communicator) const
   {
     const unsigned int all = communicator.size();
+    // Whole groups only: ranks that are left over join the last one in run().
     return all / (ranks_per_run_ == 0 ? all : std::min(ranks_per_run_, all));
   }
 
@@ -114,6 +115,7 @@ namespace vfife
   {
     folder_of_file_ = fs::path(file.path()).parent_path().string();
     {
+      // First pass: names of parameters and figures, which have sections.
       dealii::ParameterHandler first;
       {
         Subsection section(first, "Sweep");
@@ -148,6 +150,8 @@ namespace vfife
 
   std::vector<SweepStudy::Values> SweepStudy::list_runs() const
   {
+    // A product begins with one run without values; each parameter multiplies the runs so far by
+    // its values, so the last one changes fastest. A list has its length from the first parameter.
     std::vector<Values> runs(1);
     if (combination_ == Combination::list)
       runs.resize(parameters_.front().list_values().size());
@@ -218,6 +222,7 @@ namespace vfife
                          "the folder \"" + folder +
                            "\" has neither coupled modes (coupled_modes.csv) nor a sweep of speeds "
                            "(resonance.csv)");
+    // All runs are read before the first one begins: the last must not fail by a word after days.
     split_entries(entries_, "Sweep/entries");
     for (const Values &values : list_runs())
       try
@@ -232,6 +237,7 @@ namespace vfife
 
   void SweepStudy::check_columns() const
   {
+    // Names that the table has anyway: a run that does not exist has the same figures as any other.
     std::vector<std::string> taken = {"run", "status"};
     for (const auto &figure : read_run_figures("").figures)
       taken.push_back(figure.first);

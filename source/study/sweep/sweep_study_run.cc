@@ -81,6 +81,7 @@ namespace vfife
                                                      const std::vector<CaseReport> &reports,
                                                      Log                           &log) const
   {
+    // 1. What each summary says; a run that has not finished has no figures of its history.
     std::vector<NamedFigures> all;
     std::vector<std::string>  finished;
     for (std::size_t i = 0; i < runs.size(); ++i)
@@ -89,6 +90,8 @@ namespace vfife
         all.push_back(read_run_figures(path).figures);
         finished.push_back(reports[i].outcome == Outcome::finished ? path : "");
       }
+    // 2. Figures of the histories, each with its error and the order of convergence over the run
+    // before.
     for (const HistoryFigure &figure : figures_)
       {
         const std::vector<Figure> numbers      = compute_of_runs(figure, finished, log);
@@ -158,6 +161,7 @@ namespace vfife
         table.add_row(row);
         json.push_back(one);
       }
+    // Written anew after each round: what has been found stays when the sweep is stopped.
     write_csv(folder, "sweep.csv", table);
     write_json(folder, "sweep.json", Json{{"base", base_}, {"runs", json}});
   }
@@ -169,6 +173,7 @@ namespace vfife
         const fs::path    from(beside_[i]);
         const std::string name = "beside/" + std::to_string(i + 1);
         folder.make_subfolder(name);
+        // Copied, so that the report finds them when the folder of the sweep is moved.
         for (const char *file :
              {"coupled_modes.csv", "resonance.csv", "lumped.json", "parameters.prm"})
           if (folder.is_writer() && fs::exists(from / file))
@@ -196,6 +201,8 @@ namespace vfife
         for (std::size_t i = first; i < end; ++i)
           log.line(folder_of_run(i), " begins: ", describe(runs[i]));
         CaseReport report;
+        // In a last round that is not full some groups have nothing to do: they wait for the others
+        // below.
         if (first + index < end)
           {
             CommandLine line   = command_line(runs[first + index]);
@@ -217,6 +224,7 @@ namespace vfife
             }
         write_results(folder, runs, reports, log);
       }
+    // Only now, with all tables written, is an interruption or a failure passed on.
     if (stops)
       throw Interrupted("the sweep is stopped; to go on: the same command with --restart");
     if (pictures_)

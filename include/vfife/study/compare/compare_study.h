@@ -47,7 +47,7 @@ namespace vfife
     void        declare_own(dealii::ParameterHandler &prm);
     void        check_case(const Case &one) const;
     CommandLine command_line(const Case &one, const std::string &folder) const;
-    /** Entries "A/B/name = value; ...", words {case} replaced by that case's folder. */
+    /** Entries "A/B/name = value; ...", {NAME} replaced by the folder of that case. */
     std::vector<std::string> list_entries(const std::string &text, const std::string &folder) const;
     std::string              folder_of(const Case &one, const std::string &folder) const;
     ComparedCase             do_one(const Case &one, OutputFolder &folder, Log &log) const;

@@ -13,8 +13,9 @@ namespace vfife
 
   /**
    * Where the transmission error of a loaded pair at the mean contact comes from [rad], lag
-   * negative. With n the normal out of the gear into the pinion and p its arm about the gear axis,
-   * flanks that touch after displacements u_g and u_p at the contact ask the hub for the rotation
+   * negative. With n the normal out of the driven member into the driver and p its arm about the
+   * driven axis, flanks that touch after displacements u_g (driven) and u_p (driver) at the contact
+   * ask the hub for the rotation
    *   (n . u_g - n . u_p)/p   in the drive direction.
    */
   struct DeflectionParts
