@@ -306,7 +306,7 @@ namespace vfife
           const double order = line.frequency / run.mesh_frequency;
           const bool   is_harmonic =
             std::abs(order - std::round(order)) * run.mesh_frequency * length < 1.5 && order > .5;
-          if (is_harmonic || n++ == 3)
+          if (is_harmonic || n++ >= 3)
             continue;
           ComparisonRow row = compare_with_modes("line " + std::to_string(n) + " of the dte, " +
                                                    number_text(line.amplitude) + " arcsec",
