@@ -49,6 +49,7 @@ namespace vfife
     for (unsigned int i = 0; i < 9; ++i)
       numbers.push_back(update.second_moment.data() + i);
 
+    // One reduction for all of them.
     std::vector<double> values;
     for (const double *number : numbers)
       values.push_back(*number);
@@ -60,6 +61,8 @@ namespace vfife
   double
   compute_rigid_kinetic_energy(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
   {
+    // L^2/(2 I) about the axis; else p^2/(2 m) + omega . L_c/2 with L_c = L - c x p about the
+    // centre
     if (axis.use_axis)
       return 0.5 * sums.axial_momentum * sums.axial_momentum / sums.axial_inertia;
     const RigidVelocity rate   = compute_momentum_rate(axis, mass, sums);
@@ -71,6 +74,7 @@ namespace vfife
   RigidVelocity
   compute_momentum_rate(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
   {
+    // omega = sum m e . v / sum m e . e, e = axis x r: the damper exerts no torque about the axis.
     RigidVelocity rate;
     if (axis.use_axis)
       {
@@ -78,6 +82,8 @@ namespace vfife
         rate.velocity = -rate.omega.cross(axis.point);
         return rate;
       }
+    // J omega = L - c x p about the centre c = sum m x / m, J = tr(S) I - S with the central second
+    // moments S; the velocity is that of the point at the origin.
     const Vector3 centre  = sums.first_moment / mass;
     const Matrix3 second  = sums.second_moment - mass * centre * centre.transpose();
     const Matrix3 inertia = second.trace() * Matrix3::Identity() - second;

@@ -81,6 +81,7 @@ namespace vfife
 
   void Relaxation::add_applied(const State &state, const Loads &loads, NodeField &forces)
   {
+    // Torques, forces of inertia of a standing pattern, loads of the model ...
     torques_.add_part(loads.torque, state.position, forces);
     if (loads.pattern != nullptr)
       loads.pattern->add_forces(operator_.masses(), forces);
@@ -88,6 +89,7 @@ namespace vfife
       loads_.add_part(*loads.part, state.position, forces);
     else
       loads_.add_forces(0., state.position, forces);
+    // ... and m omega^2 r in the frames that turn with the bodies, r in the deformed state.
     if (!loads.centrifugal)
       return;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
@@ -123,6 +125,8 @@ namespace vfife
           mass /= dt * dt;
         return masses;
       }
+    // Fictitious ones: elements and springs alike have their largest frequency at the limit of a
+    // pseudo step of 1.
     std::vector<double> masses = operator_.compute_relaxation_masses(stability_fraction);
     loads_.add_relaxation_masses(stability_fraction, masses);
     if (loads.contact)
@@ -174,6 +178,7 @@ namespace vfife
 
   void Relaxation::place(State &state, ConstraintMotion &constraints) const
   {
+    // A step without forces, from which the constrained nodes come back where they belong.
     const NodeField       zero     = operator_.make_field();
     NodeField             velocity = zero;
     std::vector<BodySums> ignored(model_.bodies.size());
@@ -190,6 +195,7 @@ namespace vfife
 
   double Relaxation::compute_round_off(const State &state, const std::vector<double> &masses) const
   {
+    // 4 eps |M x|: the masses are about the stiffness at a node, pseudo step 1.
     NodeField forces = operator_.make_field();
     for (const std::uint32_t i : state.partition->nodes())
       forces.set(i, masses[i] * state.node_position(i));
@@ -198,6 +204,7 @@ namespace vfife
 
   RelaxationReport Relaxation::solve(State &state, const Loads &loads)
   {
+    // 1. Masses, and constraints in the turning frames; held rotations are those of infinite mass.
     const std::vector<double> masses = compute_masses(loads, state.dt);
 
     ConstraintMotion constraints(model_, *state.partition, communicator_);
@@ -208,15 +215,17 @@ namespace vfife
       loads.hold_rotation ? std::vector<double>(masses.size(), std::numeric_limits<double>::max())
                           : masses);
 
-    // What is prescribed goes where it belongs before the first look at the forces, which would
+    // 2. What is prescribed goes where it belongs before the first look at the forces, which would
     // find equilibrium in the old place.
     place(state, constraints);
 
+    // 3. What forces are measured by.
     NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
     const double applied_norm = norm(applied, *state.partition),
                  round_off    = compute_round_off(state, masses);
 
+    // 4. Pseudo time steps M a + c M v = F until the residual is small.
     NodeField        velocity = operator_.make_field(), previous = operator_.make_field();
     const bool       adaptive = !(options_.virtual_damping > 0);
     double           damping  = adaptive ? 1. : options_.virtual_damping * state.dt;
@@ -224,6 +233,7 @@ namespace vfife
     std::string      history;
     for (;; ++report.steps)
       {
+        // Forces; contact candidates and the bodies' mean turn now and then.
         const bool searches = report.steps % search_interval == 0;
         if (searches)
           constraints.turn_bodies(model_, state);
@@ -238,6 +248,7 @@ namespace vfife
                    round_off / options_.tolerance);
         constraints.project(state.position, forces_, !loads.hold_rotation);
 
+        // The residual decides: reached, diverged, or too slow.
         StepSums sums = add_steps(*state.partition, masses, velocity, previous, forces_);
         communicator_.sum(sums.values);
         report.residual = std::sqrt(sums.force_square()) / reference;
@@ -263,7 +274,7 @@ namespace vfife
                                std::to_string(report_interval) + " steps:" + history);
 
         // Critical damping of the lowest mode that moves, from the stiffness which the last step
-        // has met.
+        // has met: omega^2 = -v . (f - f_old)/sum m v . v, c = min(1.9, 2 omega) (Underwood 1983).
         if (adaptive && sums.kinetic() > 0 && sums.work_of_change() > 0)
           damping = std::min(1.9, 2. * std::sqrt(sums.work_of_change() / sums.kinetic()));
         previous = forces_;
@@ -278,6 +289,7 @@ namespace vfife
                         ConstraintMotion          &constraints,
                         NodeField                 &velocity)
   {
+    // v+ = ((1 - c/2) v- + f/m)/(1 + c/2), x += v+, then the constrained nodes.
     constraints.save(state.position, velocity);
     const double keep = (1. - 0.5 * damping) / (1. + 0.5 * damping),
                  gain = 1. / (1. + 0.5 * damping);

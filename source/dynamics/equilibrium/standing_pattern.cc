@@ -36,14 +36,15 @@ namespace vfife
         const Body &body = model_.bodies[b];
         if (!has_pattern(body))
           continue;
-        // Neighbouring sectors may be on other ranks: everybody gets the whole body, once.
+        // 1. Neighbouring sectors may be on other ranks: everybody gets the whole body, once.
         std::vector<double> positions(3 * static_cast<std::size_t>(body.n_nodes()), 0.);
         for (const std::uint32_t i : partition.owned_nodes(b))
           Eigen::Map<Vector3>(positions.data() + 3 * (partition.global_node[i] - body.first_node)) =
             state.node_position(i) - body.axis.point;
         communicator_.sum(positions);
 
-        // Sectors follow each other in the positive sense of the mesh's z axis.
+        // 2. What turns a sector's neighbours onto it. Sectors follow each other in the positive
+        // sense of the mesh's z axis.
         const Vector3                      axis       = body.placement.rotation.col(2);
         const double                       rate       = body.rate * body.axis.direction.dot(axis);
         const unsigned int                 n_sectors  = body.mesh().n_sectors;
@@ -57,8 +58,8 @@ namespace vfife
           {
             const unsigned int node   = partition.global_node[i] - body.first_node;
             const unsigned int sector = node / per_sector;
-            // The images of this node in the sectors around, turned back onto this one: they differ
-            // by the change of the displacement only.
+            // 3. The images of this node in the sectors around, turned back onto this one: they
+            // differ by the change of the displacement only.
             std::array<Vector3, 2 * reach + 1> y;
             for (unsigned int s = 0; s < y.size(); ++s)
               {
@@ -66,6 +67,8 @@ namespace vfife
                 const std::size_t  image = other * per_sector + node % per_sector;
                 y[s] = back[s] * Eigen::Map<const Vector3>(positions.data() + 3 * image);
               }
+            // 4. u' and u'' by central differences of fourth order; v = Omega u' and
+            // a = Omega^2 (u'' + 2 e x u').
             const Vector3 slope = (8. * (y[3] - y[1]) - (y[4] - y[0])) / (12. * angle);
             const Vector3 curvature =
               (16. * (y[3] + y[1]) - (y[4] + y[0]) - 30. * y[2]) / (12. * angle * angle);

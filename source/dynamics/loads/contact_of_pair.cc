@@ -60,6 +60,7 @@ namespace vfife
                                       const NodeField &local_velocities,
                                       const bool       with_velocities)
   {
+    // The owner brings a node, all others zero: the sum over ranks is an exact copy.
     for (const unsigned int i : *active)
       {
         const std::uint32_t node  = local[i];
@@ -94,6 +95,7 @@ namespace vfife
     , contact(*slave.facets, *master.facets, pair.options)
     , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
   {
+    // Which nodes are active changes with each search of the contact.
     slave.active  = &contact.active_slave_nodes();
     master.active = &contact.active_master_nodes();
   }

@@ -102,10 +102,12 @@ namespace vfife
   {
     if (pairs_.empty())
       return;
-    const double             start = times_ != nullptr ? processor_time() : 0.;
+    const double start = times_ != nullptr ? processor_time() : 0.;
+    // 1. Where the bodies' rigid motion is now and will be at the end of the time asked for.
     std::vector<RigidMotion> later;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       later.push_back(move_on(body_motion[b], rates[b], duration));
+    // 2. How far surfaces are from where that motion has them, over all ranks.
     std::vector<double> deformations;
     for (const auto &pair : pairs_)
       for (const ContactSurface *surface : pair->surfaces())
@@ -114,8 +116,8 @@ namespace vfife
     communicator_.max(deformations);
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
-        // What the rigid motion of the bodies leaves out: deformation of both surfaces (twice, as
-        // it changes).
+        // 3. Candidates by motion, with what it leaves out as margin: deformation of both surfaces
+        // (twice, as it changes).
         ContactOfPair &pair = *pairs_[i];
         pair.contact.find_candidates(body_motion[pair.slave.body],
                                      body_motion[pair.master.body],
@@ -142,6 +144,7 @@ namespace vfife
   {
     if (pairs_.empty())
       return;
+    // 1. The active nodes' motion, on every rank.
     for (const auto &pair : pairs_)
       for (ContactSurface *surface : pair->surfaces())
         surface->collect_motion(partition_, positions, velocities, needs_velocities_);
@@ -149,6 +152,8 @@ namespace vfife
     if (needs_velocities_)
       sum_over_ranks(pairs_, &ContactSurface::velocities, buffer_, communicator_);
 
+    // 2. Forces of this rank's share of the points; energy, lost power, and whether one is too
+    // deep.
     largest_penetration_ = 0;
     sums_                = {{0., 0., 0.}};
     for (const auto &pair : pairs_)
@@ -171,6 +176,7 @@ namespace vfife
           }
       }
 
+    // 3. The sums of all ranks' shares, to all copies of the nodes.
     sum_over_ranks(pairs_, &ContactSurface::forces, buffer_, communicator_);
     communicator_.sum(sums_.data(), sums_.size());
     for (const auto &pair : pairs_)

@@ -32,6 +32,7 @@ namespace vfife
 
   std::string ContactSystem::describe_deepest_point() const
   {
+    // The deepest of this rank in words, relative to the limit of its pair ...
     double             deepest = 0; // over the limit
     std::ostringstream text;
     for (const auto &pair : pairs_)
@@ -54,6 +55,7 @@ namespace vfife
                << " (limit " << 1e3 * pair->penetration_limit()
                << " um, Contact/penetration limit)";
         }
+    // ... then the rank that has the deepest of all.
     const std::vector<double>      all   = communicator_.all_gather(deepest);
     const std::vector<std::string> texts = communicator_.all_gather(text.str());
     return texts[std::max_element(all.begin(), all.end()) - all.begin()];
@@ -64,6 +66,8 @@ namespace vfife
     std::vector<ToothContact> teeth;
     for (const auto &pair : pairs_)
       {
+        // Pairs of groups are the same on all ranks: one sum and one maximum over the ranks for
+        // all.
         const auto         &results = pair->contact.results();
         std::vector<double> sums, maxima;
         for (const GroupPairResult &r : results)
@@ -82,6 +86,7 @@ namespace vfife
         communicator_.sum(sums);
         communicator_.max(maxima);
 
+        // Those that press, s[6] being the normal force.
         for (std::size_t i = 0; i < results.size(); ++i)
           {
             const double *s = sums.data() + 8 * i;

@@ -17,6 +17,9 @@ namespace vfife
     const Partition &partition = vfife.partition();
     for (const Load &load : model.loads)
       {
+        // 1. What each node takes of the load: by area, equally, or its mass. Of springs the
+        // stiffest direction bounds the step, omega^2 = k/m over all nodes, so that all ranks
+        // agree.
         const Body &body    = model.bodies[load.body];
         const auto  weights = compute_load_shares(load, body);
         Group       group{&load, {}, {}};
@@ -34,6 +37,7 @@ namespace vfife
                                      weights[i],
                                      body.placement(body.node_positions()[node])});
           }
+        // 2. A pressure acts on faces instead, which move.
         if (load.kind == LoadKind::pressure)
           {
             add_faces(load, group);
@@ -41,6 +45,7 @@ namespace vfife
           }
         groups_.push_back(std::move(group));
       }
+    // 3. Room for the forces, which half_power() needs after add_forces().
     if (!groups_.empty())
       forces_ = vfife.make_field();
     if (has_pressure_)
@@ -51,6 +56,7 @@ namespace vfife
   {
     const Body      &body      = model_.bodies[load.body];
     const Partition &partition = operator_.partition();
+    // Each face belongs to one element, hence to one rank: sums over ranks count it once.
     for (const BoundaryFace &boundary : find_boundary_faces(body, load.nodes))
       if (std::binary_search(partition.elements.begin(),
                              partition.elements.end(),
@@ -70,6 +76,7 @@ namespace vfife
 
   void NodalLoads::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
   {
+    // One node on a spring k to the ground: omega^2 = k/m <= (2 fraction)^2.
     for (const Group &group : groups_)
       if (group.load->kind == LoadKind::spring)
         for (const Node &node : group.nodes)
@@ -79,6 +86,7 @@ namespace vfife
 
   void NodalLoads::add_moment(const Group &group, const Vector3 &moment, const NodeField &positions)
   {
+    // f_i = A_i (J^-1 M) x r_i, J = sum A_i (r^2 I - r r^T) in the present places from the centre.
     MomentSums sums;
     for (const Node &node : group.nodes)
       if (node.owned)
@@ -92,6 +100,7 @@ namespace vfife
   void
   NodalLoads::add_pressure(const Group &group, const double pressure, const NodeField &positions)
   {
+    // -p n dA of the present face, a quarter to each corner.
     for (const Face &face : group.faces)
       {
         Vector3 x[4];
@@ -126,6 +135,7 @@ namespace vfife
 
   void NodalLoads::add_springs(const NodeField &positions, NodeField &forces) const
   {
+    // -k (x - X) along x, y, z
     for (const Group &group : groups_)
       if (group.load->kind == LoadKind::spring)
         for (const Node &node : group.nodes)
@@ -150,6 +160,8 @@ namespace vfife
 
   void NodalLoads::finish(const NodeField &positions, NodeField &forces)
   {
+    // Springs are elastic parts, their energy is the ledger's strain: forces_ has the loads alone.
+    // Nodes of other ranks' faces take their forces by the halo, all copies alike.
     add_springs(positions, forces);
     if (has_pressure_)
       {

@@ -33,6 +33,7 @@ namespace vfife
   {
     for (Node &node : load.nodes)
       {
+        // F_i = T A_i t_i / sum_j A_j r_j, t_i the tangent at the present place
         const Vector3 r       = positions.value(node.local) - load.axis.point;
         const Vector3 tangent = load.axis.direction.cross(r).normalized();
         node.force            = (torque * node.area / load.area_moment) * tangent;

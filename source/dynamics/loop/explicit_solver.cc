@@ -77,6 +77,8 @@ namespace vfife
 
   double ExplicitSolver::stable_step()
   {
+    // Squares of frequencies add up: of elements, of contact springs, of springs to the ground,
+    // walls.
     return walls_.vote_on_step(
       loads_.vote_on_step(contact_.vote_on_step(options_.safety * element_step_)));
   }
@@ -98,8 +100,10 @@ namespace vfife
                            Observers        &observers,
                            const BeforeStep &before_step)
   {
+    // A run that goes on has begun before: exchange() knows where.
     if (!beginning_)
       begin_run(state);
+    // Counted from the beginning, so that a run in parts has the steps of the whole one.
     const std::uint64_t last_step =
       beginning_->step + std::llround((end_time - beginning_->time) / dt_);
     if (state.step > last_step)
@@ -127,6 +131,7 @@ namespace vfife
 
   void ExplicitSolver::begin_run(State &state)
   {
+    // Angles of free rotations and the bodies' rates follow from positions and velocities.
     beginning_ = Beginning{state.step, state.time};
     state.dt   = dt_;
     constraints_.read(state, MotionFrame::fixed);
@@ -143,11 +148,14 @@ namespace vfife
   {
     for (;;)
       {
+        // Checkpoints and signals see the state before its step.
         if (before_step)
           before_step(state);
         const bool first = state.step == beginning_->step, last = state.step == last_step;
         const bool due = first || last || any_due(observers, state);
 
+        // Forces of the state at t_n, and what is seen of it while it is there: the update moves
+        // it.
         const ElementMeasures measures = compute_forces(state, due);
         watch_contact(state);
         if (due)
@@ -155,6 +163,7 @@ namespace vfife
             take_measurements(state);
             damping_watch_.observe_sample(state, rigid_, communicator_);
           }
+        // From v- at t_n - dt/2 to v+ at t_n + dt/2, positions to t_n + dt.
         set_damping(state);
         const StepPowers powers = update_nodes(state);
 
@@ -174,6 +183,7 @@ namespace vfife
         if (last)
           break;
         advance_bodies(state);
+        // A product and no sum of steps, which would collect round-off.
         ++state.step;
         state.time = beginning_->time + (state.step - beginning_->step) * dt_;
       }
@@ -181,6 +191,7 @@ namespace vfife
 
   ElementMeasures ExplicitSolver::compute_forces(State &state, const bool measured)
   {
+    // 1. Internal forces set the field; all others are added.
     ElementMeasures measures;
     {
       const auto scope = timers_.time(timers_.section("element forces"));
@@ -189,6 +200,8 @@ namespace vfife
       else
         operator_.compute_internal_forces(state.position, forces_);
     }
+    // 2. Contact: candidates every so many steps, forces in each. Observers get its part of the
+    // forces.
     {
       const auto scope = timers_.time(timers_.section("contact"));
       if (state.step % search_interval == 0)
@@ -199,6 +212,7 @@ namespace vfife
       if (measured)
         state.contact_force = forces_ - std::move(state.contact_force);
     }
+    // 3. Walls, torques, other loads.
     walls_.add_forces(state.position, forces_);
     torques_.add_forces(state.time, state.position, forces_);
     loads_.add_forces(state.time, state.position, forces_);
@@ -218,6 +232,7 @@ namespace vfife
   {
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
+        // -zeta m (v - u): u turns with the body at the rate of its momentum, or of its mean speed
         const Body &body  = model_.bodies[b];
         damping_[b].zeta  = options_.damping;
         damping_[b].rigid = rigid_[b];
@@ -286,6 +301,7 @@ namespace vfife
   void
   ExplicitSolver::check(const State &state, const bool measured, const ElementMeasures &measures)
   {
+    // The first two in every step: what they look at is there. The others need a sample.
     check_motion(model_, sums_, observed_, state);
     check_penetration(contact_, state);
     if (!measured)

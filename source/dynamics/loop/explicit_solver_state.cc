@@ -37,6 +37,7 @@ namespace vfife
 
   void ExplicitSolver::start(State &state)
   {
+    // 1. Undeformed bodies in their places, with their masses.
     const Partition &partition = operator_.partition();
     state.partition            = std::make_shared<const Partition>(partition);
     state.time                 = 0;
@@ -57,7 +58,9 @@ namespace vfife
             state.velocity.set_number(i, operator_.masses()[i]);
           }
       }
+    // 2. Constrained nodes are moved by their constraints alone: no mass in the common update.
     constraints_.clear_masses(state);
+    // 3. Rigid motion, and what is added to it.
     set_rigid_velocities(state);
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       if (const Body &body = model_.bodies[b]; !body.initial_velocity.empty())
@@ -141,11 +144,13 @@ namespace vfife
                     std::vector<RigidVelocity>(model_.bodies.size()),
                     state.position,
                     0.);
+    // Contact and walls alone in a field of their own.
     const NodeField no_velocity = operator_.make_field();
     state.contact_force         = operator_.make_field();
     contact_.add_forces(state.body_motion, state.position, no_velocity, dt_, state.contact_force);
     walls_.add_forces(state.position, state.contact_force);
 
+    // At rest there are stored energies only.
     take_measurements(state);
     state.measured        = observed_.measured;
     state.measured.energy = EnergyLedger();
@@ -168,6 +173,7 @@ namespace vfife
 
   void ExplicitSolver::serialize(ByteStream &common, ByteStream *own, State &state)
   {
+    // What all ranks know, in one order for both directions.
     Beginning beginning = beginning_.value_or(Beginning());
     common.pass(beginning, state.time, state.step, state.dt, state.body_motion);
     pass_vectors(common, *state.partition, communicator_, state.position);
@@ -178,6 +184,7 @@ namespace vfife
     energy_.serialize(common);
     damping_watch_.serialize(common);
     contact_watch_.serialize(common);
+    // What this rank knows of the pairs that may touch.
     if (own != nullptr)
       contact_.serialize(*own);
     if (!common.reads())

@@ -12,7 +12,7 @@ namespace vfife
                                      const Communicator &communicator)
     : communicator_(communicator)
   {
-    // Directions come last: a node that is held altogether needs no leads.
+    // Directions come last: a node that is held altogether needs no more.
     for (const bool directions : {false, true})
       for (const Constraint &constraint : model.constraints)
         if ((constraint.kind == ConstraintKind::directions) == directions)
@@ -25,6 +25,7 @@ namespace vfife
                                         const Model      &model,
                                         const Partition  &partition)
   {
+    // 1. What earlier constraints have taken: a node is in one group only.
     const bool  prescribed = constraint.kind == ConstraintKind::directions;
     const Body &body       = model.bodies[constraint.body];
     std::vector<std::pair<Group *, Node *>> taken(partition.n_local());
@@ -32,6 +33,7 @@ namespace vfife
       for (Node &node : group.nodes)
         taken[node.local] = {&group, &node};
 
+    // 2. The nodes that this rank holds; those that are new join the group of this constraint.
     Group group{&constraint, constraint.kind, constraint.body, body.axis, body.rate, {}};
     for (const unsigned int i : constraint.nodes)
       {
@@ -50,6 +52,8 @@ namespace vfife
             continue;
           }
 
+        // 3. A node that is known stays where it is. Held altogether it needs no more; directions
+        // with the same axes join where they prescribe different ones.
         const Constraint *const first = known_group->definition;
         if (prescribed && first->kind == ConstraintKind::held && constraint.displacement.isZero(0.))
           continue;
@@ -80,6 +84,7 @@ namespace vfife
   {
     if (frame == MotionFrame::fixed)
       return constraint.history.value(time);
+    // The time of a relaxation is none: a part of the loads, or what their histories begin with.
     return part_ ? *part_ : constraint.history.value(0.);
   }
 
@@ -89,6 +94,8 @@ namespace vfife
   {
     if (group.kind != ConstraintKind::prescribed_rotation)
       return 0.;
+    // An angle with a history turns in both frames; the body's own rate is what one of them turns
+    // with.
     if (group.definition->angle)
       return *group.definition->angle * factor(*group.definition, time, frame);
     return frame == MotionFrame::fixed ? group.rate * time : 0.;
@@ -102,12 +109,15 @@ namespace vfife
                                      const BodyDamping &damping,
                                      const Vector3     &force) const
   {
+    // First the motion that forces and damping alone would give, as update_nodes() has it,
+    //   v* = ((1 - a) v- + dt (f/m - slip) + 2 a u)/(1 + a),  a = zeta dt/2,  x* = x + dt v*
     const double half  = 0.5 * damping.zeta * dt;
     node.free_velocity = ((1. - half) * node.old_velocity +
                           dt * (force / node.moved_mass - damping.mesh.at(node.old_position)) +
                           2. * half * damping.rigid.at(node.old_position)) /
                          (1. + half);
-    const Vector3          free = node.old_position + dt * node.free_velocity;
+    const Vector3 free = node.old_position + dt * node.free_velocity;
+    // ... then x* goes where prescribed displacements want it at the end of the step.
     PrescribedDisplacement prescribed;
     for (unsigned int c = 0; c < 3; ++c)
       if (node.prescribing[c])
@@ -157,12 +167,14 @@ namespace vfife
   {
     for (Group &group : groups_)
       {
+        // 1. New angular velocities of free rotations, and the angle of a prescribed one.
         if (group.turns_freely())
           turn_freely(group, dt, damping[group.body], forces);
         const Matrix3 rotation =
           rotation_about(group.axis.direction, turned_angle(group, time + dt, frame));
         for (Node &node : group.nodes)
           {
+            // 2. The new place by the kind of the group; the velocity is the chord.
             Vector3 x;
             if (group.turns_freely())
               {
@@ -177,6 +189,7 @@ namespace vfife
             const Vector3 v = (x - node.old_position) / dt;
             positions.set(node.local, x);
             velocities.set(node.local, v);
+            // 3. What the common update, which sees no mass here, has left out of the sums.
             add_sums(group,
                      node,
                      dt,
@@ -214,6 +227,7 @@ namespace vfife
             communicator_.sum(sums);
             per_lever = sums[0] / sums[1];
           }
+        // What is left of the force along the directions in which the node may move.
         for (const Node &node : group.nodes)
           {
             Vector3 f = Vector3::Zero();

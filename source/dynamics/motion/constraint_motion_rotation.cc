@@ -14,6 +14,7 @@ namespace vfife
       if (group.turns_freely())
         for (Node &node : group.nodes)
           {
+            // The angle between the radial parts of the start and of the present place.
             const Vector3 r       = state.node_position(node.local) - group.axis.point;
             const Vector3 a       = group.axis.direction;
             const Vector3 start_r = node.start - a.dot(node.start) * a;
@@ -37,6 +38,7 @@ namespace vfife
 
   void ConstraintMotion::turn_bodies(const Model &model, State &state) const
   {
+    // The mean angle of the free nodes, body by body: sum and number.
     std::vector<double> sums(2 * model.bodies.size(), 0.);
     for (const Group &group : groups_)
       if (group.turns_freely())
@@ -47,6 +49,7 @@ namespace vfife
               sums[2 * group.body + 1] += 1.;
             }
     communicator_.sum(sums);
+    // The placement at time zero, turned about the axis by that angle.
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       if (sums[2 * b + 1] > 0)
         {
@@ -80,6 +83,7 @@ namespace vfife
 
   Vector3 ConstraintMotion::turned(const Axis &axis, const Vector3 &start, const double angle)
   {
+    // Rodrigues: cos s + sin a x s + (1 - cos) (a . s) a
     const Vector3 &a = axis.direction;
     return axis.point + std::cos(angle) * start + std::sin(angle) * a.cross(start) +
            (1. - std::cos(angle)) * a.dot(start) * a;
@@ -90,6 +94,8 @@ namespace vfife
                                      const BodyDamping &damping,
                                      const NodeField   &forces) const
   {
+    // Central differences of the angle, damped as update_nodes() damps velocities,
+    //   rate+ = ((1 - a) rate- + dt (acceleration - slip) + 2 a omega)/(1 + a),  a = zeta dt/2
     const Vector3 &a          = group.axis.direction;
     const double   half       = 0.5 * damping.zeta * dt;
     const double   rigid_rate = a.dot(damping.rigid.omega), slip = a.dot(damping.mesh.omega);
@@ -98,6 +104,7 @@ namespace vfife
         ((1. - half) * rate + dt * (acceleration - slip) + 2. * half * rigid_rate) / (1. + half);
     };
 
+    // Each node by its own torque and inertia: acceleration = e . f/(m e . e), e = axis x r.
     if (group.kind == ConstraintKind::free_rotation)
       {
         for (Node &node : group.nodes)
@@ -109,6 +116,7 @@ namespace vfife
         return;
       }
 
+    // A rigid hub by those of all its nodes, on all ranks.
     std::vector<double> torque_and_inertia(2, 0.);
     for (const Node &node : group.nodes)
       if (node.owned)

@@ -16,11 +16,13 @@ namespace vfife
   {
     if (!node.owned)
       return;
+    // Energy and momenta as update_nodes() counts them, with v = (v- + v+)/2 for powers.
     const Vector3 mean = 0.5 * (node.old_velocity + v);
     sums.update.kinetic += 0.5 * node.mass * node.old_velocity.dot(v);
     add_node_moments(axis, node.mass, x, v, sums.update);
     if (group.turns_freely() || group.kind == ConstraintKind::directions)
       {
+        // Where the node is free to turn or to move its damping does work.
         const Vector3 relative = mean - damping.rigid.at(node.old_position);
         sums.update.damping_power += damping.zeta * node.mass * relative.dot(mean);
         sums.update.mesh_power += node.mass * damping.mesh.at(node.old_position).dot(mean);
@@ -29,11 +31,12 @@ namespace vfife
           group.axis.direction.cross(node.old_position - group.axis.point).dot(relative);
       }
     if (group.kind == ConstraintKind::directions)
-      // What the leads have added to the motion under forces and damping.
+      // What prescribed displacements have added to the motion under forces and damping.
       sums.drive_power +=
         node.mass * (1. + 0.5 * damping.zeta * dt) / dt * (v - node.free_velocity).dot(mean);
     else if (group.kind == ConstraintKind::prescribed_rotation)
       {
+        // The drive's force is what inertia asks for beyond the forces: m (v+ - v-)/dt - f.
         const Vector3 reaction = node.mass / dt * (v - node.old_velocity) - force;
         sums.drive_power += reaction.dot(mean);
         sums.drive_torque +=

@@ -11,6 +11,7 @@ namespace vfife
                                         const unsigned int  b,
                                         const Communicator &communicator)
   {
+    // Eq. (8) of the paper: omega = sum m |v|/r / sum m; nodes on the axis have no rate.
     std::vector<double> sums(2, 0.);
     for (const std::uint32_t i : state.partition->owned_nodes(b))
       {

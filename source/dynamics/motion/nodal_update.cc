@@ -42,6 +42,7 @@ namespace vfife
     UpdateCoefficients
     make_coefficients(const double dt, const BodyDamping &damping, const UpdateAxis &axis)
     {
+      // v+ = ((1 - a) v- + dt (f/m - slip) + 2 a u)/(1 + a): the factors of v-, f/m - slip and u
       const double       a = 0.5 * damping.zeta * dt, inverse = 1. / (1. + a);
       UpdateCoefficients result;
       result.old_velocity = inverse * (1. - a);
@@ -49,6 +50,7 @@ namespace vfife
       result.rigid        = inverse * 2. * a;
       result.dt           = dt;
       result.use_axis     = axis.use_axis;
+      // u, slip and the lever e = direction x (x - point) are each of the form a + b x x.
       copy(damping.rigid.velocity, result.velocity);
       copy(damping.rigid.omega, result.omega);
       copy(damping.mesh.velocity, result.slip);
@@ -79,11 +81,14 @@ namespace vfife
                                    positions,
                                    velocities,
                                    found);
+    // The kernel leaves zeta out of what the damper does.
     UpdateSums sums;
     sums.kinetic        = found[sum_of_kinetic];
     sums.damping_power  = damping.zeta * found[sum_of_damping_power];
     sums.mesh_power     = found[sum_of_mesh_power];
     sums.damping_torque = damping.zeta * found[sum_of_damping_torque];
+    // Moments of the new state: about the axis, or all of them, the second ones as xx yy zz xy yz
+    // zx.
     if (axis.use_axis)
       {
         sums.axial_momentum = found[sum_of_axial_momentum];

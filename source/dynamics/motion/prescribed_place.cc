@@ -45,6 +45,7 @@ namespace vfife
                            const Vector3                &free,
                            const PrescribedDisplacement &prescribed)
   {
+    // Where the prescribed displacements put the radius and the ray from the axis, seen along it.
     const Cylindrical first(axis, start), last(axis, old);
     const Vector3     from   = free - axis.point;
     const double      radius = first.radius + prescribed[0].value_or(0.),
@@ -56,11 +57,14 @@ namespace vfife
       flat = radius * ray;
     else if (prescribed[0])
       {
+        // Along the old e_r until the radius fits: what lies across stays, R^2 = along^2 +
+        // across^2.
         const double across = last.e_theta.dot(flat);
         flat = std::sqrt(std::max(0., radius * radius - across * across)) * last.e_r +
                across * last.e_theta;
       }
     else if (prescribed[1])
+      // Along the old e_theta until the ray is met: what lies along the old e_r stays.
       flat = last.e_r.dot(flat) / last.e_r.dot(ray) * ray;
     const double height = prescribed[2] ? first.height + *prescribed[2] : axis.direction.dot(from);
     return axis.point + flat + height * axis.direction;
@@ -72,6 +76,7 @@ namespace vfife
                        const std::array<bool, 3> &prescribed,
                        const Vector3             &f)
   {
+    // Columns: the prescribed directions at the present place.
     Matrix3 directions = Matrix3::Identity();
     if (cylindrical)
       {

@@ -10,8 +10,17 @@ namespace vfife
 {
   inline namespace VFIFE_SIMD_NAMESPACE
   {
-    /** Records of N nodes, one vector a component. Eight nodes stand in the order of
-     * update_lane_node(). */
+    /**
+     * Records of N nodes, one vector a component. Eight nodes stand in the order of
+     * update_lane_node(). For four:
+     *
+     *   r0 = x0 y0 z0 w0             x0 x1 x2 x3 = c[0]
+     *   r1 = x1 y1 z1 w1   becomes   y0 y1 y2 y3 = c[1]
+     *   r2 = x2 y2 z2 w2             z0 z1 z2 z3 = c[2]
+     *   r3 = x3 y3 z3 w3             w0 w1 w2 w3 = c[3]
+     *
+     * by two rounds of shuffles; for eight a row r holds two nodes, and whole halves are moved.
+     */
     template <unsigned int N>
     VFIFE_INLINE void load_nodes(const double *records, Vec<double, N> (&c)[4])
     {
@@ -148,6 +157,7 @@ namespace vfife
     }
 
 
+    /** One step of N nodes: update, store, and what the sums want of both states. */
     template <unsigned int N, bool use_axis>
     VFIFE_INLINE void update_block(const UpdateCoefficients &coefficients,
                                    const unsigned char      *owned,
@@ -156,17 +166,21 @@ namespace vfife
                                    double                   *velocities,
                                    Vec<double, N> (&sums)[n_update_sums])
     {
+      // 1. Positions (and 1/m), velocities (and m), forces.
       using V = Vec<double, N>;
       V x[4], v[4], f[4];
       load_nodes<N>(positions, x);
       load_nodes<N>(velocities, v);
       load_nodes<N>(forces, f);
 
+      // 2. The mass that counts in sums: zero where another rank owns the node.
       double counts[N];
       for (unsigned int lane = 0; lane < N; ++lane)
         counts[lane] = owned[update_lane_node<N>(lane)];
       const V m = v[3] * V::load(counts);
 
+      // 3. Central differences with centred damping; constrained nodes have 1/m = 0.
+      //    v+ = ((1 - a) v- + dt (f/m - slip) + 2 a u)/(1 + a),  x += dt v+
       V u[3], slip[3], mean[3], relative[3], x_new[4], v_new[4];
       rigid_field<N>(coefficients.velocity, coefficients.omega, x, u);
       rigid_field<N>(coefficients.slip, coefficients.slip_omega, x, slip);
@@ -184,6 +198,9 @@ namespace vfife
       store_nodes<N>(x_new, positions);
       store_nodes<N>(v_new, velocities);
 
+      // 4. T = m v- . v+/2, the powers of both dampers with v = (v- + v+)/2 at the old place, and
+      // the
+      //    moments of the new state, from which the next rate of the body follows.
       sums[sum_of_kinetic] += 0.5 * m * product<N>(v, v_new);
       sums[sum_of_damping_power] += m * product<N>(relative, mean);
       sums[sum_of_mesh_power] += m * product<N>(slip, mean);
@@ -230,6 +247,7 @@ namespace vfife
     }
 
 
+    /** Blocks as wide as the registers, then the nodes left over one by one. */
     template <bool use_axis>
     VFIFE_INLINE void update_all(const UpdateCoefficients &coefficients,
                                  const std::size_t         first,

@@ -33,6 +33,8 @@ namespace vfife
       triad.row(1) = e3.cross(e1);
       triad.row(2) = e3;
 
+      // A power of two as unit: the size of congruent elements differs by round-off, its exponent
+      // does not (but for one that stands at a power of two: the class is split then).
       const int    exponent = std::ilogb(1e-8 * (x.col(7) - x.col(0)).norm());
       const double unit     = std::ldexp(1., exponent);
       // The shift keeps values that are exact in decimal (0, half cells) away from the edges of

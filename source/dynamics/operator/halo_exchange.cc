@@ -16,6 +16,8 @@ namespace vfife
     : communicator_(communicator)
     , rank_(communicator.rank())
   {
+    // 1. Nodes that this rank holds and elements of other ranks touch: in the order of their global
+    // numbers, which both sides know.
     std::map<unsigned int, std::set<std::uint32_t>> global_nodes;
     std::set<std::uint32_t>                         shared;
     for (const Body &body : model.bodies)
@@ -35,6 +37,7 @@ namespace vfife
             }
         }
 
+    // 2. Room for what is sent to and received from each neighbour, ranks ascending.
     for (const auto &[rank, nodes] : global_nodes)
       {
         Neighbour neighbour{rank, {}, {}, {}};
@@ -57,6 +60,7 @@ namespace vfife
 
   void HaloExchange::start(NodeField &values)
   {
+    // This rank's parts go to all neighbours of a node ...
     for (std::size_t i = 0; i < neighbours_.size(); ++i)
       {
         Neighbour &n = neighbours_[i];
@@ -78,6 +82,7 @@ namespace vfife
                   &requests_[2 * i + 1]);
       }
 
+    // ... and are put aside: the sum begins at zero with the lowest rank's part.
     for (std::size_t k = 0; k < shared_.size(); ++k)
       {
         Eigen::Map<Vector3>(own_.data() + 3 * k) = values.value(shared_[k]);
@@ -89,6 +94,8 @@ namespace vfife
   {
     MPI_Waitall(requests_.size(), requests_.data(), MPI_STATUSES_IGNORE);
 
+    // Parts in ascending order of rank, this rank's own among them: the same additions on all
+    // ranks.
     const auto add_own = [&] {
       for (std::size_t k = 0; k < shared_.size(); ++k)
         values.add(shared_[k], Eigen::Map<const Vector3>(own_.data() + 3 * k));

@@ -23,6 +23,8 @@ namespace vfife
 
     Gain compute_gain(const Body &body, const StiffnessKind stiffness, const double step)
     {
+      // 1. Gain of an element over its mass, (step/own step)^2 - 1 with the own step 2/omega: once
+      // for each class of congruent ones.
       std::vector<std::uint32_t> elements(body.n_elements());
       std::iota(elements.begin(), elements.end(), 0U);
       const CongruenceClasses            classes = find_congruence_classes(body, elements);
@@ -39,6 +41,7 @@ namespace vfife
           std::copy_n(mass.data(), 8, masses.back().begin());
         }
 
+      // 2. Those that gain share it out to their nodes as their lumped mass.
       Gain gain;
       gain.masses.assign(body.n_nodes(), 0.);
       for (std::size_t e = 0; e < elements.size(); ++e)

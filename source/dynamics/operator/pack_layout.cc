@@ -41,10 +41,13 @@ namespace vfife
                     const std::vector<std::uint8_t> &at_border,
                     const bool                       share_constants)
     {
+      // 1. Rows of `elements` by congruence class.
       std::vector<std::vector<std::uint32_t>> members(body.classes.size.size());
       for (std::uint32_t row = 0; row < body.elements.size(); ++row)
         members[body.classes.class_of[row]].push_back(row);
 
+      // 2. Large classes fill packs of their own, eight members each; the others are left for mixed
+      // ones.
       struct Pack
       {
         std::uint32_t first, class_index, offset, n;
@@ -66,6 +69,7 @@ namespace vfife
         else
           own.insert(own.end(), members[c].begin(), members[c].end());
 
+      // 3. Shared packs: those that touch other ranks' nodes first, then by their first element.
       std::sort(shared.begin(), shared.end(), [](const Pack &a, const Pack &b) {
         return std::tie(a.inside, a.first) < std::tie(b.inside, b.first);
       });
@@ -76,6 +80,7 @@ namespace vfife
           body.n_shared_at_border += !pack.inside;
         }
 
+      // 4. Mixed packs: the same order, element by element.
       std::sort(own.begin(), own.end(), [&](const std::uint32_t a, const std::uint32_t b) {
         return std::make_pair(!at_border[a], a) < std::make_pair(!at_border[b], b);
       });
@@ -93,13 +98,16 @@ namespace vfife
     rank_of_element.reserve(model.n_elements());
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
-        const Body         &body       = model.bodies[b];
+        const Body &body = model.bodies[b];
+        // Part p of n goes to rank p n_ranks/n, rounded down: shares that differ by one part at
+        // most.
         const std::uint64_t n_sectors  = body.mesh().n_sectors;
         const bool          by_sectors = n_sectors >= n_ranks && n_sectors > 1;
         const std::uint64_t n          = by_sectors ? n_sectors : body.n_elements();
         for (std::uint64_t e = 0; e < body.n_elements(); ++e)
           {
             std::uint64_t part = by_sectors ? body.mesh().sector[e] : e;
+            // Every second body from the other end: a rank with one part more has one less there.
             if (b % 2 == 1)
               part = n - 1 - part;
             const std::uint32_t rank = (part * n_ranks) / n;
@@ -142,6 +150,7 @@ namespace vfife
                            const std::vector<std::uint32_t> &rank_of_element,
                            const unsigned int                rank)
   {
+    // 1. Local numbers as the packs meet the nodes: body, kind of pack, pack, corner, lane.
     Partition partition;
     partition.local_node.assign(model.n_nodes(), Partition::absent);
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
@@ -168,6 +177,7 @@ namespace vfife
       }
     partition.first_local_node.push_back(partition.n_local());
 
+    // 2. The lowest rank that touches a node owns it.
     partition.owned.assign(partition.n_local(), 1);
     for (const Body &body : model.bodies)
       for (std::uint32_t e = 0; e < body.n_elements(); ++e)

@@ -70,6 +70,7 @@ namespace vfife
     AssembledFrequency result;
     for (unsigned int iteration = 1; iteration <= most_iterations; ++iteration)
       {
+        // 1. v to the amplitude that differences of forces want, x = x0 + v.
         double largest = 0;
         for (const std::uint32_t i : partition.nodes())
           largest = std::max(largest, v.value(i).cwiseAbs().maxCoeff());
@@ -81,6 +82,7 @@ namespace vfife
           }
         vfife.compute_internal_forces(x, forces);
 
+        // 2. K v = -f, as the undeformed bodies have no forces; the next v is M^-1 K v.
         std::vector<double> sums(3, 0.); // v.M v, v.K v, K v . M^-1 K v
         for (const std::uint32_t i : partition.nodes())
           {
@@ -94,6 +96,7 @@ namespace vfife
               }
             v.set(i, Kv / m);
           }
+        // 3. Rayleigh quotient q = v.K v / v.M v and deviation, s^2 = |M^-1/2 K v|^2 / v.M v - q^2.
         communicator.sum(sums);
         result.quotient = sums[1] / sums[0];
         result.deviation =

@@ -27,12 +27,14 @@ namespace vfife
     , halo_(model, partition_, rank_of_element_, communicator)
     , kernels_(&select_kernels(frame, layout.instruction_set))
   {
+    // 1. Constants, masses and frequency of each congruence class; groups of packs, two a body.
     compute_class_data(model);
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
         add_group(model, b, true);
         add_group(model, b, false);
       }
+    // 2. What kernels see of a group: pointers, so only now that no group moves any more.
     for (Group &group : groups_)
       group.packs = {group.element.size() / n_lanes,
                      group.nodes.data(),
@@ -40,12 +42,14 @@ namespace vfife
                      group.constants_row.empty() ? nullptr : group.constants_row.data(),
                      group.hourglass.empty() ? nullptr : group.hourglass.data()};
 
+    // 3. Lumped masses, those of elements of other ranks included.
     masses_.reserve(partition_.n_local());
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       for (const std::uint32_t i : partition_.nodes(b))
         masses_.push_back(
           model.bodies[b].node_masses()[partition_.global_node[i] - model.bodies[b].first_node]);
 
+    // 4. Room for what a pass measures of each element of a group.
     std::size_t largest_group = 0;
     for (const Group &group : groups_)
       largest_group = std::max(largest_group, group.element.size());
@@ -63,6 +67,7 @@ namespace vfife
         ClassData        data;
         for (const std::uint32_t e : packs.classes.representative)
           {
+            // Constants of the kernel from the undeformed element.
             const HexahedronNodes X = body.element_nodes(e);
             const auto reduced      = compute_reduced_stiffness(X, body.material(), stiffness_);
             const auto mass         = compute_lumped_mass(X, body.material().density);
@@ -71,6 +76,7 @@ namespace vfife
             write_constants(reduced,
                             body.material(),
                             data.constants.data() + data.constants.size() - n_element_constants);
+            // Mass scaling: own step 2/omega below the target, then mass times (target/own step)^2.
             const double frequency =
               compute_largest_frequency(expand(reduced, body.material()), mass);
             const double scale =
@@ -83,6 +89,7 @@ namespace vfife
           }
         class_data_.push_back(std::move(data));
 
+        // Local nodes of the elements of this rank.
         std::vector<std::array<std::uint32_t, 8>> local(packs.elements.size());
         for (std::size_t row = 0; row < local.size(); ++row)
           for (unsigned int i = 0; i < 8; ++i)
@@ -100,6 +107,7 @@ namespace vfife
     if (rows.empty())
       return;
 
+    // Nodes as [pack][node][lane]. Unused lanes read and write the dummy node behind the last one.
     const std::uint32_t dummy = partition_.n_local();
     const ClassData    &data  = class_data_[b];
     Group               group;
@@ -115,6 +123,7 @@ namespace vfife
           group.nodes[(pack * 8 + i) * n_lanes + lane] =
             used ? local_elements_[b][rows[slot]][i] : dummy;
       }
+    // One row of constants a pack, or constants of each lane.
     if (shared)
       {
         group.constants     = data.constants;
@@ -129,6 +138,7 @@ namespace vfife
                                          const BodyPacks           &packs,
                                          Group                     &group) const
   {
+    // [pack][constant][lane]; in single precision the hourglass block has an array of its own.
     const std::vector<std::uint32_t> &rows = packs.own_packs;
     const unsigned int                n_kept =
       n_element_constants - (layout_.single_hourglass ? n_hourglass_constants : 0);
@@ -157,6 +167,7 @@ namespace vfife
 
   void VfifeOperator::find_limiting_element(const Model &model)
   {
+    // The worst class of this rank, then of all.
     double       largest = 0;
     unsigned int body = 0, element = 0;
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
@@ -187,8 +198,10 @@ namespace vfife
 
   double VfifeOperator::stable_step_without(const unsigned int n) const
   {
+    // The n + 1 largest frequencies of this rank's elements, then of all: the last one stays.
     std::vector<double> worst;
     for (unsigned int b = 0; b < class_data_.size(); ++b)
+      // A class counts as often as it has members, but n + 1 of them are enough.
       for (std::size_t c = 0; c < class_data_[b].frequency.size(); ++c)
         worst.insert(worst.end(),
                      std::min(body_packs_[b].classes.size[c], n + 1),
@@ -211,6 +224,7 @@ namespace vfife
   void VfifeOperator::for_all_packs(NodeField &forces, const Add &add)
   {
     forces.set_zero();
+    // What neighbours wait for first; they and this rank compute the rest while messages travel.
     for (const Group &group : groups_)
       add(group, 0, group.n_at_border);
     halo_.start(forces);
@@ -239,6 +253,7 @@ namespace vfife
                                         forces.data(),
                                         element_energies_.data(),
                                         element_jacobians_.data());
+      // In the order of the packs, so that the sum does not depend on when messages arrive.
       for (std::size_t slot = n_lanes * first; slot < n_lanes * last; ++slot)
         if (group.element[slot] != Partition::absent)
           {
@@ -260,6 +275,7 @@ namespace vfife
     for (unsigned int b = 0; b < body_packs_.size(); ++b)
       for (std::size_t row = 0; row < local_elements_[b].size(); ++row)
         {
+          // Masses times (omega/(2 fraction))^2 make the largest frequency 2 fraction.
           const std::uint32_t c     = body_packs_[b].classes.class_of[row];
           const double        scale = std::pow(class_data_[b].frequency[c] / (2 * fraction), 2);
           for (unsigned int i = 0; i < 8; ++i)
@@ -276,6 +292,7 @@ namespace vfife
 
   const std::vector<std::uint32_t> &VfifeOperator::elements_at(const std::uint32_t local_node) const
   {
+    // All elements are looked through, once for a node: those that are asked for are few.
     const auto [entry, is_new] = elements_at_.try_emplace(local_node);
     if (is_new)
       for (unsigned int b = 0; b < local_elements_.size(); ++b)
@@ -363,6 +380,7 @@ namespace vfife
 
   unsigned int VfifeOperator::own_bytes() const
   {
+    // The triad of the undeformed element is for the three-node frame.
     const unsigned int triad = frame_ == FrameKind::polar ? 9 : 0;
     return sizeof(double) * (n_element_constants - triad - n_hourglass_constants) +
            (layout_.single_hourglass ? sizeof(float) : sizeof(double)) * n_hourglass_constants;

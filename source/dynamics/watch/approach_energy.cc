@@ -8,6 +8,8 @@ namespace vfife
 {
   ApproachEnergy::ApproachEnergy(const Model &model)
   {
+    // A body flies that neither bearings nor constraints hold; displacements prescribed in some
+    // directions only do not.
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
         const bool prescribed = std::any_of(model.constraints.begin(),
@@ -35,6 +37,7 @@ namespace vfife
     const auto inverse_mass = [&](const unsigned int b) {
       return bodies_[b].flies ? 1. / bodies_[b].mass : 0.;
     };
+    // Pairs: mu |v_a - v_b|^2/2, 1/mu = 1/m_a + 1/m_b; what does not fly has 1/m = 0 and v = 0.
     double                 energy = 0;
     std::set<unsigned int> flying;
     for (const auto &[a, b] : pairs_)
@@ -43,11 +46,13 @@ namespace vfife
           0.5 * (velocity(a) - velocity(b)).squaredNorm() / (inverse_mass(a) + inverse_mass(b));
         flying.insert({a, b});
       }
+    // Walls: m v^2/2.
     for (const unsigned int b : at_walls_)
       {
         energy += 0.5 * bodies_[b].mass * velocity(b).squaredNorm();
         flying.insert(b);
       }
+    // The spin of each body once: its rigid kinetic energy less that of its centre.
     for (const unsigned int b : flying)
       if (bodies_[b].flies)
         energy += compute_rigid_kinetic_energy({}, bodies_[b].mass, sums[b].update) -

@@ -35,6 +35,7 @@ namespace vfife
                     " ms",
                     losses_.count == most_lines ? "; further losses are counted only" : "");
       }
+    // Before the first loss nothing has been lost: a run may begin apart.
     if (!touching && losses_.count > 0)
       losses_.duration += dt;
     touched_ = touching;

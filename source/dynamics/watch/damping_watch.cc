@@ -43,6 +43,7 @@ namespace vfife
         if (!body.turns_on_axis)
           continue;
         const RigidVelocity mean_speed = compute_mean_speed_rate(body, state, b, communicator);
+        // In the sense of the body's own rate, as the mean speed is unsigned.
         sums_[b].rate_difference +=
           (body.rate < 0 ? -1. : 1.) * body.axis.direction.dot(mean_speed.omega - rates[b].omega);
       }
@@ -51,6 +52,7 @@ namespace vfife
   std::vector<DampingAudit>
   DampingWatch::compute_audit(const std::vector<RigidVelocity> &rates) const
   {
+    // A run that fails in its first step has no step to divide by.
     std::vector<DampingAudit> audit = sums_;
     for (unsigned int b = 0; b < audit.size(); ++b)
       {

@@ -84,6 +84,7 @@ namespace vfife
 
   void EnergyBook::check(const double limit, const std::string &instant, Log &log)
   {
+    // An error that is not finite fails at once, one beyond a limit when it has lasted and grows.
     const double error = ledger_.error(), residual = ledger_.residual();
     const auto   says = [&](const std::string &verb) {
       return "the energy error " + verb + " " + std::to_string(error) + " " + instant + " (limit " +

@@ -97,6 +97,8 @@ namespace vfife
                     const State                 &last_measured,
                     const State                 &now)
   {
+    // One number that is not finite anywhere makes this sum so; comparisons with NaN would be
+    // false.
     double kinetic = 0;
     for (const BodySums &body : sums)
       kinetic += body.update.kinetic;
@@ -108,6 +110,7 @@ namespace vfife
 
   void check_penetration(const ContactSystem &contact, const State &now)
   {
+    // All ranks know: the flag has travelled with the contact's reduction.
     if (contact.is_too_deep())
       throw NumericalError("runaway penetration " + describe_instant(now) + ": " +
                            contact.describe_deepest_point());

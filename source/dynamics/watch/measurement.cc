@@ -26,6 +26,7 @@ namespace vfife
         const std::uint32_t local = state.partition->find_owned(body.first_node + node);
         if (local == Partition::absent)
           continue;
+        // The angle in the plane across the axis from where the whole body's turn has the node.
         const Vector3 expected =
           rotation * (body.placement(body.node_positions()[node]) - body.axis.point);
         const Vector3 r    = state.node_position(local) - body.axis.point;
@@ -89,6 +90,7 @@ namespace vfife
         measured.contact_torque += tooth.torque;
         measured.largest_penetration = std::max(measured.largest_penetration, tooth.penetration);
       }
+    // Walls have no teeth.
     const RigidWalls::Results wall = walls.collect_results();
     measured.contact_force += wall.force;
     measured.largest_penetration = std::max(measured.largest_penetration, wall.penetration);
@@ -99,6 +101,7 @@ namespace vfife
                                          const VfifeOperator &vfife,
                                          const Communicator  &communicator)
   {
+    // 1. The owner brings the position, each rank the stresses of its elements at the node.
     constexpr unsigned int n = 10; // position 3, stress 6, number of elements
     std::vector<double>    sums(n * model.probes.size(), 0.);
     for (std::size_t p = 0; p < model.probes.size(); ++p)
@@ -135,6 +138,8 @@ namespace vfife
       }
     communicator.sum(sums);
 
+    // 2. Displacement in the turning body along r, theta, z; stress averaged over the elements and
+    // turned into the same axes. Both along x, y, z where the probe asks for it.
     std::vector<ProbeValue> values(model.probes.size());
     for (std::size_t p = 0; p < model.probes.size(); ++p)
       {

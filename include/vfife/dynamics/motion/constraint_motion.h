@@ -90,8 +90,8 @@ namespace vfife
       double        angle = 0, rate = 0; ///< free rotations
 
       /** Directions that lead the node, one constraint each, or nullptr. */
-      std::array<const Constraint *, 3> prescribing   = {{nullptr, nullptr, nullptr}};
-      Vector3                           free_velocity = Vector3::Zero(); ///< without the leads
+      std::array<const Constraint *, 3> prescribing = {{nullptr, nullptr, nullptr}};
+      Vector3 free_velocity = Vector3::Zero(); ///< without the prescribed displacements
     };
 
     struct Group

@@ -2,8 +2,8 @@
 #ifndef vfife_dynamics_motion_update_kernels_h
 #define vfife_dynamics_motion_update_kernels_h
 
-// Nothing else: see element/kernels.h. This header is read by files compiled for one instruction
-// set each.
+// Nothing else: see element/kernels/kernels.h. This header is read by files compiled for one
+// instruction set each.
 #include <vfife/element/kernels/kernels.h>
 
 namespace vfife
