@@ -1,0 +1,138 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Entries of gear bodies and meshes that files hardly ever set: fillets of the web, bore and hub,
+// element size, refinements; what each makes of the mesh.
+#include "../tests.h"
+
+#include "paper_members.h"
+
+#include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_body.h>
+#include <vfife/mesh/mesh_quality.h>
+#include <vfife/mesh/node_set_names.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+using namespace vfife;
+
+namespace
+{
+  GearBodyOptions
+  read(GearBodyOptions options, const std::string &body, const std::string &mesh = "")
+  {
+    dealii::ParameterHandler prm;
+    options.declare(prm);
+    prm.parse_input_from_string("subsection Body\n" + body + "end\nsubsection Mesh\n" + mesh +
+                                "end\n");
+    return options;
+  }
+
+  /** (r, z) of a node. */
+  Vector2 meridian_place(const BodyMesh &mesh, const unsigned int node)
+  {
+    const auto &x = mesh.triangulation.get_vertices()[node];
+    return {std::hypot(x[0], x[1]), x[2]};
+  }
+
+  const std::string web = "set web attachment = middle\nset web thickness = 4\n";
+
+  void hub(const GearMember &gear)
+  {
+    const auto mesh =
+      make_gear_body(gear,
+                     read(coarse(GearBodyOptions()),
+                          "set hub radius = 55\nset bore radius = 45\nset hub length = 0.03 m\n"));
+    double radius = 0, low = 1e9, high = -1e9;
+    for (const unsigned int node : mesh->node_sets.at(node_set::bore))
+      {
+        const Vector2 place = meridian_place(*mesh, node);
+        radius              = std::max(radius, std::abs(place[0] - 45.));
+        low                 = std::min(low, place[1]);
+        high                = std::max(high, place[1]);
+      }
+    check_below("bore radius: places of the bore's nodes [mm]", radius, 1e-12);
+    check_close("hub length: of the bore [mm]", high - low, 30., 1e-12);
+  }
+
+  void fillets(const GearMember &gear)
+  {
+    const GearBodyOptions plain = read(coarse(GearBodyOptions()), web);
+    const GearBodyOptions rounded =
+      read(coarse(GearBodyOptions()),
+           web + "set rim fillet radius = 1.5\nset hub fillet radius = 2 mm\n");
+    // A face that meets its wall at the angle a touches an arc r/tan(a/2) from the corner; of both
+    // faces together that makes the foot 2 r/sin(a) longer.
+    const auto foot = [&](const GearBodyOptions &options) {
+      const Blank     &blank = gear.blank();
+      const ConicalWeb cone(blank,
+                            options,
+                            -blank.dedendum(blank.inner_cone_distance()),
+                            -blank.dedendum(blank.outer_cone_distance));
+      return (cone.wall_point(cone.wall_place(1.)) - cone.wall_point(cone.wall_place(0.))).norm();
+    };
+    const double turn = ConicalWeb::turn_from_wall(gear.blank(), plain);
+    check_close("rim: foot of a sharp web [mm]", foot(plain), 4. / std::cos(turn), 1e-12);
+    check_close("rim fillet radius: foot of the web [mm]",
+                foot(rounded),
+                (4. + 2 * 1.5) / std::cos(turn),
+                1e-12);
+    const auto at_hub = [&](const GearBodyOptions &options) {
+      const auto mesh = make_gear_body(gear, options);
+      return meridian_place(*mesh, mesh->node_sets.at(node_set::node_A_back).front())[1] -
+             meridian_place(*mesh, mesh->node_sets.at(node_set::node_A_front).front())[1];
+    };
+    const double slope = std::sin(70. * pi / 180.);
+    check_close("hub: between the nodes A of a sharp web [mm]", at_hub(plain), 4. / slope, 1e-11);
+    check_close("hub fillet radius: between the nodes A [mm]",
+                at_hub(rounded),
+                (4. + 2 * 2.) / slope,
+                1e-11);
+
+    const auto count = [&](const std::string &rows) {
+      const std::string radii = "set rim fillet radius = 1.5\nset hub fillet radius = 2\n";
+      return make_gear_body(gear, read(coarse(GearBodyOptions()), web + radii, rows))
+               ->triangulation.n_active_cells() /
+             79;
+    };
+    // Behind the row that joins three columns into one, a row has two columns in a sector.
+    check("fillet rows: two more at rim and hub, of two layers",
+          count("set fillet rows = 3\n") - count("set fillet rows = 1\n") == 2 * (6 + 2) * 2);
+  }
+
+  void sizes(const GearMember &pinion)
+  {
+    const GearBodyOptions sized =
+      read(pinion_body_defaults(), "", "set element size = 3 mm\n").with_counts_of_size(pinion);
+    // 30 mm of face, 3.34 + 1.91 mm of tooth; in between as the tooth is thick
+    check("element size: cells lengthwise and flank rows",
+          sized.cells_lengthwise == 10 && sized.flank_rows == 2 && sized.element_size == 0.);
+    const double thickness = pinion.tooth_thickness(pinion.blank().mean_cone_distance, 0.);
+    check("element size: cells across the tooth",
+          sized.cells_across == std::max(2L, std::lround(thickness / 3)));
+    const auto mesh =
+      make_gear_body(pinion, read(pinion_body_defaults(), "", "set element size = 3\n"));
+    check("element size: elements of the mesh",
+          mesh->triangulation.n_active_cells() ==
+            27u * 10 * (3 * sized.cells_across + sized.rim_rows * sized.columns()));
+
+    const std::string few  = "set cells lengthwise = 2\nset cells across tooth = 2\n"
+                             "set flank rows = 2\nset rim rows = 2\n";
+    const auto        once = make_gear_body(pinion, read(pinion_body_defaults(), "", few));
+    const auto        refined =
+      make_gear_body(pinion, read(pinion_body_defaults(), "", few + "set refinements = 1\n"));
+    check("refinements: eight times the elements",
+          refined->triangulation.n_active_cells() == 8 * once->triangulation.n_active_cells());
+    check_close("refinements: half the least edge",
+                compute_mesh_quality(refined->triangulation).least_edge /
+                  compute_mesh_quality(once->triangulation).least_edge,
+                .5,
+                .1);
+  }
+} // namespace
+
+int main()
+{
+  const GearMember gear = paper::gear();
+  hub(gear);
+  fillets(gear);
+  sizes(paper::pinion());
+}

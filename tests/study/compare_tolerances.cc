@@ -1,0 +1,129 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Tolerances of a compare: results a known part away from their reference agree within a larger
+// tolerance and differ within a smaller one.
+#include "../tests.h"
+
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/study/compare/model_comparison.h>
+#include <vfife/study/compare/pair_comparison.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace vfife;
+
+namespace
+{
+  ComparisonTolerances tolerances(const std::string &lines)
+  {
+    ComparisonTolerances     read;
+    dealii::ParameterHandler prm;
+    {
+      Subsection section(prm, "Compare");
+      read.declare(prm);
+    }
+    prm.parse_input_from_string("subsection Compare\n" + lines + "end\n");
+    return read;
+  }
+
+  void write(const std::string &file, const std::string &text)
+  {
+    std::filesystem::create_directories(std::filesystem::path(file).parent_path());
+    std::ofstream(file) << text;
+  }
+
+  std::string verdict(const ComparisonRows &rows, const std::string &quantity)
+  {
+    for (const ComparisonRow &row : rows)
+      if (row.quantity == quantity)
+        return row.verdict();
+    return "missing";
+  }
+
+  /** A slow pair with a mean transmission error 1 % and a mean force 0.4 % off. */
+  void pair()
+  {
+    write("tolerances_run/history.csv", "time [s],dte [arcsec]\n0,-101\n0.001,-101\n");
+    write("tolerances_run/summary.json",
+          R"({"figures": {"pinion speed": {"value": 500}, "mesh frequency": {"value": 225},
+              "torque over effective arm": {"value": 996}, "gear torque": {"value": 100}},
+              "steady part": {"found": true, "start": {"value": 0}, "columns": {
+                "dte": {"mean": -101}, "contact force total": {"mean": 1004},
+                "contact torque on the gear": {"mean": 100.1}}}})");
+    write(
+      "tolerances_loaded/loaded_contact.csv",
+      "position [tooth meshes],transmission error [arcsec],contact force total [N]\n0,-100,1000\n");
+    const ComparedCases cases = {
+      {"run", "tolerances_run", "run", true},
+      {"loaded", "tolerances_loaded", "loaded tooth contact analysis", true}};
+    const auto judge = [&](const std::string &lines, const std::string &quantity) {
+      std::cout << lines.substr(0, lines.find('\n')) << ": "
+                << verdict(compare_pair(cases, tolerances(lines)), quantity) << std::endl;
+    };
+    judge("set transmission error tolerance = 0.011\n", "mean dte");
+    judge("set transmission error tolerance = 0.009\n", "mean dte");
+    judge("set slow = 499 rpm\nset transmission error tolerance = 0.011\n", "mean dte");
+    judge("set slow = 501 rpm\nset transmission error tolerance = 0.011\n", "mean dte");
+    judge("set force tolerance = 0.0041\n", "mean contact force");
+    judge("set force tolerance = 0.0039\n", "mean contact force");
+    judge("set force tolerance = 0.0011\n", "mean contact torque on the gear");
+    judge("set force tolerance = 0.0009\n", "mean contact torque on the gear");
+  }
+
+  std::string probe_header()
+  {
+    std::string header = "time [s]";
+    for (const char *axis : {"x", "y", "z"})
+      header += std::string(",tip displacement ") + axis + " [mm]";
+    for (const char *axes : {"x", "y", "z", "x y", "y z", "z x"})
+      header += std::string(",tip stress ") + axes + " [MPa]";
+    return header + ",tip von mises [MPa]\n";
+  }
+
+  /** At rest, 0.3 % and 2 % off. */
+  void statics()
+  {
+    write("tolerances_rest/history.csv", probe_header() + "1,0,0,1.003,102,0,0,0,0,0,102\n");
+    write("tolerances_linear/history.csv", probe_header() + "1,0,0,1,100,0,0,0,0,0,100\n");
+    const ComparedCases cases = {{"rest", "tolerances_rest", "static", false},
+                                 {"linear", "tolerances_linear", "linear static", false}};
+    const auto          judge = [&](const std::string &lines, const std::string &quantity) {
+      std::cout << lines.substr(0, lines.find('\n')) << ": "
+                << verdict(compare_models(cases, tolerances(lines)), quantity) << std::endl;
+    };
+    judge("set displacement tolerance = 0.0031\n", "tip displacement z, static");
+    judge("set displacement tolerance = 0.0029\n", "tip displacement z, static");
+    judge("set stress tolerance = 2.1e-2\n", "tip stress x, static");
+    judge("set stress tolerance = 1.9e-2\n", "tip stress x, static");
+    judge("set stress tolerance = 1.9e-2\n", "tip von mises, static");
+  }
+
+  /** A line of 1010 Hz beside a mode of 1000 Hz, in a record of 100 ms. */
+  void frequencies()
+  {
+    std::string ringing = probe_header();
+    for (unsigned int i = 0; i < 1000; ++i)
+      ringing += std::to_string(1e-4 * i) + ",0,0," + std::to_string(std::sin(2 * pi * .101 * i)) +
+                 ",0,0,0,0,0,0,0\n";
+    write("tolerances_ringing/history.csv", ringing);
+    write("tolerances_modes/modes.csv", "speed [rpm],frequency [Hz]\n0,0\n0,1000\n0,3000\n");
+    const ComparedCases cases = {{"ringing", "tolerances_ringing", "run", false},
+                                 {"modes", "tolerances_modes", "modal", false}};
+    for (const char *tolerance : {"0.011", "0.009"})
+      std::cout << "set frequency tolerance = " << tolerance << ": "
+                << verdict(compare_models(cases,
+                                          tolerances(std::string("set frequency tolerance = ") +
+                                                     tolerance + "\n")),
+                           "tip displacement z, line of the spectrum")
+                << std::endl;
+  }
+} // namespace
+
+int main()
+{
+  pair();
+  statics();
+  frequencies();
+}

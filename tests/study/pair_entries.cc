@@ -1,0 +1,256 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Entries of a pair that files hardly ever set (material, export, spin of a loaded contact, the
+// benchmark), and the numbers that a run writes of itself, on meshes as coarse as they go.
+#include "../tests.h"
+#include "quick_pair.h"
+
+#include <vfife/base/process/mpi_session.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  /** The pair without what only runs have. */
+  std::string bodies()
+  {
+    const std::string text = quick_pair("set web = none", "set rim rows = 2", "1e-6");
+    return text.substr(0, text.find("subsection Dynamics"));
+  }
+
+  void run(const std::string &name, const std::string &text, Communicator &world)
+  {
+    std::filesystem::remove_all(name);
+    std::ofstream(name + ".prm") << text;
+    run_pair(name + ".prm", name, world);
+  }
+
+  nlohmann::json read_json(const std::string &path)
+  {
+    std::ifstream file(path);
+    return nlohmann::json::parse(file);
+  }
+
+  void meshes(Communicator &world)
+  {
+    run("pair_mesh",
+        bodies() + R"(
+subsection Study
+  set kind = mesh
+end
+subsection Gear pair
+  subsection Gear
+    set material = brass
+  end
+end
+subsection Material brass
+  set density = 8500 kg/m^3
+end
+subsection Export
+  set formats = vtu
+  set bodies  = no
+end
+)",
+        world);
+    check("export bodies: only the pair",
+          std::filesystem::exists("pair_mesh/pair.vtu") &&
+            !std::filesystem::exists("pair_mesh/gear.vtu") &&
+            !std::filesystem::exists("pair_mesh/pinion.vtu"));
+    const Table table = read_result_table("pair_mesh/mesh.csv");
+    for (const unsigned int i : {0u, 1u})
+      check_close("material: density of the " + table.column("body").texts[i] + " [kg/m^3]",
+                  table.numbers("mass")[i] / table.numbers("volume")[i] * 1e9,
+                  i == 0 ? 7850. : 8500.,
+                  1e-6);
+  }
+
+  /** Transmission errors without and with load at the reference position [arcsec]. */
+  std::array<double, 2>
+  loaded_contact(const std::string &speed, const std::string &centrifugal, Communicator &world)
+  {
+    run("pair_loaded",
+        bodies() + "subsection Operation\n  set speed = " + speed +
+          "\nend\nsubsection Study\n  set kind = loaded tooth contact analysis\nend\n" +
+          "subsection Loaded contact\n  set positions = 1\n  set centrifugal = " + centrifugal +
+          "\nend\n" +
+          // The penalty follows from the step, which is a whole part of a tooth mesh.
+          "subsection Contact\n  set penalty from step = no\n  set penalty = 6e5\nend\n",
+        world);
+    auto columns = read_columns("pair_loaded/loaded_contact.csv");
+    return {{columns["unloaded transmission error"][0], columns["transmission error"][0]}};
+  }
+
+  void spin(Communicator &world)
+  {
+    const auto at_rest = loaded_contact("10 rpm", "yes", world),
+               without = loaded_contact("20000 rpm", "no", world),
+               spun    = loaded_contact("20000 rpm", "yes", world);
+    check_close("centrifugal: without it speed is none [arcsec]", without[1], at_rest[1], 1e-4);
+    check_below("centrifugal: flanks touch unspun without load [arcsec]", without[0], .05);
+    check("centrifugal: spin moves the flanks", std::abs(spun[0] - without[0]) > .1);
+  }
+
+  void benchmark(Communicator &world)
+  {
+    const auto measure = [&](const std::string &closing) {
+      run("pair_benchmark",
+          bodies() + R"(
+subsection Study
+  set kind = benchmark
+end
+subsection Benchmark
+  set repeats        = 2
+  set steps          = 1
+  set cells          = 3
+  set plain elements = 8
+  set contact steps  = 2
+  set closing        = )" +
+            closing + "\nend\n",
+          world);
+      std::ifstream log("pair_benchmark/run.log");
+      std::string   text, line;
+      while (std::getline(log, line))
+        text += line + "\n";
+      check("cells: elements and nodes of the general mesh",
+            text.find("general mesh: 27, 64\n") != std::string::npos);
+      const std::size_t at = text.find("contact of the pair closed by ");
+      return at == std::string::npos ? "" : text.substr(at);
+    };
+    const std::string wide = measure("40 um"), narrow = measure("20 um");
+    const auto        area = [](const std::string &text) {
+      return std::stod(text.substr(text.find(": ") + 2));
+    };
+    check("closing: is the one that was asked for",
+          wide.find("closed by 40 um: ") != std::string::npos &&
+            narrow.find("closed by 20 um: ") != std::string::npos);
+    check("closing: deeper flanks touch more widely",
+          area(narrow) > 0 && area(wide) > 1.2 * area(narrow));
+    const Table table = read_result_table("pair_benchmark/contact_cost.csv");
+    check("contact steps: each part has its time", table.numbers("time").size() == 9);
+  }
+
+  /** What summary.json says of a run, from the files beside it. */
+  void figures(Communicator &world)
+  {
+    const std::string web = "set web = conical\nset web thickness = 5 mm";
+    const std::string mesh =
+      "set rim rows = 3\nset web layers = 1\nset web rows = 3\nset hub rows = 1\nset hub side "
+      "cells = 1";
+    run("pair_figures", quick_pair(web, mesh, "1e-6"), world);
+    const nlohmann::json summary = read_json("pair_figures/summary.json");
+    auto                 history = read_columns("pair_figures/history.csv");
+    const auto           value   = [&](const char *part, const std::string &name) {
+      return summary.at(part).at(name).at("value").get<double>();
+    };
+
+    const char *const error = "transmission error";
+    check_close("parts of the transmission error over its total",
+                (value(error, "teeth and rest") + value(error, "web windup") +
+                 value(error, "rim tilt and shift") + value(error, "centrifugal shift")) /
+                  value(error, "total at the start"),
+                1.,
+                1e-12);
+    // The total is that of the equilibrium before the pattern that stands in space is put in.
+    check_close("the total over the first sample",
+                value(error, "total at the start") / history["dte"].front(),
+                1.,
+                .01);
+    check("the teeth and the web give way, penalty springs are a part",
+          value(error, "teeth and rest") < value(error, "penalty springs, in teeth and rest") &&
+            value(error, "penalty springs, in teeth and rest") < 0. &&
+            value(error, "web windup") < 0.);
+    // Springs give way by 2 E/T: the contact's energy at the start over the torque.
+    check_close("penalty springs: twice their energy over the torque [arcsec]",
+                -2 * history["contact energy"].front() / 8e5 / arcsecond,
+                value(error, "penalty springs, in teeth and rest"),
+                1e-3);
+
+    const char *const figure = "figures";
+    check_close("mesh frequency [Hz]", value(figure, "mesh frequency"), 9000., 1e-9);
+    check_close("pinion speed [rpm]", value(figure, "pinion speed"), 20000., 1e-9);
+    check_close("gear torque [N m]", value(figure, "gear torque"), 800., 1e-12);
+    check_close("torque over effective arm",
+                value(figure, "torque over effective arm") * value(figure, "effective arm") / 8e5,
+                1.,
+                1e-12);
+    // In N m/rad and kg m^2.
+    check_close("swing frequency over that of stiffness and inertia",
+                value(figure, "swing frequency, estimated") * 2 * pi /
+                  std::sqrt(value(figure, "torsional stiffness") /
+                            value(figure, "inertia of the swing")),
+                1.,
+                1e-12);
+    const double gear = summary.at("mesh").at("bodies")[1].at("axial inertia").at("value");
+    check("inertia of the swing: about the gear's",
+          value(figure, "inertia of the swing") > .5 * gear &&
+            value(figure, "inertia of the swing") < 1.5 * gear);
+                value(figure, "contact penalty") > 0,
+                1.,
+                0.);
+                check_close("samples on the coast side",
+                            value(figure, "samples with contact on the coast side"),
+                            0.,
+                            0.);
+
+                // One tooth mesh has no steady part: the figures are of the samples between start
+                // and end.
+                const nlohmann::json &steady = summary.at("steady part");
+                check("no steady part", steady.at("found") == false);
+                const auto inside = [&](const double time) {
+                  return time >= steady.at("start").at("value").get<double>() - 1e-12 &&
+                         time <= steady.at("end").at("value").get<double>() + 1e-12;
+                };
+                for (const char *column :
+                     {"contact force total", "dte", "contact torque on the gear"})
+                  {
+                    std::vector<double> values;
+                    for (std::size_t i = 0; i < history["time"].size(); ++i)
+                      if (inside(history["time"][i]))
+                        values.push_back(history[column][i]);
+                    const auto ends = std::minmax_element(values.begin(), values.end());
+                    double     mean = 0; // by the trapezoidal rule over whole tooth meshes
+                    for (std::size_t i = 1; i < values.size(); ++i)
+                      mean += .5 * (values[i - 1] + values[i]) / (values.size() - 1);
+                    const auto &of = steady.at("columns").at(column);
+                    check(std::string(column) + ": samples of a tooth mesh", values.size() == 99);
+                    check_close(std::string(column) + ": mean",
+                                of.at("mean").get<double>() / mean,
+                                1.,
+                                1e-10);
+                    check_close(std::string(column) + ": peak to peak",
+                                of.at("peak to peak").get<double>() / (*ends.second - *ends.first),
+                                1.,
+                                1e-12);
+                  }
+
+                // The ledger's last state beside the last sample, which is the last step.
+                check_close("energy: strain [mJ]",
+                            value("energy", "strain") / history["strain energy"].back(),
+                            1.,
+                            1e-12);
+                check_close("energy: error",
+                            value("energy", "error"),
+                            history["energy error"].back(),
+                            1e-15);
+                check_close("run: its time in tooth meshes", value("run", "time") * 9000, 1., 1e-9);
+                check_close("run: steps times step over time",
+                            value("run", "step") * summary.at("run").at("steps").get<double>() /
+                              value("run", "time"),
+                            1.,
+                            1e-12);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  meshes(session.world());
+  spin(session.world());
+  benchmark(session.world());
+  figures(session.world());
+}
