@@ -44,25 +44,22 @@ namespace
   /** A model on one rank with places, velocities and forces of its nodes. */
   struct Moved
   {
-    Model               model;
-    Communicator        communicator;
-    VfifeOperator       vfife;
-    std::vector<double> positions, velocities, forces;
+    Model         model;
+    Communicator  communicator;
+    VfifeOperator vfife;
+    NodeField     positions, velocities, forces;
 
     /** @p motion: from the body frame to present places in the fixed frame. */
     Moved(Model &&of, const std::function<Vector3(const Vector3 &)> &motion)
       : model(std::move(of))
       , communicator(MPI_COMM_SELF)
       , vfife(model, FrameKind::polar, StiffnessKind::incompatible_modes, communicator)
-      , positions(vfife.array_size(), 0.)
+      , positions(vfife.make_field())
       , velocities(positions)
       , forces(positions)
     {
       for (std::size_t i = 0; i < n(); ++i)
-        {
-          Eigen::Map<Vector3> here(positions.data() + 4 * i);
-          here = motion(model.bodies[0].node_positions()[partition().global_node[i]]);
-        }
+        positions.set(i, motion(model.bodies[0].node_positions()[partition().global_node[i]]));
     }
 
     const Partition &partition() const
@@ -75,11 +72,11 @@ namespace
     }
     Vector3 place(const std::size_t i) const
     {
-      return Eigen::Map<const Vector3>(&positions[4 * i]);
+      return positions.value(i);
     }
     Vector3 force(const std::size_t i) const
     {
-      return Eigen::Map<const Vector3>(&forces[4 * i]);
+      return forces.value(i);
     }
     Vector3 resultant() const
     {
@@ -113,13 +110,13 @@ namespace
       return Vector3(axis.point + turn * (ring.placement(X) - axis.point));
     });
     TorqueLoads   torques(moved.model, moved.partition());
-    torques.add_forces(.25e-3, moved.positions.data(), moved.forces.data());
+    torques.add_forces(.25e-3, moved.positions, moved.forces);
     check_close("torque: a quarter of its ramp [N mm]",
                 moved.moment(axis.point).dot(axis.direction),
                 1250.,
                 1e-9);
-    std::fill(moved.forces.begin(), moved.forces.end(), 0.);
-    torques.add_forces(1., moved.positions.data(), moved.forces.data());
+    moved.forces.set_zero();
+    torques.add_forces(1., moved.positions, moved.forces);
     check_below("torque: moment less its value [N mm]",
                 (moved.moment(axis.point) - 5000. * axis.direction).norm(),
                 1e-8);
@@ -137,10 +134,9 @@ namespace
       }
     check_below("torque: constant traction along the circle [N]", deviation, 1e-12);
     for (std::size_t i = 0; i < moved.n(); ++i)
-      Eigen::Map<Vector3>(&moved.velocities[4 * i]) =
-        30. * axis.direction.cross(moved.place(i) - axis.point);
+      moved.velocities.set(i, 30. * axis.direction.cross(moved.place(i) - axis.point));
     check_close("torque: its power at 30 rad/s, half [mJ/s]",
-                torques.half_power(moved.velocities.data()),
+                torques.half_power(moved.velocities),
                 .5 * 5000 * 30,
                 1e-7);
   }
@@ -163,7 +159,7 @@ namespace
         Moved        moved(std::move(model),
                     [&](const Vector3 &X) { return Vector3(1.1 * X + Vector3(3., 4., 5.)); });
         NodalLoads   nodal(moved.model, moved.vfife, moved.communicator);
-        nodal.add_part(.5, moved.positions.data(), moved.forces.data());
+        nodal.add_part(.5, moved.positions, moved.forces);
         const std::string name  = kind == LoadKind::force          ? "force"
                                   : kind == LoadKind::acceleration ? "acceleration"
                                                                    : "moment";
@@ -196,7 +192,7 @@ namespace
     Moved      moved(std::move(model),
                 [&](const Vector3 &X) { return place(Vector3(2. * X[0], 2. * X[1], 1.5 * X[2])); });
     NodalLoads nodal(moved.model, moved.vfife, moved.communicator);
-    nodal.add_forces(0., moved.positions.data(), moved.forces.data());
+    nodal.add_forces(0., moved.positions, moved.forces);
     double inward = 0;
     for (std::size_t i = 0; i < moved.n(); ++i)
       {
@@ -228,12 +224,12 @@ namespace
     const double  corner = bar.node_masses()[load.nodes[0]];
     Moved         moved(std::move(model), [&](const Vector3 &X) { return Vector3(X + way); });
     NodalLoads    nodal(moved.model, moved.vfife, moved.communicator);
-    nodal.add_forces(0., moved.positions.data(), moved.forces.data());
+    nodal.add_forces(0., moved.positions, moved.forces);
     check_below("springs: -k times the way [N]",
                 (moved.resultant() - Vector3(-10., 0., 9.)).norm(),
                 1e-12);
     check_close("springs: energy [mJ]",
-                nodal.compute_spring_energy(moved.positions.data()),
+                nodal.compute_spring_energy(moved.positions),
                 .5 * (1000. * 1e-4 + 300. * 9e-4),
                 1e-14);
     // 4/dt^2 = 4/step^2 + k/m, a quarter of the stiffness on each corner
@@ -246,8 +242,8 @@ namespace
     check_close(
       "springs: full whatever the part of the loads [N]",
       [&] {
-        std::fill(moved.forces.begin(), moved.forces.end(), 0.);
-        none.add_part(0., moved.positions.data(), moved.forces.data());
+        moved.forces.set_zero();
+        none.add_part(0., moved.positions, moved.forces);
         return moved.resultant()[0];
       }(),
       -10.,
@@ -263,11 +259,11 @@ namespace
     wall.nodes            = model.bodies[n].node_set("x-");
     wall.point            = Vector3(-5., 100., 100.);
     wall.normal           = Vector3(.8, .6, 0.);
-    wall.penalty_fraction = .25;
+    wall.penalty.fraction = .25;
     for (const bool from_step : {true, false})
       {
-        wall.penalty_from_step = from_step;
-        wall.penalty           = 2e4;
+        wall.penalty.from_step = from_step;
+        wall.penalty.value     = 2e4;
         model.walls.push_back(wall);
       }
     // Inner node over its area: a cell of 2 x 1 x 1 mm has an eighth at each corner.
@@ -278,7 +274,7 @@ namespace
     Moved      moved(std::move(model), [&](const Vector3 &X) { return Vector3(start + turn * X); });
     RigidWalls walls(moved.model, moved.partition(), moved.communicator);
     walls.set_penalties(dt);
-    walls.add_forces(moved.positions.data(), moved.forces.data());
+    walls.add_forces(moved.positions, moved.forces);
     const double penalty = .25 * mass_per_area / (dt * dt) + 2e4, force = penalty * .02 * 4.;
     check_below("walls: penalty times depth times area, along the normal [N]",
                 (moved.resultant() - force * wall.normal).norm(),

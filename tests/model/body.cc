@@ -89,7 +89,7 @@ namespace
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
         const double z    = body.node_positions()[nodes[i]][2];
-        const double part = z == 0. || z == height ? .5 : 1.;
+        const double part = std::abs(z) < 1e-9 || std::abs(z - height) < 1e-9 ? .5 : 1.;
         right             = right && std::abs(of[i] / (part * chord * height / 3) - 1) < 1e-12;
       }
     check("ring: area of each node outside", right);

@@ -179,8 +179,8 @@ namespace
             pair.master_body == 0 && pair.master_surface == "x-");
     check("its options",
           pair.options.surface == ContactSurfaceKind::flat_facets &&
-            pair.options.penalty_for(1., 1.) == 2e4 && pair.options.damping_ratio == .1 &&
-            pair.options.edge_fading == 0.);
+            pair.options.penalty.value_for_step(1., 1.) == 2e4 &&
+            pair.options.damping_ratio == .1 && pair.options.edge_fading == 0.);
 
     const Model      model = make_model(contact(
       of_bar + "set kind = wall\nset nodes = z-\nset where = x > 8.5\nset wall point = 1, 2, -0.5\n"
@@ -192,7 +192,7 @@ namespace
             wall.nodes.size() == 10 && wall.point == Vector3(1., 2., -.5) &&
             wall.normal == Vector3(0., 0., 1.));
     check("its penalty",
-          !wall.penalty_from_step && wall.penalty == 3e4 && wall.penalty_fraction == .25);
+          !wall.penalty.from_step && wall.penalty.value == 3e4 && wall.penalty.fraction == .25);
 
     refuse(contact("set slave body = ring\nset slave surface = outer\n"));
     refuse(contact(bodies + "set wall point = 0, 0, 0\n"));

@@ -5,6 +5,7 @@
 #include "quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
+#include <vfife/base/types.h>
 
 #include <algorithm>
 
@@ -93,7 +94,7 @@ namespace
     set outer radius = 40
     set height       = 30
     set radial cells = 8
-    set cells around = 24
+    set cells around = 96
     set axial cells  = 2
   end
   subsection Constraint hub
