@@ -5,6 +5,7 @@
 #include "samples.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/element/frame.h>
 #include <vfife/element/internal_force.h>
 
 #include <Eigen/LU>
@@ -237,8 +238,8 @@ namespace
 int main(int argc, char **)
 {
   const bool verbose = argc > 1;
-  check_frame(FrameKind::polar, verbose);
-  check_frame(FrameKind::three_nodes, verbose);
+  for (const auto &choice : frame_choices())
+    check_frame(choice.second, verbose);
   check_numbering(verbose);
   check_series(verbose);
 

@@ -5,6 +5,7 @@
 #include "samples.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/element/frame.h>
 #include <vfife/element/internal_force.h>
 
 #include <algorithm>
@@ -171,10 +172,11 @@ int main(int argc, char **)
                                    InstructionSet::sse2,
                                    InstructionSet::avx2,
                                    InstructionSet::avx512})
-    for (const FrameKind frame : {FrameKind::polar, FrameKind::three_nodes})
+    for (const auto &choice : frame_choices())
       {
-        Differences worst;
-        double      large_strain = 0., repeated = 0.;
+        const FrameKind frame = choice.second;
+        Differences     worst;
+        double          large_strain = 0., repeated = 0.;
         // A machine without the set has nothing to compare: the lines stay the same.
         if (is_available(set))
           {

@@ -199,9 +199,8 @@ namespace
 
 int main()
 {
-  check_formulation(StiffnessKind::incompatible_modes);
-  check_formulation(StiffnessKind::full);
-  check_formulation(StiffnessKind::one_point);
+  for (const auto &choice : stiffness_choices())
+    check_formulation(choice.second);
   check_parallelepiped();
   check_bending();
   check_frequency();
