@@ -134,8 +134,8 @@ namespace vfife
         names.push_back(s.first);
         list += (list.empty() ? "" : ", ") + s.first;
       }
-    throw InputError("body \"" + name_ + "\" has no node set \"" + set + "\"; did you mean \"" +
-                     nearest_name(set, names) + "\"? (sets: " + list + ")");
+    throw InputError("body \"" + name_ + "\" has no node set \"" + set + "\"" +
+                     did_you_mean(set, names) + " (sets: " + list + ")");
   }
 
   double Body::mass() const

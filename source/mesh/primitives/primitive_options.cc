@@ -151,12 +151,10 @@ namespace vfife
     for (unsigned int i = 0; i < shape_->counts.size(); ++i)
       if (shape_->counts[i].even && counts[i] % 2 != 0)
         throw InputError(section + "/" + shape_->counts[i].name,
-                         section + "/" + shape_->counts[i].name + ": " + std::to_string(counts[i]) +
-                           " is odd, an even number is needed");
+                         std::to_string(counts[i]) + " is odd, an even number is needed");
     if (shape_->rising && !(sizes[0] < sizes[1]))
       throw InputError(section + "/" + shape_->sizes[0].name,
-                       section + "/" + shape_->sizes[0].name + ": must be smaller than the " +
-                         shape_->sizes[1].name);
+                       std::string("must be smaller than the ") + shape_->sizes[1].name);
   }
 
   std::unique_ptr<BodyMesh> make_primitive(const PrimitiveOptions &options)

@@ -55,13 +55,13 @@ namespace vfife
     for (const std::string &format : formats)
       if (std::find(known.begin(), known.end(), format) == known.end())
         throw InputError(section + "/formats",
-                         section + "/formats: there is no format \"" + format +
-                           "\"; allowed: " + list_of(known) + did_you_mean(format, known));
+                         "there is no format \"" + format + "\"; allowed: " + list_of(known) +
+                           did_you_mean(format, known));
     if ((lengthwise != 0 || profile != 0) && (lengthwise < 2 || profile < 2))
-      throw InputError(section + "/flank points lengthwise",
-                       section +
-                         ": flank points need at least 2 lengthwise and 2 along the profile "
-                         "(or 0 and 0 for none)");
+      throw InputError(
+        section + "/flank points lengthwise",
+        "flank points need at least 2 lengthwise and 2 along the profile (or 0 and 0 "
+        "for none)");
   }
 
   void MeshStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
