@@ -100,7 +100,7 @@ namespace vfife
                            Observers        &observers,
                            const BeforeStep &before_step)
   {
-    // A run that goes on has begun before: exchange() knows where.
+    // A run that goes on has begun before: serialize() knows where.
     if (!beginning_)
       begin_run(state);
     // Counted from the beginning, so that a run in parts has the steps of the whole one.
