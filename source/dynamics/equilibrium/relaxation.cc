@@ -139,6 +139,8 @@ namespace vfife
 
   void Relaxation::add_contact(State &state, const bool search, NodeField &forces)
   {
+    // The contact sees bodies at rest: no motion ahead for the search, no velocities for damping
+    // and friction.
     const std::vector<RigidVelocity> at_rest(model_.bodies.size());
     if (search)
       contact_.search(state.body_motion, at_rest, state.position, 0.);
@@ -300,6 +302,7 @@ namespace vfife
         state.position.add(i, v);
       }
 
+    // Nodes that turn freely or are led in some directions are damped by the same factors.
     BodyDamping virtual_damping;
     virtual_damping.zeta = damping;
     std::vector<BodySums> ignored(model_.bodies.size());

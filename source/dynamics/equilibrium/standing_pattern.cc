@@ -14,6 +14,8 @@ namespace vfife
 
     bool has_pattern(const Body &body)
     {
+      // Only a body that turns has a pattern, and only equal sectors, each with the same number of
+      // nodes, have equal nodes.
       return body.turns_on_axis && body.rate != 0. && body.mesh().n_sectors >= least_sectors &&
              body.n_nodes() % body.mesh().n_sectors == 0;
     }

@@ -37,6 +37,8 @@ namespace vfife
   {
     for (const unsigned int node : facets->nodes)
       {
+        // Masses are the whole nodes', also of nodes that this rank does not hold: all ranks vote
+        // alike on the step and have the same penalty.
         local.push_back(partition.local_node[b.first_node + node]);
         mass.push_back(b.node_masses()[node]);
       }

@@ -83,6 +83,7 @@ namespace vfife
   void ContactSystem::set_penalties(const double dt)
   {
     for (const auto &pair : pairs_)
+      // eps = f (m/A)/dt^2 with the least mass per area of both surfaces, or the given value
       pair->contact.set_penalty(pair->penalty().value_for_step(pair->mass_per_area, dt),
                                 pair->mass_per_area);
   }
@@ -113,6 +114,7 @@ namespace vfife
       for (const ContactSurface *surface : pair->surfaces())
         deformations.push_back(
           surface->largest_deformation(partition_, body_motion[surface->body], positions));
+    // Two entries a pair, slave and master, in the order of the pairs.
     communicator_.max(deformations);
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
@@ -190,6 +192,8 @@ namespace vfife
     for (const auto &pair : pairs_)
       for (const ContactSurface *surface : pair->surfaces())
         {
+          // A node on a spring k = eps A gets k/(2 phi^2) more mass, phi the fraction, whether it
+          // touches or not: masses stay as they are when contact opens and closes.
           const auto &areas = surface == &pair->slave ? pair->contact.slave_node_areas()
                                                       : pair->contact.master_node_areas();
           for (std::size_t i = 0; i < surface->local.size(); ++i)

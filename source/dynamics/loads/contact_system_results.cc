@@ -72,6 +72,8 @@ namespace vfife
         std::vector<double> sums, maxima;
         for (const GroupPairResult &r : results)
           {
+            // Forces, moments and areas are parts of the ranks' shares of points and add up;
+            // pressure and penetration are those of the worst point.
             sums.insert(sums.end(),
                         {r.force[0],
                          r.force[1],

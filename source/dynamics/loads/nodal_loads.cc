@@ -71,6 +71,7 @@ namespace vfife
 
   double NodalLoads::vote_on_step(const double step) const
   {
+    // 4/dt^2 = 4/step^2 + k/m: the squares of frequencies add up at most
     return 1. / std::sqrt(1. / (step * step) + 0.25 * largest_frequency2_);
   }
 

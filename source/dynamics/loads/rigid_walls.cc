@@ -24,6 +24,9 @@ namespace vfife
   {
     for (const RigidWall &definition : model.walls)
       {
+        // Each node presses with the area of the boundary faces around it whose corners are all of
+        // the set; the lightest node for its area bounds penalty and step. All nodes of the model
+        // are looked at, those of other ranks too, so that ranks agree.
         const Body &body  = model.bodies[definition.body];
         const auto  areas = compute_nodal_areas(body, definition.nodes);
         Wall        wall(definition);
@@ -70,6 +73,11 @@ namespace vfife
   {
     for (Wall &wall : walls_)
       {
+        //   n ^                       1. depth = -n . (x - p) of every node behind the plane
+        //     |                       2. forces by the contact law, penalty times the node's area
+        //  ---p--------+---- plane    3. they act along n alone: a wall has no friction
+        //              | depth
+        //              o x
         const Vector3 &n = wall.definition->normal, &p = wall.definition->point;
         wall.touching.clear();
         wall.pressed.clear();
@@ -83,6 +91,7 @@ namespace vfife
           }
         wall.law->evaluate(wall.pressed);
 
+        // All copies of a node take its force; force and energy are sums, which the owner counts.
         wall.force = wall.energy = wall.penetration = 0;
         for (std::size_t k = 0; k < wall.pressed.size(); ++k)
           {

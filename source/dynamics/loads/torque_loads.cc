@@ -61,6 +61,7 @@ namespace vfife
     double power = 0;
     for (const Load &load : loads_)
       for (const Node &node : load.nodes)
+        // Twice a step, with v- and v+: the sum of both is the power with (v- + v+)/2.
         if (node.owned)
           power += 0.5 * node.force.dot(velocities.value(node.local));
     return power;

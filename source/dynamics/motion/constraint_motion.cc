@@ -141,6 +141,8 @@ namespace vfife
     for (const Group &group : groups_)
       for (const Node &node : group.nodes)
         {
+          // The fourth numbers of the records are 1/m (positions) and m (velocities): at zero the
+          // common update adds neither force nor sums.
           state.position.set_number(node.local, 0.);
           state.velocity.set_number(node.local, 0.);
         }
@@ -207,6 +209,7 @@ namespace vfife
                                  NodeField       &forces,
                                  const bool       rotation_is_free) const
   {
+    // The velocity of a node per angular velocity about the axis, e = axis x r [mm].
     const auto lever = [&](const Group &group, const Node &node) {
       return Vector3(group.axis.direction.cross(positions.value(node.local) - group.axis.point));
     };
@@ -230,6 +233,7 @@ namespace vfife
         // What is left of the force along the directions in which the node may move.
         for (const Node &node : group.nodes)
           {
+            // held, prescribed: 0; free rotation: (t . f) t; rigid hub: e_i (sum e . f)/(sum e . e)
             Vector3 f = Vector3::Zero();
             if (rotation_is_free && group.kind == ConstraintKind::rigid_hub)
               f = per_lever * lever(group, node);

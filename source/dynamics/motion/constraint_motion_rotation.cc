@@ -23,6 +23,8 @@ namespace vfife
             if (frame == MotionFrame::fixed)
               {
                 // The velocity is the chord of the last step: 2 rho sin(rate dt/2)/dt.
+                // That step went from r - dt v to r: at its middle the moment of v about the axis
+                // has the sense of the turn.
                 const Vector3 v      = state.node_velocity(node.local);
                 const double  rho    = start_r.norm();
                 const Vector3 middle = r - 0.5 * state.dt * v;
@@ -132,6 +134,8 @@ namespace vfife
 
   void ConstraintMotion::serialize(ByteStream &stream, const Partition &partition)
   {
+    // Groups differ from rank to rank by the nodes they hold; numbered as in the model, with zeros
+    // where no node is of the group, they are the same for any number of ranks.
     std::vector<double> angles; // and rates, by node of the model
     const auto          place = [&](const Node &node) {
       return angles.data() + 2 * static_cast<std::size_t>(partition.global_node[node.local]);

@@ -14,6 +14,7 @@ namespace vfife
                                   const UpdateAxis  &axis,
                                   BodySums          &sums)
   {
+    // Sums are added up over ranks: copies of a node would count it twice.
     if (!node.owned)
       return;
     // Energy and momenta as update_nodes() counts them, with v = (v- + v+)/2 for powers.
@@ -32,6 +33,7 @@ namespace vfife
       }
     if (group.kind == ConstraintKind::directions)
       // What prescribed displacements have added to the motion under forces and damping.
+      // m (1 + a)/dt (v+ - v*): the force that makes v+ of v* in the damped update, a = zeta dt/2
       sums.drive_power +=
         node.mass * (1. + 0.5 * damping.zeta * dt) / dt * (v - node.free_velocity).dot(mean);
     else if (group.kind == ConstraintKind::prescribed_rotation)

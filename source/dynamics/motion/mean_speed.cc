@@ -25,6 +25,8 @@ namespace vfife
     communicator.sum(sums);
 
     RigidVelocity rate;
+    // A mean of speeds has no sign: it turns as the body did at the start. As a field u(x) =
+    // velocity + omega x x with the axis at rest.
     rate.omega    = (body.rate < 0 ? -1. : 1.) * sums[0] / sums[1] * body.axis.direction;
     rate.velocity = -rate.omega.cross(body.axis.point);
     return rate;

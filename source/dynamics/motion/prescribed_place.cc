@@ -52,6 +52,12 @@ namespace vfife
                  angle       = prescribed[1].value_or(0.);
     const Vector3 ray        = std::cos(angle) * first.e_r + std::sin(angle) * first.e_theta;
 
+    // Seen along the axis, x* where forces alone put the node:
+    //
+    //   e_theta ^
+    //           |       o<-----o x*    a radius R: back along the old e_r onto its circle, so that
+    //    across |     / R              the way across, which is the turn, stays as it is
+    //           +---/------> e_r       (e_r, e_theta at the place before the step)
     Vector3 flat = from - axis.direction.dot(from) * axis.direction;
     if (prescribed[0] && prescribed[1])
       flat = radius * ray;
