@@ -30,6 +30,8 @@ namespace vfife
     const std::size_t  copy    = 3 * static_cast<std::size_t>(discretization_.n_points());
     for (unsigned int e = 0; e < discretization_.n_elements(); ++e)
       {
+        // Every rank that owns an unknown of the element's points, in any copy of them, computes
+        // it.
         bool mine = false;
         for (unsigned int a = 0; a < n_local && !mine; ++a)
           for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
@@ -55,6 +57,8 @@ namespace vfife
       std::sort(row.begin(), row.end());
       row.erase(std::unique(row.begin(), row.end()), row.end());
     };
+    // An element makes a full block: every unknown that its points depend on meets every other one.
+    // So does a link, points that something else joins, such as those of a contact spring.
     const auto couple = [&](const unsigned int *points, const unsigned int n) {
       for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
         {
@@ -86,6 +90,8 @@ namespace vfife
       couple(discretization_.element_points(e), n_local);
     for (const std::vector<unsigned int> &link : links_)
       couple(link.data(), link.size());
+    // Compressed rows: row i has the columns from begin[i] to begin[i + 1]. A list is given back as
+    // soon as it is copied: the pattern is not twice in memory.
     pattern_.n         = unknowns_.n();
     pattern_.first_row = first_;
     pattern_.begin.push_back(0);

@@ -132,6 +132,10 @@ namespace vfife
 
     Discretization     sector(model, element);
     const unsigned int n_nodes = body.n_nodes() / n, n_elements = body.n_elements() / n;
+    //   n_nodes + i  *---*---*       Points are the nodes of sector 0 and, of sector 1, those
+    //               / sector 0       on the common border (*): images of nodes i of sector 0, a
+    //            i o---o---o         pitch further on. All other nodes are left out.
+    //
     sector.sector_angle_ = 2. * pi / n;
     // Nodes and elements are numbered sector by sector: node i of sector s is s n_nodes + i. Sector
     // 1 must be sector 0 turned; the others are made in the same way.
@@ -215,6 +219,7 @@ namespace vfife
       if (node < n_own)
         inside[part.first_point + node] = true;
 
+    // A middle belongs to a set when the corners around it do: sets name corner nodes.
     if (n_local_ == 27)
       {
         // Edges through the interior between two nodes of the set are not part of it: only

@@ -41,6 +41,7 @@ namespace vfife
     /** The tensor Gauss rule of degree + 1 points a direction, in the order of gauss_point(). */
     std::vector<ReferencePoint> make_reference_points(const unsigned int degree)
     {
+      // Exact to the degree 2 n - 1 along each line: stiffness and mass of a parallelepiped.
       const unsigned int        n     = degree + 1;
       const double              outer = degree == 1 ? 1. / std::sqrt(3.) : std::sqrt(.6);
       const std::vector<double> place =
@@ -133,9 +134,11 @@ namespace vfife
     Eigen::MatrixXd                   K = Eigen::MatrixXd::Zero(3 * X.cols(), 3 * X.cols());
     for (const ElementPoint &point : compute_element_points(X))
       {
+        // K = sum over points of w B^T D B [N/mm]
         const Eigen::MatrixXd B = compute_strain_matrix(point.gradients);
         K.noalias() += B.transpose() * (point.weight * D * B);
       }
+    // Without the part of the round-off that is not symmetric.
     return .5 * (K + K.transpose());
   }
 

@@ -16,6 +16,7 @@ namespace vfife
         return Matrix3::Identity() - tangent * tangent.transpose();
       case ConstraintKind::directions:
         {
+          // Sum of e e^T over the directions e that are prescribed.
           Matrix3 axes = Matrix3::Identity(), held = Matrix3::Zero();
           if (constraint.cylindrical)
             // r, theta, z. On the axis r and theta are zero, what is held of them is added below.

@@ -21,6 +21,8 @@ namespace vfife
       // Along a line the functions integrate to 1/2, 1/2 or, with the middle, to
       // 1/6, 4/6, 1/6 (Simpson): products are 1/4 of a face, or 1/36, 4/36, 16/36 of
       // it at corners, edges and middle.
+      // Points of an element are numbered with x fastest; a face lies at one end of its normal
+      // direction and is run through along the two others.
       const unsigned int  n         = discretization.element() == FemElement::quadratic ? 3 : 2;
       const double        line[][3] = {{.5, .5, 0.}, {1. / 6, 4. / 6, 1. / 6}};
       const double *const weights   = line[n - 2];
@@ -114,6 +116,7 @@ namespace vfife
         for (const BoundaryFace &face :
              find_boundary_faces(discretization.model().bodies[load.body], load.nodes))
           {
+            // Small displacements: the pressure keeps the direction of the undeformed face.
             const Vector3 area = vector_area(face, discretization, part);
             for (const auto &share : face_shares(discretization, part, face))
               add(share.first, -share.second * load.pressure * area);

@@ -15,6 +15,7 @@ namespace vfife
     for (std::size_t p = part.first_point; p < part.first_point + part.n_points; ++p)
       for (unsigned int d = 0; d < 3; ++d)
         {
+          // A way of 1 mm along d, and a small turn of 1 rad about d.
           motions[d][3 * p + d] = 1.;
           const Vector3 turn    = Vector3::Unit(d).cross(discretization.points()[p] - centre);
           for (unsigned int c = 0; c < 3; ++c)

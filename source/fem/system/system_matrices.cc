@@ -66,6 +66,7 @@ namespace vfife
   SparseValues SystemMatrices::spin_mass(const Rate &rate) const
   {
     return assembly_.matrix([&](const unsigned int e) {
+      // Omega^2 S, S = m_ab (1 - a a^T): the centrifugal force on the moved mass
       const double omega = rate(body(e));
       return expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
     });
@@ -74,6 +75,7 @@ namespace vfife
   SparseValues SystemMatrices::gyroscopic(const Rate &rate) const
   {
     return assembly_.matrix([&](const unsigned int e) {
+      // Omega G, G = m_ab [a]x: half of the Coriolis force 2 Omega a x u'
       return expand_coefficients(rate(body(e)) * mass_coefficients(e),
                                  cross_matrix(axis(e).direction));
     });
@@ -83,6 +85,7 @@ namespace vfife
   {
     const Discretization &d = assembly_.discretization();
     return assembly_.matrix([&](const unsigned int e) {
+      // K_sigma = (int grad N_a . sigma grad N_b dV) 1, sigma the stress of u
       return expand_coefficients(compute_geometric_coefficients(
                                    d.element_nodes(e), d.material(e), d.element(), d.gather(e, u)),
                                  Matrix3::Identity());
@@ -128,6 +131,7 @@ namespace vfife
         const auto          is_hub = [&](const unsigned int p) { return reactions.count(p) != 0; };
         if (std::none_of(points, points + d.points_per_element(), is_hub))
           continue;
+        // The load acts on the moved mass, as in the equilibrium: K u - Omega^2 S (X + u).
         const ElementNodes    X        = d.element_nodes(e);
         const Eigen::VectorXd v        = d.gather(e, u);
         const Eigen::VectorXd internal = compute_fem_stiffness(X, d.material(e), d.element()) * v;
@@ -176,6 +180,7 @@ namespace vfife
         for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
           centre += d.points()[p] / part.n_points;
         for (const auto &motion : make_rigid_motions(d, part, centre))
+          // The coarse levels of multigrid have to hold what costs no strain energy.
           kernel.push_back(assembly_.restrict_field(motion));
       }
     return kernel;

@@ -21,6 +21,7 @@ namespace vfife
         tangents.push_back(arm.normalized());
         moment += torque.areas[i] * arm.norm();
       }
+    // F_i = T A_i t_i / sum_j A_j r_j, the constant traction of explicit dynamics
     for (std::size_t i = 0; i < torque.nodes.size(); ++i)
       for (unsigned int c = 0; c < 3; ++c)
         forces[3 * std::size_t(part.first_point + torque.nodes[i]) + c] +=
