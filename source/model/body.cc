@@ -105,6 +105,8 @@ namespace vfife
   {
     for (std::size_t i = 0; i < masses.size(); ++i)
       {
+        // Counts in inertia and in loads that are masses times something, not in the elements'
+        // density.
         node_masses_[i] += masses[i];
         mass_ += masses[i];
         added_mass_ += masses[i];

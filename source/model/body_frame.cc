@@ -34,6 +34,7 @@ namespace vfife
                                const Vector3     &x,
                                const Matrix3     &turn)
   {
+    // u = R^T (x - c) - (X - c), in axes of the fixed frame that turn with the body
     return turn.transpose() * (x - body.axis.point) -
            (body.placement(body.node_positions()[node]) - body.axis.point);
   }

@@ -13,6 +13,7 @@ namespace vfife
 
   double EnergyLedger::error() const
   {
+    // Before anything has moved there is neither energy nor scale, and no error.
     return scale > 0 ? residual() / scale : 0.;
   }
 } // namespace vfife

@@ -14,6 +14,8 @@ namespace vfife
     std::vector<double> shares;
     if (load.kind == LoadKind::acceleration)
       {
+        // Of an acceleration a node takes its mass [t]; shares of other loads have no unit and sum
+        // to 1.
         for (const unsigned int node : load.nodes)
           shares.push_back(body.node_masses()[node]);
         return shares;

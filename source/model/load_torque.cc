@@ -9,6 +9,7 @@ namespace vfife
     double sum = 0;
     for (const Torque &torque : model.torques)
       if (model.transmission && torque.body == model.transmission->driven)
+        // Torques act + about the body's axis; what resists has the sign against its rotation.
         sum -= model.transmission->driven_sense * torque.value;
     return sum;
   }

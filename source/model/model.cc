@@ -42,6 +42,8 @@ namespace vfife
           {
             if (!cell->face(f)->at_boundary())
               continue;
+            // A face counts when all its corners are in the set: an edge of it alone carries no
+            // area.
             std::array<unsigned int, 4> v;
             bool                        inside = true;
             for (unsigned int i = 0; i < 4; ++i)

@@ -63,6 +63,7 @@ namespace vfife
     if (!where.empty())
       try
         {
+          // Anything but zero is true; there is no time yet.
           const Expression condition(where);
           for (auto node = nodes.begin(); node != nodes.end();)
             node = condition(selected_body.node_positions()[*node], 0.) != 0. ? std::next(node)

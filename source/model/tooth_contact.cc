@@ -6,6 +6,8 @@ namespace vfife
   ToothContact
   make_tooth_contact(const Model &model, const ContactPair &pair, const GroupPairResult &result)
   {
+    // The master of a gear pair is the driven member; its torque counts positive in the drive
+    // direction.
     const Axis  &axis  = model.bodies[pair.master_body].axis;
     const double sense = model.transmission ? model.transmission->driven_sense : 1.;
     ToothContact tooth;

@@ -131,6 +131,7 @@ namespace vfife
     body.placement.translation = position;
     if (bearing)
       {
+        // A bearing is given in the fixed frame, wherever the placement has put the body.
         body.axis          = {axis_point, axis_direction.normalized()};
         body.turns_on_axis = true;
         body.rate          = speed;

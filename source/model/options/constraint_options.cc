@@ -103,6 +103,7 @@ namespace vfife
     const auto         nodes = selection.find_nodes(model.bodies[body], section);
     if (kind == SupportKind::spring)
       {
+        // A spring gives forces and no place: solvers take it with the loads, constant in time.
         Load load;
         load.name   = name;
         load.kind   = LoadKind::spring;

@@ -59,6 +59,7 @@ namespace vfife
   {
     if (kind == Kind::wall)
       {
+        // Depths are measured along the normal: it has to have the length one.
         RigidWall added = wall;
         added.name      = name;
         added.normal.normalize();

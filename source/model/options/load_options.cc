@@ -22,6 +22,8 @@ namespace vfife
     declare_kind(prm);
     selection.declare(prm);
     history.declare(prm);
+    // Each kind has the entry of its own quantity only: others in its section are refused as
+    // unknown.
     if (kind == LoadKind::force)
       declare_vector(prm, "force", vector, "N", "Sum of the forces, fixed in space");
     if (kind == LoadKind::moment)

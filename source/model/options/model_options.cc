@@ -179,6 +179,7 @@ namespace vfife
 
   const Material &ModelOptions::material(const std::string &name) const
   {
+    // There is one: declare_materials() has made a section for each name that a body gives.
     return *std::find_if(materials_.begin(), materials_.end(), [&](const Material &m) {
       return m.name == name;
     });
