@@ -19,6 +19,8 @@ namespace vfife
   {
     if (axis.use_axis)
       {
+        // A body in bearings has one angular velocity. Moments of one that flies are about the
+        // origin: where its centre is follows from the sums.
         const Vector3 e = axis.direction.cross(x - axis.point);
         sums.axial_momentum += mass * e.dot(v);
         sums.axial_inertia += mass * e.squaredNorm();
@@ -34,6 +36,7 @@ namespace vfife
 
   void sum_over_ranks(BodySums &sums, const Communicator &communicator)
   {
+    // Every sum of a body is in the list: what is left out of it stays that of this rank.
     UpdateSums           &update  = sums.update;
     std::vector<double *> numbers = {&update.kinetic,
                                      &update.damping_power,

@@ -91,6 +91,7 @@ namespace vfife
   void ExplicitSolver::set_step(const double dt)
   {
     dt_ = dt;
+    // Penalties that follow from the step, eps = f (m/A)/dt^2, change with it.
     contact_.set_penalties(dt);
     walls_.set_penalties(dt);
   }
@@ -221,6 +222,7 @@ namespace vfife
 
   void ExplicitSolver::watch_contact(const State &state)
   {
+    // Of pairs of surfaces; whether bodies touch walls is seen in samples.
     const bool touching = contact_.energy() > 0;
     if (touching && state.step == beginning_->step)
       log_.line("deepest point at the start: ", contact_.describe_deepest_point());
@@ -317,7 +319,8 @@ namespace vfife
         const Body &body = model_.bodies[b];
         rigid_[b] = compute_momentum_rate(UpdateAxis::of(body), body.mass(), sums_[b].update);
 
-        // y -> pivot + drift + step (y - pivot): about the axis, or about the moving centre of mass
+        // y -> pivot + step (y + drift - pivot): turned about the axis, or, of a body that flies,
+        // moved along and turned about where its centre of mass is at the end of the step
         RigidMotion  &motion = state.body_motion[b];
         const Vector3 turn   = dt_ * rigid_[b].omega;
         const double  angle  = turn.norm();

@@ -105,6 +105,8 @@ namespace vfife
 
   void ExplicitSolver::take_measurements(const State &state)
   {
+    // Of a copy of the state: observers wait for the energies, and the update moves the state on
+    // before.
     const auto scope = timers_.time(timers_.section("measurement"));
     observed_        = state;
     measure_transmission(model_, observed_, communicator_);

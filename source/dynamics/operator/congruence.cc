@@ -41,6 +41,8 @@ namespace vfife
       // rounding.
       constexpr double shift = 0.3137;
 
+      // Node 0 is the origin, seven nodes remain: stiffness, masses and frequency do not see where
+      // an element lies nor how it is turned.
       Key         key;
       std::size_t n = 0;
       key[n++]      = exponent;

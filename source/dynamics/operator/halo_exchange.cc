@@ -92,6 +92,8 @@ namespace vfife
 
   void HaloExchange::finish(NodeField &values)
   {
+    // Sums of floating point numbers depend on their order. Copies of a node whose forces differed
+    // in the last digit would drift apart, as positions are never sent.
     MPI_Waitall(requests_.size(), requests_.data(), MPI_STATUSES_IGNORE);
 
     // Parts in ascending order of rank, this rank's own among them: the same additions on all

@@ -67,6 +67,8 @@ namespace vfife
         const Gain   gain = compute_gain(body, options.stiffness, options.mass_scaling_step);
         const double share =
           std::accumulate(gain.masses.begin(), gain.masses.end(), 0.) / body.mass();
+        // Refused is what would change the body's inertia, and with it vibrations and centrifugal
+        // load, beyond the limit.
         if (share > options.largest_added_mass)
           {
             std::ostringstream text;
@@ -83,6 +85,7 @@ namespace vfife
                  " % of its mass, in ",
                  gain.n_elements,
                  " elements");
+        // The operator scales the masses of its elements by the same rule: step and masses agree.
         body.add_masses(gain.masses);
       }
   }

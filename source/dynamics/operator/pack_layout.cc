@@ -101,6 +101,7 @@ namespace vfife
         const Body &body = model.bodies[b];
         // Part p of n goes to rank p n_ranks/n, rounded down: shares that differ by one part at
         // most.
+        // Whole sectors stay together: then the copies of an element, one a sector, fill packs.
         const std::uint64_t n_sectors  = body.mesh().n_sectors;
         const bool          by_sectors = n_sectors >= n_ranks && n_sectors > 1;
         const std::uint64_t n          = by_sectors ? n_sectors : body.n_elements();
@@ -131,6 +132,8 @@ namespace vfife
             packs[b].elements.push_back(e);
         packs[b].classes = find_congruence_classes(body, packs[b].elements);
 
+        // Elements at the border come first in each kind of pack: their forces are under way to the
+        // neighbours while the others are computed.
         const std::vector<std::uint8_t> border = find_border(body, rank_of_element, rank);
         std::vector<std::uint8_t>       at_border;
         for (const std::uint32_t e : packs[b].elements)

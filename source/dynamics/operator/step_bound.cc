@@ -12,6 +12,7 @@ namespace vfife
 {
   namespace
   {
+    // Of the Rayleigh quotient omega^2: 1 % of it is 0.5 % of the step.
     constexpr unsigned int least_iterations = 20, most_iterations = 400;
     constexpr double       wanted_deviation = 0.01;
 
@@ -68,6 +69,7 @@ namespace vfife
     const double     amplitude = find_amplitude(model, vfife);
 
     AssembledFrequency result;
+    // v <- M^-1 K v turns towards the shape of the largest omega^2, K v = omega^2 M v.
     for (unsigned int iteration = 1; iteration <= most_iterations; ++iteration)
       {
         // 1. v to the amplitude that differences of forces want, x = x0 + v.
@@ -105,6 +107,7 @@ namespace vfife
         if (iteration >= least_iterations && result.deviation < wanted_deviation * result.quotient)
           break;
       }
+    // omega^2 = q + s, for some eigenvalue lies within s of q; never above the worst element's
     result.frequency =
       std::min(std::sqrt(result.quotient + result.deviation), vfife.limiting_element().frequency);
     return result;

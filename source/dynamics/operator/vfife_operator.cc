@@ -67,6 +67,7 @@ namespace vfife
         ClassData        data;
         for (const std::uint32_t e : packs.classes.representative)
           {
+            // One element stands for all that are congruent with it.
             // Constants of the kernel from the undeformed element.
             const HexahedronNodes X = body.element_nodes(e);
             const auto reduced      = compute_reduced_stiffness(X, body.material(), stiffness_);
@@ -126,6 +127,7 @@ namespace vfife
     // One row of constants a pack, or constants of each lane.
     if (shared)
       {
+        // The lanes of a pack are turned copies of one element: the kernel finds its one row.
         group.constants     = data.constants;
         group.constants_row = packs.shared_class;
       }
@@ -207,6 +209,7 @@ namespace vfife
                      std::min(body_packs_[b].classes.size[c], n + 1),
                      class_data_[b].frequency[c]);
     const auto keep_worst = [n](std::vector<double> &frequencies) {
+      // Of a model with no more than n elements the last one stays.
       const std::size_t kept = std::min<std::size_t>(frequencies.size(), n + 1);
       std::partial_sort(frequencies.begin(),
                         frequencies.begin() + kept,
@@ -265,12 +268,15 @@ namespace vfife
               }
           }
     });
+    // The least Jacobian stays that of this rank: check_elements() asks the others.
     measures.strain_energy = communicator_.sum(measures.strain_energy);
     return measures;
   }
 
   std::vector<double> VfifeOperator::compute_relaxation_masses(const double fraction)
   {
+    // The halo adds up vectors, and so it adds to shared nodes what elements of other ranks give:
+    // one component of the field has the masses.
     NodeField sums = make_field(); // in x
     for (unsigned int b = 0; b < body_packs_.size(); ++b)
       for (std::size_t row = 0; row < local_elements_[b].size(); ++row)

@@ -42,6 +42,7 @@ namespace vfife
     std::set<unsigned int> flying;
     for (const auto &[a, b] : pairs_)
       {
+        // One body of a pair at least flies: the sum of the inverse masses is not zero.
         energy +=
           0.5 * (velocity(a) - velocity(b)).squaredNorm() / (inverse_mass(a) + inverse_mass(b));
         flying.insert({a, b});

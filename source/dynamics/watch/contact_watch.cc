@@ -24,6 +24,7 @@ namespace vfife
 
   void ContactWatch::observe(const double time, const double dt, const bool touching)
   {
+    // A loss: nothing presses any more after a step in which something did.
     if (touched_ && !touching)
       {
         if (losses_.count == 0)

@@ -42,6 +42,7 @@ namespace vfife
         const Body &body = model_.bodies[b];
         if (!body.turns_on_axis)
           continue;
+        // Sums over all nodes and ranks, hence in samples only.
         const RigidVelocity mean_speed = compute_mean_speed_rate(body, state, b, communicator);
         // In the sense of the body's own rate, as the mean speed is unsigned.
         sums_[b].rate_difference +=
@@ -71,6 +72,7 @@ namespace vfife
     stream.pass(n_steps_, n_samples_);
     for (DampingAudit &sum : sums_)
       stream.pass(sum.net_torque, sum.power, sum.rate_difference);
+    // The drift is that of the whole run, in however many parts it was made.
     for (RigidVelocity &rate : rates_at_start_)
       stream.pass(rate.velocity, rate.omega);
   }

@@ -33,6 +33,8 @@ namespace vfife
 
   void EnergyBook::add_work(const StepPowers &powers, const double time)
   {
+    // Called twice a step with half of it: the first and the last instant count half, as the
+    // trapezoidal rule wants.
     ledger_.drive_work += time * powers.drive;
     ledger_.torque_work += time * powers.torque;
     ledger_.damping_loss += time * powers.damping;
@@ -62,6 +64,8 @@ namespace vfife
     ledger_.contact = contact;
     if (!std::exchange(has_sample_, true))
       {
+        // The ledger begins with the first sample. In rigid flight or spin nothing is exchanged;
+        // the floor keeps the round-off of the kinetic energy from being measured by itself.
         ledger_.start = ledger_.kinetic + ledger_.strain + ledger_.contact;
         ledger_.scale = EnergyLedger::scale_floor * ledger_.kinetic;
         at_start_     = ledger_;

@@ -47,6 +47,7 @@ namespace vfife
       Distortion worst;
       for (const std::uint32_t e : state.partition->elements)
         {
+          // NaN counts as the worst: no comparison finds it.
           const Distortion one = find_distortion(model, state, e);
           if (one.least_jacobian < worst.least_jacobian || std::isnan(one.least_jacobian))
             worst = one;
@@ -121,6 +122,7 @@ namespace vfife
                       const ElementMeasures &measures,
                       const Communicator    &communicator)
   {
+    // Each rank names its own worst element; the text of those that have none is empty.
     std::string text;
     if (measures.least_jacobian <= 0)
       text = describe(model, find_distortion(model, measured, measures.least_element));

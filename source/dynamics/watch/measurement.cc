@@ -42,6 +42,8 @@ namespace vfife
   {
     if (!model.transmission)
       return;
+    // DTE = theta_g - (z_p/z_g) theta_p, each theta = start + kinematic turn + lead: the kinematic
+    // turns cancel, the driver has no lead, and start + lead of the gear's bore or rim remain.
     const Transmission &t      = *model.transmission;
     const Body         &driven = model.bodies[t.driven];
     const double        turned = t.driven_rate() * state.time; // in the drive direction
@@ -69,6 +71,7 @@ namespace vfife
     std::vector<double> sums(6, 0.);
     for (const std::uint32_t i : state.partition->owned_nodes())
       {
+        // Velocities are those at t - dt/2; angular momentum is about the fixed frame's origin.
         const Vector3 momentum = masses[i] * state.node_velocity(i);
         Eigen::Map<Vector3>(sums.data()) += momentum;
         Eigen::Map<Vector3>(sums.data() + 3) += state.node_position(i).cross(momentum);
@@ -117,6 +120,7 @@ namespace vfife
 
         for (const std::uint32_t e : vfife.elements_at(local))
           {
+            // The stress of the deformed element at this corner, in axes of the body.
             const auto     &nodes = body.elements()[e - body.first_element];
             HexahedronNodes x;
             unsigned int    corner = 0;
