@@ -91,6 +91,7 @@ namespace vfife
   {
     try
       {
+        // Parsed already here: a speed that is no quantity is named with its entry.
         if (rates().empty())
           throw InputError("at least one speed is needed (0 for bodies at rest)");
       }

@@ -71,6 +71,9 @@ namespace vfife
 
   std::vector<CampbellBranch> make_branches(const std::vector<ModesAtSpeed> &speeds)
   {
+    //   frequency     ___--- forward     A branch: modes of one diameter, direction and order
+    //       |  o==<---___                 over the speeds. Without splitting a pair is one branch;
+    //       +----------- backward         with it, the pair at rest is where two begin.
     // Whether Coriolis forces split pairs at any speed. If so, a pair at rest is where two
     // branches begin.
     bool travelling = false;

@@ -33,6 +33,7 @@ namespace vfife
 
   double Mode::frequency() const
   {
+    // omega = sqrt(lambda); a negative one, of a motion that grows, keeps its sign
     return std::copysign(std::sqrt(std::abs(eigenvalue)) / (2. * pi), eigenvalue);
   }
 
@@ -147,6 +148,8 @@ namespace vfife
         const DirectSolver count(assembly_.pattern(),
                                  shifted(stiffness, mass, .5 * (values[below] + values[below - 1])),
                                  assembly_.communicator());
+        // By Sylvester's law of inertia as many negative pivots as eigenvalues below the shift,
+        // here in the gap behind mode "below": none was missed.
         if (count.n_negative() == below)
           {
             found.counted = true;
@@ -197,6 +200,7 @@ namespace vfife
         const auto rigid = make_rigid_motions(d, part, d.model().bodies[part.body].axis.point);
         for (unsigned int r = 0; r < 6; ++r)
           {
+            // (x^T M r)^2 with x^T M x = 1, r a unit motion along or about x, y, z
             const OwnedVector load = matrices_.apply_mass(rigid[r]);
             for (unsigned int k = 0; k < result.modes.size(); ++k)
               {

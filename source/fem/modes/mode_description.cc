@@ -83,6 +83,7 @@ namespace vfife
     if (n_sectors_ == 0)
       return description;
 
+    // The body's kinetic energy by harmonics over the sectors: the largest is the nodal diameter.
     // By Parseval: sums over the sectors, squared and divided by their number, add up over all
     // harmonics -N/2 < h <= N/2 to the energy of the body.
     const auto energy_of = [&](const Amplitudes &amplitudes) {
@@ -140,6 +141,7 @@ namespace vfife
         body_.node_masses()[i] * amplitudes[3 * i + component] * amplitudes[3 * i + component];
     const std::complex<double> phase = std::polar(1., -.5 * std::arg(square));
 
+    // The wave of one sector as a function of the radius alone: a circle is where it changes sign.
     constexpr unsigned int n_rings = 24;
     const auto             range   = std::minmax_element(radii_.begin(), radii_.end());
     std::vector<double>    sum(n_rings, 0.), mass(n_rings, 0.);

@@ -80,6 +80,7 @@ namespace vfife
         const SparseValues M = matrices.mass();
         K                    = add_scaled(std::move(K), -choose_shift(assembly, K, M), M);
       }
+    // Spin softens what nothing holds: as many motions as are free may have a negative stiffness.
     const DirectSolver solver(assembly.pattern(), K, communicator_);
     if (solver.n_negative() > n_free || solver.n_zero() > 0)
       throw NumericalError("body \"" + model_.bodies[body_].name() +

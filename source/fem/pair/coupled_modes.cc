@@ -184,6 +184,8 @@ namespace vfife
         }
       std::sort(order.begin(), order.end());
       order.resize(std::min<std::size_t>(order.size(), n));
+      // The whole turn under a unit torque: of the basis by the standing problem, of all other
+      // modes by what the compliance has beyond those of the basis.
       // Modes beyond the basis give way as they do in turning axes.
       double total = compliance + r.load.dot(r.stiffness.partialPivLu().solve(r.load));
       for (int k = 0; k < size; ++k)

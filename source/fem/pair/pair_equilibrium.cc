@@ -127,6 +127,7 @@ namespace vfife
 
   Eigen::VectorXd PairEquilibrium::apply_compliance(const Eigen::VectorXd &force)
   {
+    // Forces are zero but at the few nodes under pressure: only their columns of A are asked for.
     std::vector<unsigned int> rows;
     for (unsigned int k = 0; k < force.size(); ++k)
       if (force[k] != 0.)
@@ -207,6 +208,7 @@ namespace vfife
                           {m.positions.data(), m.velocities.data(), body_motion(m.body)},
                           pair.contact.depth_limit())
             .gap;
+        // Nothing of one flank is within reach of the other any more.
         if (!std::isfinite(gap))
           break;
         if (std::abs(gap) < touch_tolerance)
@@ -234,6 +236,8 @@ namespace vfife
     double       depth             = 1e-5; // [mm]
     for (; depth < pairs_.front()->contact.depth_limit(); depth *= 2.)
       {
+        // Twice as deep each time, until the contact has at least the torque: Newton's method comes
+        // back from there, where all points that will carry are pressed.
         guess.turn  = touch + sense * depth / model_.transmission->arm;
         guess.trial = evaluate(base, guess.turn);
         if (-sense * guess.trial.torque >= std::abs(load))

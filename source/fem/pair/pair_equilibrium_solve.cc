@@ -145,6 +145,7 @@ namespace vfife
     result.driver_turn = driver_turn;
     result.touch_turn  = find_touch(driver_turn);
 
+    // u_s + part of u_T: spin and the traction of the torque
     // What the bodies do without contact; Newton's method adds the deflection by contact forces.
     const Eigen::VectorXd base =
       at_watched(compliance_.spun()) + load_factor * at_watched(compliance_.twisted());

@@ -13,6 +13,7 @@ namespace vfife
       {
         const Body        &body = discretization.model().bodies[part.body];
         const unsigned int n    = body.mesh().n_sectors;
+        // Two sectors on either side have to be different ones.
         if (n < 5 || part.n_points % n != 0)
           continue;
         const unsigned int per_sector = part.n_points / n;

@@ -65,6 +65,8 @@ namespace vfife
             it.columns.push_back(pattern.columns[k] + 1);
             it.values.push_back(values[k]);
           }
+    // L D L^T and no Cholesky factors: the number of negative pivots is that of the eigenvalues
+    // below a shift (Sylvester), and a matrix that is not positive definite is told by them.
     // par = 1: the root works as well; sym = 2: symmetric, not necessarily positive definite.
     it.mumps.comm_fortran = MPI_Comm_c2f(communicator.mpi());
     it.mumps.par          = 1;

@@ -216,6 +216,8 @@ namespace vfife
                                 const unsigned int  n,
                                 const double        tolerance)
   {
+    // The largest mu = 1/(lambda - shift) of (K - shift M)^-1 M are the lowest lambda above the
+    // shift, far apart from each other: few Krylov vectors are needed.
     // Two vectors a block: both members of a double mode enter the Krylov space from the start.
     constexpr unsigned int block = 2;
     const Epetra_Map       map   = make_map(assembly.pattern(), assembly.communicator());
@@ -316,6 +318,7 @@ namespace vfife
           }
         const double sums[2] = {assembly.communicator().sum(rest),
                                 assembly.communicator().sum(size)};
+        // Over lambda, and of rigid motions, whose lambda is round-off, over the shift.
         residuals.push_back(std::sqrt(sums[0] / sums[1]) /
                             std::max(std::abs(pairs.values[k]), std::abs(scale)));
       }

@@ -62,6 +62,7 @@ namespace vfife
     residual.Update(1., b, -1.);
     residual.Norm2(&rest);
     b.Norm2(&size);
+    // Ten times: the residual that drifts a little is no failure.
     if (!(rest <= 10. * tolerance * size))
       {
         std::ostringstream text;

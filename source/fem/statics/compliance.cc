@@ -51,6 +51,8 @@ namespace vfife
   {
     check_motions();
     Unknowns::Options unknowns;
+    // A hub that turns freely would leave K singular; its turn is an unknown of who asks, and the
+    // pin carries nothing in equilibrium.
     unknowns.rotation = HubRotation::pinned;
     assembly_         = std::make_unique<Assembly>(discretization_, unknowns, communicator);
     const SystemMatrices matrices(*assembly_, options.mass);
@@ -124,6 +126,8 @@ namespace vfife
 
   void Compliance::prepare(const std::vector<unsigned int> &rows)
   {
+    // Row 3 k + c is the component c at the watched point k. A column of A = K^-1 is solved for
+    // when a force first acts there, and kept.
     std::vector<unsigned int> missing;
     for (const unsigned int row : rows)
       if (columns_[row].size() == 0)

@@ -55,6 +55,7 @@ namespace vfife
     /** Values at the corners of an element from those at its n^3 Gauss points. */
     Eigen::MatrixXd corner_extrapolation(const unsigned int n)
     {
+      // Places of the Gauss points on a line: -+ 1/sqrt(3), or 0 and -+ sqrt(3/5).
       const double        outer  = n == 2 ? 1. / std::sqrt(3.) : std::sqrt(.6);
       std::vector<double> points = {-outer, outer};
       if (n == 3)
@@ -145,6 +146,8 @@ namespace vfife
     // what they exert.
     const Discretization &d       = discretization_;
     const bool            is_root = communicator_.is_root();
+    // Without displacements, as in the first call where none are prescribed, no element stiffness
+    // is asked for.
     const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; });
     std::vector<double> sums(u.size(), 0.);
     if (is_root)

@@ -290,6 +290,7 @@ namespace vfife
                                                                model.bodies[constraint.body].axis,
                                                                discretization.points()[p]);
             if (!prescribed.isZero(0.))
+              // A sum: several constraints may prescribe different directions of a point.
               Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) += factor(constraint) * prescribed;
           }
     return u;
