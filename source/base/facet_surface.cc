@@ -25,6 +25,11 @@ namespace vfife
   void find_neighbours(FacetSurface &surface)
   {
     // corners in the order (0,0), (1,0), (1,1), (0,1): side k runs from corner k to corner k+1
+    //     3 ---2--- 2
+    //     |         |     counter-clockwise seen from outside; a side is known by its two nodes,
+    //     3  facet  1     whichever of its facets names them
+    //     |         |
+    //     0 ---0--- 1
     std::vector<FacetSide> sides;
     sides.reserve(4 * surface.facets.size());
     for (unsigned int f = 0; f < surface.facets.size(); ++f)

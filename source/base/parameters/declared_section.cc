@@ -77,6 +77,7 @@ namespace vfife
   std::vector<std::pair<std::string, std::string>>
   DeclaredSection::list_values(const std::string &path) const
   {
+    // Depth first, the entries of a section before those of the sections inside it.
     const std::string                                inside = path.empty() ? "" : path + "/";
     std::vector<std::pair<std::string, std::string>> values;
     for (const Entry &entry : entries)
@@ -96,6 +97,8 @@ namespace vfife
                                                                 const std::string &path) const
   {
     std::vector<std::string> found;
+    // The entry may stand in several sections: a message names the section only if it is the only
+    // one.
     if (find_entry(entry) != nullptr)
       found.push_back(path);
     for (const DeclaredSection &section : sections)

@@ -32,6 +32,7 @@ namespace vfife
       {
         understood = false;
       }
+    // Given back at once, before anything else may throw: the screen must not stay silent.
     std::cerr.rdbuf(screen);
     if (understood)
       return;

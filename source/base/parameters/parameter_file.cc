@@ -101,6 +101,7 @@ namespace vfife
     for (const ParameterStatement &statement : statements_)
       {
         const DeclaredSection *const section = find_section_of(statement, top, false);
+        // What this handler does not declare may belong to a later pass: it is no mistake yet.
         if (section != nullptr && !statement.opens_section &&
             section->find_entry(statement.name) != nullptr)
           apply(statement, prm);
@@ -115,6 +116,8 @@ namespace vfife
         const DeclaredSection &section = *find_section_of(statement, top, true);
         if (statement.opens_section)
           {
+            // The last pass knows all there is: what is not declared now is misspelt or out of
+            // place.
             if (section.find_section(statement.name) == nullptr)
               refuse_section(statement.place, statement.name, section, statement.section_path());
           }
@@ -192,6 +195,7 @@ namespace vfife
     if (error.entry().empty())
       return error.what();
 
+    // The entry as code names it, by its whole path or the end of it.
     const ParameterStatement *found = find(error.entry());
     // By the end of the path: code that reads one section does not
     // know where in the file it stands.

@@ -77,6 +77,7 @@ namespace vfife
 
   double ParameterHistory::value(const double time) const
   {
+    // One of three: a formula of t, a table, or neither of them, which is the factor 1.
     if (formula_)
       return (*formula_)(Vector3::Zero(), time);
     if (rows_.empty())

@@ -94,6 +94,7 @@ namespace vfife
 
     void StatementReader::read_line(const std::string &full_line)
     {
+      //   set NAME = VALUE      subsection NAME ... end      include FILE      # comment
       const std::string line = trimmed(full_line.substr(0, full_line.find('#')));
       if (line.empty())
         return;
@@ -116,6 +117,7 @@ namespace vfife
         {
           if (section_places_.empty())
             throw InputError(place() + ": \"end\" without a subsection that it could close");
+          // A file closes what it has opened: sections of the including files stay open.
           sections_.pop_back();
           section_places_.pop_back();
         }
@@ -173,6 +175,7 @@ namespace vfife
         if (std::filesystem::path(open).lexically_normal() == name)
           throw InputError(place() + ": the file \"" + name + "\" includes itself");
 
+      // Its statements stand here, in the sections that are open here.
       StatementReader reader(name, sections_, open_files_);
       for (const ParameterStatement &statement : reader.read(place()))
         statements_.push_back(statement);

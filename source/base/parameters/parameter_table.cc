@@ -11,6 +11,8 @@ namespace vfife
 {
   Table read_parameter_table(const std::string &path)
   {
+    // Strict, since a user has written it: a cell that is no number is named with its line. Results
+    // of runs, which may have NaN, are read by read_result_table().
     const std::string name = "the table \"" + path + "\"";
     std::ifstream     file(path);
     const CsvText     text = read_csv(file, name);

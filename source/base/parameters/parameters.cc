@@ -68,6 +68,8 @@ namespace vfife
                  const std::string        &words,
                  const std::string        &description)
     {
+      // Read twice: by the pattern, which may refuse the text, and by the action, which stores the
+      // value.
       const auto check = [read](const std::string &text) { (void)read(text); };
       try
         {
@@ -147,6 +149,7 @@ namespace vfife
       std::size_t              begin = 0;
       if (trimmed(text).empty())
         return names;
+      // Also a comma at the end has a name missing behind it.
       while (begin <= text.size())
         {
           const std::size_t end  = std::min(text.find(',', begin), text.size());

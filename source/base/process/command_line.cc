@@ -59,6 +59,7 @@ namespace vfife
     /** Takes the folder to go on in out of the arguments. */
     void take_folder(std::vector<std::string> &files, CommandLine &line)
     {
+      // A folder tells itself from a parameter file; a run that goes on there has its parameters.
       const auto folder = std::find_if(files.begin(), files.end(), [](const std::string &file) {
         std::error_code error;
         return std::filesystem::is_directory(file, error);
@@ -80,6 +81,7 @@ namespace vfife
     const options::options_description      visible = visible_options(line);
     options::options_description            all;
     options::positional_options_description positional;
+    // The file stands without a name of an option, which is not shown by --help.
     all.add(visible).add_options()("parameter-file", options::value(&files));
     positional.add("parameter-file", -1);
 
@@ -109,6 +111,7 @@ namespace vfife
         throw InputError(std::string(error.what()) + " (vfife --help lists the options)");
       }
 
+    // Only now is it known whether "--restart DIR" was meant: DIR stands among the files.
     if (line.restart)
       take_folder(files, line);
     if (files.size() > 1)

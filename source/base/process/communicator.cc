@@ -19,6 +19,7 @@ namespace vfife
   {
   }
 
+  // On a single rank nothing is sent: results are those of a program without MPI, to the last bit.
   double Communicator::sum(const double value) const
   {
     return size_ == 1 ? value : mpi::sum(value, comm_);

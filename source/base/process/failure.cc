@@ -61,6 +61,7 @@ namespace vfife
       {
         return {2, error.what()};
       }
+    // Of a model too large for the machine; the exception's own text would not say so.
     catch (const std::bad_alloc &)
       {
         return {2, "not enough memory"};

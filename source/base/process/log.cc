@@ -42,7 +42,6 @@ namespace vfife
       return;
     if (level <= verbosity_)
       screen_ << text << std::endl;
-    // every line is flushed: the last one before a crash is the one that is needed
     // The folder of results is known only after some lines have been
     // said: they are kept for the file.
     if (file_ == nullptr)
@@ -50,6 +49,7 @@ namespace vfife
         lines_before_file_.push_back(text);
         return;
       }
+    // every line is flushed: the last one before a crash is the one that is needed
     *file_ << text << std::endl;
     if (!*file_)
       {

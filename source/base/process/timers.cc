@@ -59,6 +59,7 @@ namespace vfife
     table.add_column("time", "s");
     table.add_column("share", "%");
     table.add_column("calls", "-");
+    // Maxima over the ranks: the sections may add up to more than the total.
     const double total_time = figures.back();
     const auto   add        = [&](const unsigned int i) {
       const double time = figures[2 * i];

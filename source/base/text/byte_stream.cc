@@ -14,6 +14,7 @@ namespace vfife
 
   void ByteStream::pass(std::string &value)
   {
+    // Length and bytes; when reading the text gets its length first.
     value_size(value, 1);
     pass_bytes(value.data(), value.size());
   }

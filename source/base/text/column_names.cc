@@ -18,6 +18,7 @@ namespace vfife
       std::array<std::string, 6> names;
       for (unsigned int c = 0; c < 3; ++c)
         {
+          // Order of the components in all results: 11, 22, 33, 12, 23, 31.
           names[c]     = std::string(stress) + " " + axes[c];
           names[c + 3] = names[c] + " " + axes[(c + 1) % 3];
         }

@@ -54,6 +54,7 @@ namespace vfife
       text.headings.push_back(make_heading(heading));
     for (unsigned int number = 2; std::getline(in, line); ++number)
       {
+        // An empty line at the end is no row of one empty cell.
         if (trimmed(line).empty())
           continue;
         CsvText::Row row{name + ", line " + std::to_string(number), split(line)};

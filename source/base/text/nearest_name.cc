@@ -52,6 +52,7 @@ namespace vfife
     for (const std::string &candidate : candidates)
       {
         const unsigned int distance = edit_distance(word, candidate);
+        // The first of several that are equally near.
         if (distance < smallest)
           {
             smallest = distance;

@@ -26,6 +26,7 @@ namespace vfife
 
   double read_number(const std::string &text, std::string &rest)
   {
+    // Text behind the number, such as a unit, is left to the caller.
     const std::string number = trimmed(text);
     const char       *begin  = number.data();
     const char *const end    = begin + number.size();

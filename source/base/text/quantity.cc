@@ -55,6 +55,7 @@ namespace vfife
   {
     // Words of the dimensions carry their article, because messages say "the unit must be an angle
     // (...)".
+    // Factors lead to the units inside: mm, s, t, N, MPa, mJ, rad.
     static const std::vector<Unit> units = {
       {"-", "a pure number", 1.},
       {"%", "a pure number", 1e-2},
