@@ -86,6 +86,7 @@ namespace vfife
   {
     if (fields_every == 0)
       return 0;
+    // Fields at samples: their multiples in steps nearest to the tooth meshes asked for.
     const std::uint64_t sample = compute_history_steps(transmission, dt);
     if (transmission == nullptr)
       return fields_every * sample;

@@ -29,6 +29,7 @@ namespace vfife
       std::FILE *pipe = popen((command + " 2>&1 </dev/null").c_str(), "r");
       if (pipe == nullptr)
         return outcome;
+      // All that the command says is read, also what is not shown: a full pipe would stop it.
       std::array<char, 512> buffer;
       while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr)
         outcome.text += buffer.data();
@@ -89,6 +90,8 @@ namespace vfife
         log.line("no pictures: the scripts of share/vfife/report are not installed");
         return;
       }
+    // A report is an addition to the results: whatever goes wrong with it is a line of the log and
+    // no failure of the run.
     // -B: nothing is written beside the scripts.
     const std::string arguments = " -B " + quote(script) + " " + quote(folder.path());
     Outcome           outcome   = run_command("python3" + arguments);

@@ -147,6 +147,7 @@ namespace vfife
     // Between two of these renames a kill leaves the last file or the one before.
     std::error_code error;
     if (keeps_previous)
+      // The first checkpoint has no file before it: that error is none.
       fs::rename(folder.file(last_name), folder.file(previous_name), error);
     else
       fs::remove(folder.file(previous_name), error);

@@ -29,6 +29,7 @@ namespace vfife
     // Rows stay in the table, so that the file can begin anew from a checkpoint's rows.
     for (; n_written_ < table.n_rows(); ++n_written_)
       file_ << table.csv_row(n_written_) << '\n';
+    // Once a second: a plot of the running file is up to date, and the disk is left alone.
     if (std::chrono::steady_clock::now() - flushed_ >= std::chrono::seconds(1))
       flush();
   }

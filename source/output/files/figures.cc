@@ -23,6 +23,7 @@ namespace vfife
 
   std::string json_text(const Json &json)
   {
+    // Names of files may hold bytes that are no UTF-8: they are replaced instead of thrown for.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   }
 

@@ -39,6 +39,7 @@ namespace vfife
         Patch &patch         = patches[e];
         patch.patch_index    = e;
         patch.reference_cell = dealii::ReferenceCells::Hexahedron;
+        // A row for each name, a column for each corner.
         patch.data.reinit(names.size(), 8);
         for (unsigned int v = 0; v < 8; ++v)
           {

@@ -47,6 +47,7 @@ namespace vfife
     {
       const Json::json_pointer place(pointer);
       const Json              *found = json.contains(place) ? &json.at(place) : nullptr;
+      // Figures are objects {"value": ..., "unit": ...}; counts are plain numbers.
       if (found != nullptr && found->is_object())
         found = found->contains("value") ? &found->at("value") : nullptr;
       if (found != nullptr && found->is_number())
@@ -80,6 +81,7 @@ namespace vfife
         run.status  = json.value(Json::json_pointer(summary_place::status), "");
         run.failure = json.value(Json::json_pointer(summary_place::failure), "");
       }
+    // Every run has all columns; one that has failed or is still to come has NaN.
     for (const Place &place : list_places())
       run.figures.emplace_back(place.name, Figure{read_number(json, place.pointer), place.unit});
     return run;

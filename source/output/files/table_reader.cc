@@ -28,6 +28,7 @@ namespace vfife
     const CsvText text = read_csv(file, "the results \"" + path + "\"");
     Table         table;
     for (const CsvText::Heading &heading : text.headings)
+      // A column with a unit has numbers, "-" for a pure number; without any it has texts.
       if (heading.unit)
         table.add_column(heading.name, *heading.unit);
       else

@@ -76,6 +76,7 @@ namespace vfife
           state.body_motion.size() == model.bodies.size()
             ? compute_turn(body, state.body_motion[b])
             : rotation_about(body.axis.direction, std::atan2(sum[cross_moment], sum[dot_moment]));
+        // omega = sum m a . (r x v) / sum m r . r: the rate with the body's own angular momentum
         if (sum[inertia] > 0)
           motions[b].rate = sum[momentum] / sum[inertia] * body.axis.direction;
       }

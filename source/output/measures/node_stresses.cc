@@ -56,6 +56,7 @@ namespace vfife
         add_element_stresses(
           model.bodies[b], e - model.bodies[b].first_element, state, kind, frame, records);
       }
+    // Nodes between ranks have elements on several of them: sums and counts first, means then.
     communicator.sum(records);
 
     std::vector<std::array<double, 6>> averages(model.n_nodes());

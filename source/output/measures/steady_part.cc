@@ -154,6 +154,9 @@ namespace vfife
       n_cycles,
       std::ceil(std::max(0., ramp_end - time.front()) / (interval * samples_per_mesh) - 1e-6));
 
+    //    ramp  | judged cycles, the swing period being 3                    |
+    // ---------+-----+-----+-----+-----+-----+-----+-----+-----+-----+-----+|
+    //                [ mean before    |   mean after    ]  moves back from the end, a cycle a time
     SteadyPart part;
     // A period longer than the run is never compared, however long.
     part.period =

@@ -219,6 +219,7 @@ namespace vfife
 
   bool FieldWriter::due(const State &state) const
   {
+    // A signal asks for a field file besides those that are due.
     return is_requested_ || (steps_between_ > 0 && state.step % steps_between_ == 0);
   }
 

@@ -10,6 +10,7 @@ namespace vfife
     using Now     = const Measurements &;
     using Columns = SampleColumns<Measurements>;
 
+    // Measurements are in the units inside (rad, mm, N mm); columns are in those of a reader.
     constexpr double degree = pi / 180;
 
     void add_energies(const bool is_pair, Columns &columns)

@@ -79,6 +79,8 @@ namespace vfife
         if (is_new)
           {
             const Vector3 &x = body.node_positions()[node];
+            // Radius and height are the same on all teeth: a place of the flank, seen on each of
+            // them.
             flank.r_z.emplace_back(x.head<2>().norm(), x[2]);
           }
       }

@@ -38,6 +38,7 @@ namespace vfife
   void ProbeWriter::add_rows(const Model &model, const State &state)
   {
     const std::vector<ProbeValue> &values = state.measured.probes;
+    // A row a probe and sample.
     for (std::size_t p = 0; p < std::min(model.probes.size(), values.size()); ++p)
       add_row(state, {model.probes[p].name, values[p]});
   }

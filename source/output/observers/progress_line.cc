@@ -120,6 +120,7 @@ namespace vfife
     // On a terminal one line that is written over every second; elsewhere a line every 5 %, at
     // least one a minute.
     const double waited = seconds_since(last_line_);
+    // A look at the clock in every sample is cheap, a line is not.
     if (waited < 1)
       return;
     const double done = (state.time - start_time_) / (end_time_ - start_time_);
@@ -146,6 +147,7 @@ namespace vfife
   {
     if (!is_writer_)
       return;
+    // The line on the terminal is wiped: the last one goes to the log like any other.
     if (shown_ > 0)
       std::cout << '\r' << std::string(shown_, ' ') << '\r' << std::flush;
     shown_ = 0;

@@ -16,6 +16,7 @@ namespace vfife
     unsigned int count_diameters(const Model &model)
     {
       const unsigned int teeth = model.transmission->driven_teeth;
+      // Waves shorter than two teeth cannot be told from longer ones.
       return std::min(RimWriter::largest_diameters, teeth > 0 ? (teeth - 1) / 2 : 0);
     }
 
@@ -64,6 +65,8 @@ namespace vfife
     const Body        &gear = model.bodies[b];
     const Matrix3 turn = compute_body_motions(model, state, folder_.communicator())[b].rotation;
     const unsigned int per_component = 2 * n_diameters_ + 1;
+    // u = c_0 + sum_n (c_n cos n alpha + s_n sin n alpha),  c_0 = sum share u,
+    // c_n = 2 sum share u cos n alpha,  s_n alike: means over the rim, weighted with its mass
     // Sums over this rank's nodes, then over all ranks: per component cos 0, cos 1, sin 1...
     RimWaves sums(3 * per_component, 0.);
     for (const Node &node : nodes_)

@@ -68,6 +68,7 @@ namespace vfife
       {
         ToothSample sample{contact, contact.slave_group, contact.master_group};
         if (is_driven_slave(model, contact.side))
+          // Columns are named after the members, driver first, whoever is the slave.
           std::swap(sample.first, sample.second);
         add_row(state, sample);
       }
