@@ -30,6 +30,8 @@ namespace vfife
 
   std::vector<std::string> split_entries(const std::string &text, const std::string &entry)
   {
+    // Semicolons separate entries, for values have commas; what stands behind the last one is no
+    // entry.
     std::vector<std::string> list;
     std::istringstream       in(text);
     for (std::string one; std::getline(in, one, ';');)
@@ -103,6 +105,7 @@ namespace vfife
   {
     try
       {
+        // Which file that is depends on the kind of the case, which its file states.
         const std::string last_file = read(line).last_file;
         if (!last_file.empty())
           fs::remove(line.output_folder + "/" + last_file);

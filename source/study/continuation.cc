@@ -50,6 +50,8 @@ namespace vfife
                              const Communicator             &communicator,
                              Log                            &log)
   {
+    // The entries that the checkpoint holds are those the run was begun with, whatever file stands
+    // in the folder now.
     Checkpoint checkpoint = read_checkpoint(folder, communicator, log);
     refuse_changes(checkpoint.parameters, now, changeable);
     return checkpoint;

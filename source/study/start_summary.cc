@@ -9,6 +9,7 @@ namespace vfife
   RunSummary
   start_summary(const std::string &study, const Model &model, const Communicator &communicator)
   {
+    // What is known before anything is computed: a summary of a failure has it too.
     RunSummary summary;
     summary.study    = study;
     summary.version  = program_version();

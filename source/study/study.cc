@@ -60,6 +60,8 @@ namespace vfife
             print_parameters(std::cout, prm);
           return;
         }
+      // Values that contradict each other, which no single entry shows; still before any folder is
+      // made.
       study->check();
       if (command_line.check)
         {

@@ -28,6 +28,8 @@ namespace vfife
       std::vector<CellNodes> hexahedra;
       for (const auto &v : block->triangulation.get_vertices())
         {
+          // Sines of multiples that have no common period: cells stay convex, and no two are
+          // congruent.
           const double  n = nodes.size() + 1.;
           const Vector3 shift(std::sin(1.7 * n), std::sin(2.3 * n + 1.), std::sin(3.1 * n + 2.));
           nodes.push_back(Vector3(v[0], v[1], v[2]) + 0.1 * shift);

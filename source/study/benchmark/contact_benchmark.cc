@@ -145,6 +145,8 @@ namespace vfife
                              const Communicator            &communicator,
                              Log                           &log)
   {
+    // The pair turns rigidly at its speeds: what touches changes as in a run, but not by its
+    // forces, so that every round measures the same.
     Timers         timers;
     ExplicitSolver solver(model, DynamicsOptions(), communicator, log, timers);
     const double   dt = solver.stable_step();

@@ -49,6 +49,7 @@ namespace vfife
              quality.least_edge,
              " mm, largest aspect ratio ",
              quality.largest_aspect_ratio);
+    // Integrals are those of volume [mm^3, mm^5]; the density is constant within a body.
     const double to_kg = 1e3 * density; // t to kg
     log.line(name,
              ": mass ",
@@ -101,6 +102,7 @@ namespace vfife
                                      to_kg * s->polar(),
                                      to_kg * s->transverse()})
             row.push_back(value);
+        // One density: the difference of the mass is that of the volume.
         row.push_back(percent(body.mesh.volume, body.exact.volume));
         row.push_back(percent(body.mesh.polar(), body.exact.polar()));
         row.push_back(percent(body.mesh.transverse(), body.exact.transverse()));

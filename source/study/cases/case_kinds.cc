@@ -8,6 +8,7 @@ namespace vfife
 {
   std::unique_ptr<Case> make_case(const ParameterFile &file)
   {
+    // A file that says nothing of either is one of a gear pair, as most kinds want it.
     if (file.contains("Model") && !file.contains("Gear pair"))
       return std::make_unique<ModelCase>();
     return std::make_unique<GearCase>();

@@ -261,6 +261,8 @@ namespace vfife
 
   void GearCase::add_hub(Model &model) const
   {
+    // The set that is held is the bore, or without a web the underside of the rim. What turns there
+    // is the theta_g of the transmission error.
     Transmission &t      = *model.transmission;
     const Body   &driven = model.bodies[t.driven];
     t.driven_bore        = driven.node_set(held_set(t.driven));

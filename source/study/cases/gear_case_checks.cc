@@ -190,6 +190,7 @@ namespace vfife
     std::vector<std::string> found;
     for (const Check check : all_checks)
       {
+        // Contradictions are said and not refused: a user may want just that run.
         const std::string sentence = check(*this, plan);
         if (!sentence.empty())
           found.push_back(sentence);

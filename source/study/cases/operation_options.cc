@@ -44,6 +44,7 @@ namespace vfife
 
   void OperationOptions::check(const std::string &section) const
   {
+    // Zero is allowed when the entry is declared: kinds that stand still have no use for a speed.
     if (!(speed > 0))
       throw InputError(section + "/speed",
                        "the speed of the pinion is missing or zero; a dynamic run needs one");

@@ -111,6 +111,7 @@ namespace vfife
     CommandLine line;
     line.parameter_file = (fs::path(folder_of_file_) / one.base).string();
     line.output_folder  = folder_of(one, folder);
+    // The case's own entries come last and win.
     for (const std::string &text : {entries_, one.entries})
       for (const std::string &entry : list_entries(text, folder))
         line.overrides.push_back(entry);
@@ -180,6 +181,7 @@ namespace vfife
     if (one.results.empty())
       {
         log.line(one.name, " begins: ", one.base);
+        // A case that is finished with the same entries is not done again.
         const CaseReport report = runner_.do_case(command_line(one, folder.path()), true, ranks);
         log.line(one.name, " ", report.describe());
         if (report.outcome == Outcome::interrupted)

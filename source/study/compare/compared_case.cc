@@ -26,6 +26,7 @@ namespace vfife
   find_case(const ComparedCases &cases, const std::string &kind, const std::string &file)
   {
     for (const ComparedCase &one : cases)
+      // The first of its kind that has got so far.
       if (one.kind == kind && one.has(file))
         return &one;
     return nullptr;

@@ -51,6 +51,7 @@ namespace vfife
     Table table;
     table.add_text_column("quantity");
     table.add_text_column("unit");
+    // Rows differ in their unit: it is a cell of its own, and the columns' unit says so.
     table.add_column("value", "unit");
     table.add_column("reference", "unit");
     table.add_text_column("reference kind");

@@ -364,6 +364,7 @@ namespace vfife
     const ComparedCase *run = find_case(cases, "run", "summary.json");
     if (run == nullptr || !run->is_pair)
       return rows;
+    // Each reference that there is, from the strongest (same mesh and contact) to a second opinion.
     const PairRun             pair(*run, tolerances);
     const std::string         analysis = "loaded tooth contact analysis";
     const ComparedCase *const loaded   = find_case(cases, analysis, "loaded_contact.csv");

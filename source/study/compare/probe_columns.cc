@@ -12,6 +12,7 @@ namespace vfife
     // follow.
     for (const Table::Column &column : history.columns())
       {
+        //   NAME displacement x, ... y, ... z, NAME stress x, ... , NAME von mises
         const std::size_t at = column.name.find(displacement);
         if (at != std::string::npos)
           {

@@ -12,6 +12,7 @@ namespace vfife
   TurningModes::TurningModes(const Table &coupled_modes, const double least)
   {
     const std::vector<std::string> &axes = coupled_modes.column(column::axes).texts;
+    // A pair that spins is seen from space; one at rest has modes in its own axes alone.
     const bool standing = std::count(axes.begin(), axes.end(), axes_of_modes::standing) > 0;
     for (std::size_t i = 0; i < coupled_modes.n_rows(); ++i)
       {

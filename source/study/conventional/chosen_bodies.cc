@@ -15,6 +15,7 @@ namespace vfife
     std::vector<unsigned int> bodies;
     for (const Body &body : model.bodies)
       names.push_back(body.name());
+    // In the order in which they are asked for, all of them if none is.
     for (const std::string &wanted : options.bodies.empty() ? names : options.bodies)
       {
         const auto found = std::find(names.begin(), names.end(), wanted);

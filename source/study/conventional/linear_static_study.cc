@@ -57,6 +57,8 @@ namespace vfife
                                                {"von mises", {}}};
           for (unsigned int i = 0; i < body.n_nodes(); ++i)
             {
+              // Stresses of the solver are along the fixed axes; r, theta, z are those of the
+              // node's own place.
               const Stress &stress = stresses[body.first_node + i];
               const Stress  turned =
                 turn_stress(stress,
@@ -83,6 +85,7 @@ namespace vfife
       table.add_text_column("body");
       for (const char *component : {"force x", "force y", "force z"})
         table.add_column(component, "N");
+      // Forces are along the fixed axes, from the constraint on the body.
       table.add_column("torque about the axis", "N m");
       const Model &model = discretization.model();
       for (const Constraint &constraint : model.constraints)

@@ -107,6 +107,8 @@ namespace vfife
           log.line("largest displacement under spin ", 1e3 * found.growth, " um");
         add_modes(body.name(), found, modes_);
 
+        // Shapes go into the file and out of memory, speed by speed; branches need frequencies
+        // alone.
         std::vector<NamedShape> shapes;
         for (std::size_t k = 0; k < found.modes.size(); ++k)
           shapes.push_back({"mode " + std::to_string(k + 1), std::move(found.modes[k].shape)});

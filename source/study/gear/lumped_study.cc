@@ -125,6 +125,7 @@ namespace vfife
 
   void LumpedStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
+    // Without a gear pair the section Lumped has to give all numbers, and Operation stands alone.
     has_pair_ = file.contains("Gear pair");
     if (has_pair_)
       gear_case_.declare(prm, file);

@@ -92,6 +92,7 @@ namespace vfife
     // All ranks have made the same meshes: one writes them. Nothing below is collective.
     if (!folder.is_writer())
       return;
+    // The table of figures is written last: its file says that the study has come to its end.
     const Table figures = body_figures_table(gear_case_.measure_bodies(model));
     write_csv(folder, "meridian.csv", gear_case_.meridian_table());
 
@@ -122,6 +123,7 @@ namespace vfife
 
   void MeshStudy::write_flank_points(const OutputFolder &folder) const
   {
+    // Points of the true flanks: what other meshes can be compared with.
     const GearPair gears = gear_case_.make_pair();
     for (const GearMember *member : {&gears.pinion(), &gears.gear()})
       {

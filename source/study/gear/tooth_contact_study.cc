@@ -33,6 +33,7 @@ namespace vfife
      * principal curvatures. */
     Json point_json(const SurfacePoint &point, const Vector2 &L_h, const Vector2 &curvatures)
     {
+      // In the member's frame as it is generated, before the turn onto a tooth.
       NamedFigures figures = {{"L", {L_h[0], "mm"}}, {"h", {L_h[1], "mm"}}};
       const char  *names[] = {"x", "y", "z"};
       for (unsigned int i = 0; i < 3; ++i)

@@ -83,6 +83,8 @@ namespace vfife
   DeflectionProbe::Shape DeflectionProbe::measure(State &state) const
   {
     const Transmission &t = *model_.transmission;
+    // Leads of the driven member's bore and rim from the kinematic turn [rad], the rim's rigid
+    // motion and the approach of the flanks, which the arm turns into an angle.
     measure_transmission(model_, state, communicator_);
 
     Shape shape;

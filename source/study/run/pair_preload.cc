@@ -39,6 +39,7 @@ namespace vfife
 
   double compute_penalty_lag(const double contact_energy, const double torque)
   {
+    // Springs k of depth d hold k d^2/2, and T psi, force times way, is k d^2: psi = 2 energy/T.
     return 2. * contact_energy / torque;
   }
 

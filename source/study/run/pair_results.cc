@@ -72,6 +72,7 @@ namespace vfife
 
   void PairResults::log_hertz(Log &log) const
   {
+    // The normal force of a single tooth pair at the mean contact.
     const double  force = load_torque(model_) / model_.transmission->arm;
     const Vector2 axes  = hertz_.semi_axes(force);
     log.line("Hertz, one tooth pair under all the torque: ",

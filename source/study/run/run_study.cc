@@ -60,6 +60,7 @@ namespace vfife
   {
     case_ = make_case(file);
     case_->declare(prm, file);
+    // Before the entries are declared: a default is what its member has at that moment.
     case_->set_defaults(dynamics_, output_);
     dynamics_.declare(prm);
     output_.declare(prm);
@@ -112,6 +113,7 @@ namespace vfife
 
   void RunStudy::inspect(Communicator &communicator, Log &log)
   {
+    // All that a run sets up, and none of its steps: mistakes of mesh, contact and step show here.
     const auto    start = WallClock::now();
     const Model   model = make_model(log);
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {

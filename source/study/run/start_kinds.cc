@@ -41,6 +41,7 @@ namespace vfife
 
       void prepare(State &state) override
       {
+        // The loads of time zero and the centrifugal force; then each body gets its rigid velocity.
         const RelaxationReport report = relaxation_.solve(state, Relaxation::Loads());
         log_.line(
           "equilibrium before the start: ", report.steps, " steps, residual ", report.residual);

@@ -90,6 +90,8 @@ namespace vfife
     // Load step by load step; a row of the histories each, with the part of the loads as its time.
     for (unsigned int step = 1; step <= n_steps; ++step)
       {
+        // From the equilibrium before: large loads reach theirs in steps that relaxation can
+        // follow.
         Relaxation::Loads loads;
         loads.part                    = static_cast<double>(step) / n_steps;
         const RelaxationReport report = relaxation.solve(state, loads);

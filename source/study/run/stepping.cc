@@ -54,6 +54,7 @@ namespace vfife
   {
     auto fields =
       std::make_unique<FieldWriter>(folder_, model_, steps, dynamics.stiffness, dynamics.frame);
+    // Kept beside the list of observers: a signal may ask it for a file.
     fields_ = fields.get();
     observers_.push_back(std::move(fields));
   }
@@ -101,6 +102,7 @@ namespace vfife
 
   void Stepping::write()
   {
+    // From the second checkpoint on the one before is kept, in case the last is damaged.
     ByteStream common, own;
     serialize(common, &own);
     write_checkpoint(folder_, common.bytes(), own.bytes(), has_checkpoint_);

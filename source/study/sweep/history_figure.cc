@@ -51,6 +51,7 @@ namespace vfife
     /** Mean of the samples above half the largest value; not known where none is positive. */
     double compute_mean_above_half(const Numbers &column)
     {
+      // The plateau of a pulse, whose flanks below half its height do not count.
       const double half = 0.5 * *std::max_element(column.begin(), column.end());
       double       sum  = 0;
       unsigned int n    = 0;
@@ -164,6 +165,7 @@ namespace vfife
     std::vector<std::string> names;
     for (const Table::Column &one : history.columns())
       names.push_back(one.name);
+    // Which columns a history has depends on the case: only its file tells.
     if (std::find(names.begin(), names.end(), column) == names.end())
       throw InputError("\"" + column + "\" is not a column of history.csv" +
                        did_you_mean(column, names));

@@ -123,6 +123,7 @@ namespace vfife
       }
       file.read_known(first);
     }
+    // Sized before anything is declared: entries are bound by address.
     parameters_.resize(names_.size());
     figures_.resize(figure_names_.size());
     Subsection section(prm, "Sweep");
@@ -181,6 +182,7 @@ namespace vfife
     CommandLine line;
     line.parameter_file = (fs::path(folder_of_file_) / base_).string();
     line.overrides      = split_entries(entries_, "Sweep/entries");
+    // The swept value comes last: it wins over the entries that all runs share.
     for (std::size_t i = 0; i < values.size(); ++i)
       line.overrides.push_back(parameters_[i].entry + "=" + values[i]);
     return line;
@@ -253,6 +255,7 @@ namespace vfife
       {
         const std::string section = "Sweep/Figure " + figure.name;
         figure.check(section);
+        // Each figure has three columns.
         for (const char *ending : {"", " error", " order"})
           {
             if (std::count(taken.begin(), taken.end(), figure.name + ending) > 0)
