@@ -19,6 +19,7 @@ namespace vfife
     , cosines_(std::move(cosines))
     , sines_(std::move(sines))
   {
+    // Either list may be shorter: what it does not have is zero.
     const std::size_t n = std::max(cosines_.size(), sines_.size());
     cosines_.resize(n, 0.);
     sines_.resize(n, 0.);

@@ -19,6 +19,8 @@ namespace vfife
   {
     const unsigned int n_rotations = pair_.driver_is_free ? 2 : 1;
     const unsigned int n           = n_rotations + pair_.supports.size();
+    // Compression of the mesh s = h . q + u(x) [rad of the gear], h the levers: the gear's rotation
+    // opens the mesh, -1, the pinion's closes it by the ratio i.
     // Order: the gear's rotation, the pinion's where it is free, then the supports. Loads Q =
     // (-T, i T, 0...).
     masses_ = levers_ = stiffness_ = damping_ = loads_ = Eigen::VectorXd::Zero(n);

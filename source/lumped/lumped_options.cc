@@ -209,6 +209,7 @@ namespace vfife
 
   LumpedPair LumpedOptions::make_pair(const double torque) const
   {
+    // Zeros stand for what a gear pair would have given.
     need(driver_teeth > 0, "pinion teeth");
     need(driven_teeth > 0, "gear teeth");
     need(driven_inertia > 0, "gear inertia");

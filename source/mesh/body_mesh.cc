@@ -44,6 +44,8 @@ namespace vfife
 
   void name_boundaries(BodyMesh &mesh, const std::vector<std::string> &names)
   {
+    // A face has one boundary id, a node may be in several sets: names become ids 1, 2, ... of
+    // faces, 0 is the rest of the surface.
     // One bit a name: a face belongs to the sets that all its four nodes have.
     std::vector<std::uint32_t> sets_of_node(mesh.triangulation.n_vertices(), 0);
     Assert(names.size() <= most_boundaries, dealii::ExcInternalError());

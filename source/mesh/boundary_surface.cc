@@ -67,6 +67,7 @@ namespace vfife
             surface.facets.push_back(facet);
           }
 
+      // Area vectors were summed up: large facets count more in a node's normal.
       // mean normals, neighbours
       if (surface.facets.empty())
         throw InputError("surface " + name + " has no boundary face");
@@ -125,6 +126,7 @@ namespace vfife
     for (unsigned int i = 0; i < mesh.triangulation.n_vertices(); ++i)
       if (selected(i))
         set.push_back(i);
+    // Nodes are selected in ascending order, as the search among them wants.
     mesh.surfaces[name] = surface_of_boundary(mesh.triangulation, name, set);
   }
 } // namespace vfife

@@ -14,7 +14,6 @@ namespace vfife
   {
     using Corners = std::array<Vector3, 8>;
 
-    /** Jacobian of the trilinear map at a point of the unit cube. */
     /** dX/dxi of the trilinear map X = sum N_v(xi) x_v at a point of the unit cube, N_v the product
      * of xi_d or 1 - xi_d. */
     Matrix3 jacobian(const Corners &x, const Vector3 &xi)
@@ -87,6 +86,12 @@ namespace vfife
     quality.least_edge            = std::numeric_limits<double>::max();
     quality.least_height          = std::numeric_limits<double>::max();
 
+    //     6-----7     Corner v by its bits x, y, z. The scaled Jacobian of a cell is the least over
+    //    /|    /|     its corners of det(e1, e2, e3) over the lengths of the three edges that leave
+    //   4-----5 |     the corner along x, y, z: 1 of a cuboid, negative where the cell is inverted.
+    //   | 2---|-3
+    //   |/    |/
+    //   0-----1
     // The determinant is quadratic in each coordinate: two Gauss points a direction are exact.
     const dealii::QGauss<3> gauss(2);
 

@@ -30,6 +30,7 @@ namespace vfife
 
   double SolidIntegrals::transverse() const
   {
+    // int (x^2 + z^2) dV about the centre (Steiner), int x^2 dV = int r^2 dV/2 by symmetry
     return .5 * radius_squared + height_squared - height * height / volume;
   }
 

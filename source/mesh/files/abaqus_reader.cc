@@ -107,6 +107,8 @@ namespace vfife
         options_.clear();
         for (std::size_t i = 1; i < words.size(); ++i)
           {
+            // OPTION or OPTION = VALUE; the option in any case of letters, the value as it is
+            // written.
             const auto equals = words[i].find('=');
             const auto key    = upper(split(words[i].substr(0, equals)).at(0));
             options_[key] =
@@ -162,6 +164,7 @@ namespace vfife
       {
         // corners run round the bottom and the top; lexicographic is x fastest
         constexpr unsigned int place[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+        // Its number and eight nodes, which may be divided over lines.
         pending_.insert(pending_.end(), words.begin(), words.end());
         if (pending_.size() < 9)
           return; // goes on in the next line

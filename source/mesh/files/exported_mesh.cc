@@ -87,6 +87,7 @@ namespace vfife
 
   std::string abaqus_name(const std::string &name)
   {
+    // Names of the format have letters, digits and _ only; sides such as x- and x+ stay apart.
     std::string result;
     for (const char c : name)
       if (c == '-')

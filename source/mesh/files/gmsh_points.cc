@@ -42,6 +42,8 @@ namespace vfife
       /** Format 4: points of the geometry with their physical groups. */
       void read_entities()
       {
+        // Curves, surfaces and volumes, which follow, are of no interest here: the search for the
+        // next section passes over them.
         std::size_t points, others;
         in_ >> points >> others >> others >> others;
         for (std::size_t i = 0; i < points; ++i)

@@ -37,6 +37,7 @@ namespace vfife
       GroupNames    names;
       while (std::getline(in, line) && line.rfind("$Nodes", 0) != 0)
         {
+          //   dimension number "name"
           std::istringstream words(line);
           unsigned int       dimension, number;
           const auto         quote = line.find('"'), end = line.rfind('"');
@@ -207,6 +208,7 @@ namespace vfife
         mesh->surfaces[group.name] =
           surface_of_boundary(mesh->triangulation, group.name, mesh->node_sets.at(group.name));
       }
+    // More surfaces than ids: they are all known by name, the faces of the mesh have none.
     if (names.size() <= most_boundaries)
       name_boundaries(*mesh, names);
 

@@ -145,6 +145,7 @@ namespace vfife
           << '\n';
     out << "$EndNodes\n$Elements\n" << n_elements << '\n';
 
+    //   number type 2 group entity nodes...     two tags an element, both the number of its group
     // elements: hexahedra (type 5), faces (3), points (15), with the number of their group
     std::size_t number = 0;
     id                 = 0;

@@ -152,6 +152,7 @@ namespace vfife
       if (shape_->counts[i].even && counts[i] % 2 != 0)
         throw InputError(section + "/" + shape_->counts[i].name,
                          std::to_string(counts[i]) + " is odd, an even number is needed");
+    // Bounds of single entries are checked when they are read; here what ties two of them.
     if (shape_->rising && !(sizes[0] < sizes[1]))
       throw InputError(section + "/" + shape_->sizes[0].name,
                        std::string("must be smaller than the ") + shape_->sizes[1].name);

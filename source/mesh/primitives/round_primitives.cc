@@ -129,6 +129,11 @@ namespace vfife
      * rows from its border straight to the circle. */
     Disc divide_disc(const unsigned int n, const unsigned int rows)
     {
+      //   o-------o    n = 2: the core of n x n cells, its 4 n border nodes in turn from the corner
+      //   |\o-o-o/|    at (-1, -1), and rows of as many cells from there to the circle, whose nodes
+      //   | o o o |    lie at equal angles from -135 degrees on.
+      //   |/o-o-o\|
+      //   o-------o
       Disc       disc;
       const auto node = [n](const unsigned int i, const unsigned int j) { return j * (n + 1) + i; };
       for (unsigned int j = 0; j <= n; ++j)
@@ -238,6 +243,7 @@ namespace vfife
      * cubes. */
     Vector3 ball_core_point(const Vector3 &cube)
     {
+      // As in the plane: between the cube of half-side m and the sphere above its faces.
       const double m = cube.cwiseAbs().maxCoeff();
       if (m == 0.)
         return Vector3::Zero();
