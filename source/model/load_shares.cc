@@ -56,6 +56,9 @@ namespace vfife
             // of the reference cube, counter-clockwise about + d; the other way round on side 0.
             const unsigned int d = f / 2, side = f % 2, u = 1u << ((d + 1) % 3),
                                v = 1u << ((d + 2) % 3), base = side << d;
+            //   base + v o-----o base + u + v
+            //            |     |             + d towards the reader: out of the body on side 1
+            //       base o-----o base + u
             std::array<unsigned int, 4> corners = {{base, base + u, base + u + v, base + v}};
             if (side == 0)
               std::swap(corners[1], corners[3]);

@@ -30,6 +30,7 @@ namespace vfife
       std::vector<std::pair<double, double>> rows;
       for (std::string line; std::getline(file, line);)
         {
+          // Columns may be divided by commas, blanks or tabs.
           std::replace(line.begin(), line.end(), ',', ' ');
           std::istringstream        numbers(line);
           std::pair<double, double> row;

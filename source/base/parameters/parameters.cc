@@ -183,6 +183,8 @@ namespace vfife
                         const std::string        &meaning,
                         const Range              &range)
   {
+    // A bare number is in the unit of the description, whatever the units inside; what is stored is
+    // in these.
     const Unit &bare = find_unit(unit);
     const auto  read = [&bare, range](const std::string &text) {
       const Quantity quantity = read_quantity(text, bare.name);

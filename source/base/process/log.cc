@@ -23,6 +23,7 @@ namespace vfife
 
   void Log::write_to(std::ostream &file)
   {
+    // What was said before there was a file comes first in it.
     file_ = &file;
     if (writes_)
       for (const std::string &text : lines_before_file_)

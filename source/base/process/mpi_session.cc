@@ -26,6 +26,7 @@ namespace vfife
       MPI_Comm_free(&farewell);
     }
 
+    // First of the members: MPI begins before all that uses it and ends after it.
     dealii::Utilities::MPI::MPI_InitFinalize mpi;
     Communicator                             world;
     MPI_Comm

@@ -46,6 +46,7 @@ namespace vfife
 
   std::string nearest_name(const std::string &word, const std::vector<std::string> &candidates)
   {
+    // A third of the letters may be wrong, one of them in short words too.
     std::string nearest;
     // One more than the most letters that may differ.
     unsigned int smallest = std::max<unsigned int>(1, word.size() / 3) + 1;

@@ -147,6 +147,8 @@ namespace vfife
     if (name[0] == ',')
       throw InputError("the decimal sign is a point, not a comma");
 
+    // A known unit of the right dimension; else the message says whether the unit is another one's
+    // or not known at all.
     const Unit *const unit = find_known(name);
     if (unit != nullptr && unit->dimension == expected.dimension)
       return {number, unit};

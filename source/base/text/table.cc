@@ -56,6 +56,7 @@ namespace vfife
   void Table::add_any_column(const std::string &name, const std::string &unit, const bool is_text)
   {
     if (n_rows_ > 0)
+      // Logic errors: a wrong table is a mistake of the program, which no user can mend.
       throw std::logic_error("column \"" + name + "\" is added to a table that has rows already");
     for (const Column &column : columns_)
       if (column.name == name)

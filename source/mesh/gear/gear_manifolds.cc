@@ -61,6 +61,8 @@ namespace vfife
   dealii::Point<3> FlankManifold::get_new_point(const Points  &surrounding_points,
                                                 const Weights &weights) const
   {
+    // The mean is taken in cone coordinates (L, h), and the new node is the flank's own point
+    // there.
     Vector2 mean = Vector2::Zero();
     for (std::size_t i = 0; i < weights.size(); ++i)
       mean += weights[i] * cone_coordinates(*gear_, vector_of(surrounding_points[i]));

@@ -76,6 +76,10 @@ namespace vfife
                                             const GearBodyOptions          &options,
                                             const std::vector<GearSection> &sections)
     {
+      //         tip ____________ heel    teeth: the roots from toe to heel, back along the tip,
+      //            /   teeth   |         rim: the same roots, back along the underside,
+      //       toe /--- roots --|         web and hub where there is a conical web
+      //           |____ rim ___|
       const ConicalWeb          web(blank,
                            options,
                            sections.front().root_height,
@@ -115,6 +119,7 @@ namespace vfife
       Four                           sum = Four::Zero();
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
+          // int (1, r^2, z, z^2) r dh: volume and moments of a unit of angle and of L
           const Vector2 r_z = blank.meridian_point({L, root + quadrature.point(q)[0] * (h - root)});
           const double  r = r_z[0], z = r_z[1];
           sum += quadrature.weight(q) * (h - root) * r * Four(1., r * r, z, z * z);

@@ -184,6 +184,7 @@ namespace vfife
           const auto rise = [&](const unsigned int k) {
             return along * (grid.L_h[facet[(k + 1) % 4]][0] - grid.L_h[facet[k]][0]);
           };
+          // The side on which L rises most runs along the tooth.
           unsigned int first = 0;
           for (unsigned int k = 1; k < 4; ++k)
             if (rise(k) > rise(first))

@@ -119,6 +119,7 @@ namespace vfife
     constraint.kind  = constraint_kind(kind);
     constraint.body  = body;
     constraint.nodes = nodes;
+    // A prescribed rotation without an angle turns at the rate of its body.
     if (kind == SupportKind::angle)
       constraint.angle = angle;
     if (kind == SupportKind::displacement)

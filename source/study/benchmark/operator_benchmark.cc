@@ -184,6 +184,8 @@ namespace vfife
                           const unsigned int                           steps)
   {
     using Variant = std::array<std::array<Samples, 4>, n_frame_kinds>;
+    // Rounds outermost: whatever slows the machine for a while falls on all variants of that round,
+    // and medians are taken over rounds.
     std::vector<Variant> samples(cases.size());
     MemoryTriad          triad;
     for (unsigned int round = 0; round < repeats; ++round)

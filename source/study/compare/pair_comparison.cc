@@ -74,6 +74,8 @@ namespace vfife
       void
       cut(const std::string &column, std::vector<double> &time, std::vector<double> &values) const
       {
+        // Up to the end of the run, which is that of the steady part but for a part of a tooth
+        // mesh.
         for (std::size_t i = 0; i < history.n_rows(); ++i)
           if (history.numbers(column::time)[i] >= start)
             {

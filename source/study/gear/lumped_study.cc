@@ -155,6 +155,7 @@ namespace vfife
 
   LumpedPair LumpedStudy::make_pair(Log &log) const
   {
+    // What the file gives wins over what the pair would have given.
     LumpedOptions filled = options_;
     if (has_pair_)
       {

@@ -68,6 +68,7 @@ namespace vfife
      * of the gear in arcsec. */
     Json side_json(const ContactAnalysis &a, const double gear_pitch)
     {
+      // Names as a designer reads them; numbers with their units, places on the path in pitches.
       const ContactEllipse &ellipse = a.mean.ellipse;
       Json                  json;
       json["mean contact on the generated pinion flank"] =

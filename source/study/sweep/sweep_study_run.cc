@@ -197,6 +197,8 @@ namespace vfife
     bool                    stops = false;
     for (std::size_t first = 0; first < runs.size() && !stops; first += n_groups)
       {
+        //   n_groups = 3:   ranks 0 1 | 2 3 | 4 5 6      first    run 1 | run 2 | run 3
+        //                   group 0   |  1  |   2        then     run 4 | run 5 |   -
         const std::size_t end = std::min(first + n_groups, runs.size());
         for (std::size_t i = first; i < end; ++i)
           log.line(folder_of_run(i), " begins: ", describe(runs[i]));
