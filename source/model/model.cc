@@ -32,6 +32,7 @@ namespace vfife
     for (unsigned int i = 0; i < nodes.size(); ++i)
       row.emplace(nodes[i], i);
 
+    // Places of the body frame: a placement changes no area.
     const auto         &x = body.node_positions();
     std::vector<double> areas(nodes.size(), 0.);
     for (const auto &cell : body.mesh().triangulation.active_cell_iterators())

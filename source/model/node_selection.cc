@@ -76,6 +76,7 @@ namespace vfife
     if (nodes.empty())
       throw InputError(section + (where.empty() ? "/nodes" : "/where"),
                        "no node of body \"" + selected_body.name() + "\" is selected");
+    // Each node once, in ascending order.
     return {nodes.begin(), nodes.end()};
   }
 } // namespace vfife

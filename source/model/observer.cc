@@ -3,6 +3,7 @@
 
 namespace vfife
 {
+  // For observers that keep nothing from sample to sample, or have nothing to write at the end.
   void Observer::serialize(ByteStream &)
   {
   }

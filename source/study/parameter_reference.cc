@@ -120,6 +120,7 @@ namespace vfife
     /** The words of an entry that is a choice: those in quotes in what is allowed. */
     std::vector<std::string> words_of(const Json &entry)
     {
+      //   one of "word", "another word"
       std::istringstream       text(entry.at("pattern_description").get<std::string>());
       std::vector<std::string> words;
       for (std::string before, word;

@@ -42,6 +42,8 @@ namespace vfife
 
   Failure describe_failure(const std::exception_ptr &exception)
   {
+    // Exit codes: 1 what the user can mend, 2 what the computation or the machine could not do, 3 a
+    // stop that was asked for.
     // The order is from the special to the general, for all are std::exceptions.
     if (!exception)
       return {};

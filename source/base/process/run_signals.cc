@@ -32,6 +32,7 @@ namespace vfife
   RunSignals::RunSignals()
     : handlers_(std::make_unique<Handlers>())
   {
+    // What has come before this run is none of its business.
     stop_signal_seen = field_request_seen = 0;
     for (std::size_t i = 0; i < caught.size(); ++i)
       {

@@ -35,6 +35,7 @@ namespace vfife
         contact.declare(prm);
         return;
       }
+    // A wall has a place and a penalty; sampling, edges and friction are for two surfaces.
     selection.declare(prm);
     declare_vector(prm, "wall point", wall.point, "mm", "Point of the wall");
     declare_vector(prm, "wall normal", wall.normal, "-", "Direction out of the wall");

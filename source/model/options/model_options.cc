@@ -74,6 +74,7 @@ namespace vfife
     double      least  = std::numeric_limits<double>::infinity();
     const auto &places = model.bodies[probe.body].node_positions();
     for (unsigned int i = 0; i < places.size(); ++i)
+      // A node and no point within an element: nothing is interpolated.
       // The first of several nodes that are equally near.
       if ((places[i] - point).norm() < least)
         {

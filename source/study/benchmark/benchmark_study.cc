@@ -179,6 +179,7 @@ namespace vfife
              general.n_nodes());
     const Table table = compare_operators(cases, benchmark_.repeats, benchmark_.steps);
     log_table(table, log);
+    // The memory of all variants is given back before the contact is measured.
     cases.clear();
     const Table cost = measure_contact_cost(pair, contact_, benchmark_.repeats, alone, log);
     log_table(cost, log);

@@ -161,6 +161,7 @@ namespace vfife
           samples[i].push_back(1e6 * times[i]);
       }
 
+    // What the last step has pressed says how much contact the times are of.
     double area = 0, force = 0;
     for (const ToothContact &tooth : solver.contact().collect_results())
       {

@@ -42,6 +42,7 @@ namespace vfife
 
   void GearCase::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
+    // Done twice: with a case of which only the names of materials are wanted, then with this one.
     const auto declare_pair = [](dealii::ParameterHandler &handler, GearCase &gear_case) {
       Subsection section(handler, "Gear pair");
       gear_case.pair_.declare(handler);
@@ -100,6 +101,7 @@ namespace vfife
   void GearCase::check_bodies() const
   {
     pair_.check("Gear pair");
+    // Bodies are checked against blanks with everything that is derived from other entries.
     const GearPairOptions completed = pair_.completed();
     pinion_body_.check("Gear pair/Pinion", completed.pinion.blank);
     gear_body_.check("Gear pair/Gear", completed.gear.blank);

@@ -231,6 +231,8 @@ namespace vfife
     /** Stresses of the probes as their teeth pass the mesh. */
     void add_probes(const PairRun &run, const ComparedCase &loaded, ComparisonRows &rows)
     {
+      // Two rows a probe: its largest stress, and how far the run is from the static curve
+      // anywhere.
       const auto passages = compare_passages(run.table("probes.csv"),
                                              loaded.table("loaded_probes.csv"),
                                              run.mesh_frequency,
@@ -327,6 +329,7 @@ namespace vfife
       const auto response = [&](const char *column) {
         return lumped.number("lumped.json", lumped_place::response_figure(column));
       };
+      // Damping, stiffness and inertia of the lumped model are data of their own.
       const std::string why =
         "one inertia on one spring knows no tilt of rim and web: a second opinion";
       rows.push_back({"swing frequency",

@@ -24,6 +24,7 @@ namespace vfife
     /** Of a run the mean of its last third, of a `static` its last load step. */
     RestValue find_rest(const std::vector<double> &values, const bool is_run)
     {
+      // A run has left its start behind by then; what still vibrates decides whether it is judged.
       const auto   from = values.end() - (is_run ? values.size() / 3 : 1);
       const double mean = std::accumulate(from, values.end(), 0.) / (values.end() - from);
       const auto   ends = std::minmax_element(from, values.end());

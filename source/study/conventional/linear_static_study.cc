@@ -266,6 +266,7 @@ namespace vfife
           rotation = HubRotation::pinned; // spin has no moment about the axis
       }
     // 2. The solution, and stresses at the nodes.
+    // Bodies that are free to move are refused here, before anything is assembled.
     const StaticSolver solver(
       model, find_chosen_bodies(fem_, model), fem_, folder.communicator(), rotation);
     const StaticResult        result   = solver.solve(loads);

@@ -80,6 +80,7 @@ namespace vfife
     std::vector<ModesAtSpeed> speeds;
     for (const double rate : fem_.rates())
       {
+        // Each speed is a problem of its own: stresses of its spin, its Coriolis forces.
         const auto   start   = WallClock::now();
         ModesAtSpeed found   = rotating.find_modes(rate);
         const double seconds = seconds_since(start);

@@ -126,6 +126,8 @@ namespace vfife
     /** What a designer looks at first, of one side. */
     void log_side(const ContactAnalysis &a, Log &log)
     {
+      // L along the cone and h above the pitch cone in mm, places on the path in pitches, lags of
+      // the gear in arcsec.
       const UnloadedContactPoint &p = a.mean.contact;
       log.line(side_name(a.side), " side");
       log.line("  mean contact        pinion L ",
@@ -312,6 +314,7 @@ namespace vfife
     std::vector<ContactAnalysis> sides;
     json["working"]                    = working_json(pair, options_);
     json["marking compound thickness"] = figure_json(1e3 * options_.marking_thickness, "um");
+    // Both sides, whichever works: the other one carries when the load or the drive turns round.
     for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
       {
         sides.push_back(analyse_contact(pair, side, options_));

@@ -58,6 +58,7 @@ namespace vfife
 
   NamedFigures PairResults::list_figures(ExplicitSolver &solver) const
   {
+    // Of the case, not of its motion: known before the first step, and stated after a failure too.
     const Transmission &t      = *model_.transmission;
     const double        torque = load_torque(model_);
     return {{figure_name::mesh_frequency, {t.mesh_frequency(), "Hz"}},

@@ -49,6 +49,7 @@ namespace vfife
 
   Observers StaticStudy::make_observers(const OutputFolder &folder, const Model &model) const
   {
+    // A sample each load step.
     Observers observers;
     observers.push_back(std::make_unique<HistoryWriter>(folder, model, 1));
     if (output_.fields_every > 0)

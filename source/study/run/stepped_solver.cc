@@ -56,6 +56,7 @@ namespace vfife
     // time.
     const auto without = [&](const int n) { return 1e9 * vfife.stable_step_without(n); };
     log.line("without the 10 worst ", without(10), " ns, the 100 worst ", without(100), " ns");
+    // In the order of the model's pairs.
     const auto penalties = solver.contact().penalties();
     for (std::size_t i = 0; i < penalties.size(); ++i)
       log.line(

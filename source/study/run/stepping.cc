@@ -136,6 +136,7 @@ namespace vfife
 
   void Stepping::stop(const int signal) const
   {
+    // The command with which this run goes on, ready to be copied.
     const unsigned int n = communicator_.size();
     throw Interrupted(
       "stopped by " + RunSignals::name(signal) + " at " + where(state_) +
