@@ -35,6 +35,7 @@ namespace vfife
 
   const Choices<MakeStudy> &study_kinds()
   {
+    // A new kind of study is a row here.
     static const Choices<MakeStudy> kinds = {
       {"run", &make<RunStudy>},
       {"static", &make<StaticStudy>},

@@ -28,6 +28,7 @@ namespace vfife
       // a section without entries is written as an empty text
       if (!node.is_object())
         return section;
+      // Entries and sections stand side by side in deal.II's tree: one has a value, the other none.
       for (const auto &[child_name, child] : node.items())
         if (is_entry(child))
           section.entries.push_back({child_name,

@@ -184,6 +184,7 @@ namespace vfife
 
   std::string ParameterFile::explain(const InputError &error) const
   {
+    // Several at once, each with its own place: a user mends them in one go.
     if (const auto *const several = dynamic_cast<const InputErrors *>(&error))
       {
         std::string text = std::to_string(several->errors().size()) +

@@ -93,6 +93,7 @@ namespace vfife
 
   double measure_multiply_adds(const unsigned int lanes)
   {
+    // A width that the machine lacks must not be asked for: its instructions would end the program.
     const auto loop = lanes == 8   ? &multiply_add_8
                       : lanes == 4 ? &multiply_add_4
                       : lanes == 2 ? &multiply_add_2

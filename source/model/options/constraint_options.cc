@@ -136,6 +136,7 @@ namespace vfife
         if (constraint.cylindrical)
           constraint.displacement[1] = angle;
       }
+    // Times the displacement or the angle; what has neither is not asked for its history.
     constraint.history = history;
     constraint.history.check(section);
     model.constraints.push_back(constraint);

@@ -203,6 +203,7 @@ namespace vfife
 
   std::size_t OutputFolder::log_size() const
   {
+    // What a checkpoint notes: a run that goes on from it cuts the log there.
     return log_file_ ? static_cast<std::size_t>(log_file_->tellp()) : 0;
   }
 } // namespace vfife

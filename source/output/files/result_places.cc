@@ -15,6 +15,7 @@ namespace vfife
     }
   } // namespace
 
+  // Names may hold a slash, which a pointer of JSON would take for a step down: below() escapes it.
   std::string summary_place::figure(const std::string &name)
   {
     return below(figures, name);

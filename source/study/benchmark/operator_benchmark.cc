@@ -41,6 +41,7 @@ namespace vfife
                  const double       arithmetic,
                  Samples           &samples)
     {
+      // Forces and update of an element and step [s].
       const auto   time = subject.measure(frame, sets[set], steps);
       const double step = time[0] + time[1];
       // Million element-steps a second, ns; shares are 100 (flops or bytes)/time over what the core
@@ -163,6 +164,7 @@ namespace vfife
   {
     const double start = processor_time();
     plain_.add_internal_forces(frame, plain_positions_.data(), plain_forces_.data());
+    // The update is that by plain numbers of all nodes, however few elements have been measured.
     const double forces = (processor_time() - start) / plain_.size();
     operator_.compute_internal_forces(positions_, forces_);
     return forces + update(InstructionSet::generic) / operator_.n_local_elements();

@@ -28,6 +28,7 @@ namespace vfife
     for (unsigned int e = 0; e < std::min(n_elements, body.n_elements()); ++e)
       {
         const HexahedronNodes X = body.element_nodes(e);
+        // The whole 24 x 24 stiffness of each element, as a textbook has it.
         elements_.push_back({compute_stiffness(X, body.material(), stiffness),
                              X.colwise() - X.col(0).eval(),
                              compute_mean_gradients(X),

@@ -45,6 +45,8 @@ namespace vfife
     std::string check_damping(const GearCase &, const RunPlan &plan)
     {
       const double largest = std::max(plan.dynamics.damping, plan.dynamics.mesh_damping);
+      // Recommended in doc/conventions.md, Damping; DynamicsOptions refuses dampers that are far
+      // stronger.
       if (!(largest > 2000.))
         return "";
       return text("damping of ",

@@ -35,6 +35,7 @@ namespace vfife
       std::accumulate(curve.begin(), curve.end(), 0., [](const double most, const double value) {
         return std::max(most, std::abs(value));
       });
+    // The static curve over a tooth mesh by harmonics: the modes are driven by each of them.
     const FourierSeries series    = FourierSeries::interpolate(curve);
     double              departure = 0;
     // Without damping a mode follows harmonic k with 1/(1 - r^2); less the 1 of the static curve

@@ -37,6 +37,8 @@ namespace vfife
       /** 2 |sum w x exp(-2 pi i f t)|/sum w: a sine's own amplitude at its frequency. */
       double amplitude(const double frequency) const
       {
+        // At any frequency and not on the grid of a fast transform: a line between its points keeps
+        // its height.
         const std::complex<double> turn = std::polar(1., -2 * pi * frequency * step_);
         std::complex<double>       sum = 0, phase = 1;
         for (const double value : weighted_)

@@ -167,6 +167,7 @@ namespace vfife
                                       const OutputFolder          &folder,
                                       Log                         &log) const
   {
+    // The points under pressure become springs; shapes are small vibrations about this position.
     const CoupledModes modes = find_coupled_modes(compliance,
                                                   fem_,
                                                   options_.centrifugal,
@@ -254,6 +255,7 @@ namespace vfife
                         tooth.largest_pressure,
                         tooth.area});
       }
+    // Where teeth break: the largest stress of either fillet, and of the web's faces.
     const std::vector<const char *> fillets = {node_set::concave_fillet, node_set::convex_fillet};
     const Body &driver = model.bodies[t.driver], &driven = model.bodies[t.driven];
     positions_.add_row({position,

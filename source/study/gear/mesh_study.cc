@@ -19,6 +19,7 @@ namespace vfife
   {
     ExportedBody exported(const Body &body)
     {
+      // Mesh and material constants, in t and mm: what another program needs for the same body.
       ExportedBody result;
       result.name           = body.name();
       result.mesh           = &body.mesh();

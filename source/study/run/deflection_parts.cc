@@ -106,6 +106,7 @@ namespace vfife
 
   void DeflectionProbe::take_partly_loaded(State &state, const double torque)
   {
+    // Kept with the places of all nodes: the swing's shape is what the rest of the torque adds.
     partial_torque_   = torque;
     partial_lead_     = measure(state).hub_lead;
     partial_position_ = state.position;

@@ -52,6 +52,7 @@ namespace vfife
     const auto start = WallClock::now();
     compliance_ =
       std::make_unique<Compliance>(model, fem_options(options), any_turns(model), communicator);
+    // One position, the driver as it stands at time zero: nodes that may touch there are watched.
     pair_ =
       std::make_unique<PairEquilibrium>(model, *compliance_, penalties, std::vector<double>(1, 0.));
     log.line("  stiffness of ",

@@ -107,6 +107,7 @@ namespace vfife
     /** The number that a value of an entry begins with. */
     double leading_number(const std::string &text)
     {
+      // Without the unit that may follow: all values of a parameter have to be in the same one.
       char        *end    = nullptr;
       const double number = std::strtod(text.c_str(), &end);
       return end == text.c_str() ? not_known : number;

@@ -33,6 +33,7 @@ namespace vfife
 
   std::string SweepStudy::folder_of_run(const std::size_t i)
   {
+    // Two digits at least, so that folders are listed in the order of the runs.
     std::ostringstream name;
     name << "run_" << std::setw(2) << std::setfill('0') << i + 1;
     return name.str();

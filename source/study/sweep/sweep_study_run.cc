@@ -70,6 +70,7 @@ namespace vfife
             {
               log.warning("figure \"", figure.name, "\": ", error.what());
             }
+      // Also those without a number: a column of the table has one unit.
       for (Figure &number : numbers)
         number.unit = unit;
       return numbers;
