@@ -250,6 +250,33 @@ namespace
       1e-12);
   }
 
+  /** Several springs act on a node with their stiffnesses added up along each direction. */
+  void springs_side_by_side()
+  {
+    Model      model;
+    const auto n =
+      model.add_body({"bar", make_block(Vector3(8., 2., 2.), {{4, 1, 1}}), Material()});
+    const Body &bar = model.bodies[n];
+    Load        load;
+    load.kind           = LoadKind::spring;
+    load.nodes          = bar.node_set("x-");
+    const double corner = bar.node_masses()[load.nodes[0]];
+    for (const Vector3 &stiffness : {Vector3(1000., 0., 300.), Vector3(200., 100., 900.)})
+      {
+        load.vector = stiffness;
+        model.loads.push_back(load);
+      }
+    Communicator  communicator(MPI_COMM_SELF);
+    VfifeOperator vfife(model, FrameKind::polar, StiffnessKind::incompatible_modes, communicator);
+    const NodalLoads nodal(model, vfife, communicator);
+    // 1200 N/mm along x and along z, a quarter on each corner.
+    const double step = 1e-6;
+    check_close("springs side by side: step",
+                4 / std::pow(nodal.vote_on_step(step), 2) / (4 / (step * step) + 300. / corner),
+                1.,
+                1e-12);
+  }
+
   void wall()
   {
     Model      model;
@@ -303,5 +330,6 @@ int main(int argc, char **argv)
   loads();
   pressure();
   springs();
+  springs_side_by_side();
   wall();
 }

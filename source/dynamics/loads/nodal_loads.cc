@@ -17,9 +17,7 @@ namespace vfife
     const Partition &partition = vfife.partition();
     for (const Load &load : model.loads)
       {
-        // 1. What each node takes of the load: by area, equally, or its mass. Of springs the
-        // stiffest direction bounds the step, omega^2 = k/m over all nodes, so that all ranks
-        // agree.
+        // 1. What each node takes of the load: by area, equally, or its mass.
         const Body &body    = model.bodies[load.body];
         const auto  weights = compute_load_shares(load, body);
         Group       group{&load, {}, {}};
@@ -27,10 +25,6 @@ namespace vfife
           {
             const unsigned int  node  = load.nodes[i];
             const std::uint32_t local = partition.local_node[body.first_node + node];
-            if (load.kind == LoadKind::spring)
-              largest_frequency2_ =
-                std::max(largest_frequency2_,
-                         load.vector.maxCoeff() * weights[i] / body.node_masses()[node]);
             if (local != Partition::absent)
               group.nodes.push_back({local,
                                      partition.owned[local] != 0,
@@ -45,11 +39,34 @@ namespace vfife
           }
         groups_.push_back(std::move(group));
       }
+    find_spring_frequency();
     // 3. Room for the forces, which half_power() needs after add_forces().
     if (!groups_.empty())
       forces_ = vfife.make_field();
     if (has_pressure_)
       face_forces_ = vfife.make_field();
+  }
+
+  void NodalLoads::find_spring_frequency()
+  {
+    // All springs of a node act on it side by side: their stiffnesses along x, y, z add up, and the
+    // stiffest direction has omega^2 = k/m. Over all nodes, so that all ranks agree.
+    std::vector<std::vector<Vector3>> stiffness(model_.bodies.size());
+    for (const Load &load : model_.loads)
+      if (load.kind == LoadKind::spring)
+        {
+          const Body &body    = model_.bodies[load.body];
+          const auto  weights = compute_load_shares(load, body);
+          auto       &sums    = stiffness[load.body];
+          sums.resize(body.n_nodes(), Vector3::Zero());
+          for (std::size_t i = 0; i < load.nodes.size(); ++i)
+            {
+              const unsigned int node = load.nodes[i];
+              sums[node] += weights[i] * load.vector;
+              largest_frequency2_ =
+                std::max(largest_frequency2_, sums[node].maxCoeff() / body.node_masses()[node]);
+            }
+        }
   }
 
   void NodalLoads::add_faces(const Load &load, Group &group) const

@@ -20,7 +20,7 @@ namespace vfife
     NodalLoads(const Model &model, VfifeOperator &vfife, const Communicator &communicator);
 
     /** Largest stable step [s] where elements and contact allow @p step: springs have their share
-     * of the largest frequency, 4/dt^2 >= 4/step^2 + k/m. */
+     * of the largest frequency, 4/dt^2 >= 4/step^2 + k/m, k of all springs of a node together. */
     double vote_on_step(double step) const;
 
     /** Adds the masses that springs need in a relaxation with pseudo time step 1. */
@@ -59,6 +59,7 @@ namespace vfife
       std::vector<Face> faces; ///< of elements on this rank
     };
 
+    void find_spring_frequency();
     void add_faces(const Load &load, Group &group) const;
     void add(const Group &group, double factor, const NodeField &positions);
     void add_moment(const Group &group, const Vector3 &moment, const NodeField &positions);
