@@ -61,25 +61,25 @@ namespace vfife
     // 2. Constrained nodes are moved by their constraints alone: no mass in the common update.
     constraints_.clear_masses(state);
     // 3. Rigid motion, and what is added to it.
-    set_rigid_velocities(state);
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      if (const Body &body = model_.bodies[b]; !body.initial_velocity.empty())
-        for (const std::uint32_t i : partition.nodes(b))
-          state.velocity.add(i, body.initial_velocity[partition.global_node[i] - body.first_node]);
+    set_initial_velocities(state);
   }
 
-  void ExplicitSolver::set_rigid_velocities(State &state) const
+  void ExplicitSolver::set_initial_velocities(State &state) const
   {
+    const Partition &partition = *state.partition;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         const Body   &body = model_.bodies[b];
         const Matrix3 back = rotation_about(body.axis.direction, -body.rate * dt_);
-        for (const std::uint32_t i : state.partition->nodes(b))
+        for (const std::uint32_t i : partition.nodes(b))
           {
             // The chord of the step before time zero: central differences then start without an
             // error of first order.
             const Vector3 r = state.node_position(i) - body.axis.point;
             state.velocity.set(i, body.velocity + (r - back * r) / dt_);
+            if (!body.initial_velocity.empty())
+              state.velocity.add(i,
+                                 body.initial_velocity[partition.global_node[i] - body.first_node]);
           }
       }
   }

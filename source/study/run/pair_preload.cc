@@ -127,7 +127,7 @@ namespace vfife
     log_.line("  took ", duration_text(seconds_since(start)));
     // Velocities come last, of the places found: omega x r, and Omega u' of the standing pattern,
     // which a ramp has not.
-    solver_.set_rigid_velocities(state);
+    solver_.set_initial_velocities(state);
     pattern.add_velocities(state.velocity);
     log_preload();
   }

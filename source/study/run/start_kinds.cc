@@ -45,7 +45,7 @@ namespace vfife
         const RelaxationReport report = relaxation_.solve(state, Relaxation::Loads());
         log_.line(
           "equilibrium before the start: ", report.steps, " steps, residual ", report.residual);
-        solver_.set_rigid_velocities(state);
+        solver_.set_initial_velocities(state);
       }
 
     private:

@@ -54,9 +54,9 @@ namespace vfife
      * -dt/2). */
     void start(State &state);
 
-    /** Replaces velocities by those of rigid turning at the bodies' rates, positions unchanged
-     * (after a preload). */
-    void set_rigid_velocities(State &state) const;
+    /** Replaces velocities by those of rigid motion at the bodies' rates plus the initial
+     * velocities of their nodes, positions unchanged (after a preload). */
+    void set_initial_velocities(State &state) const;
 
     /** Called with the state before each step; may throw to end a run there. All ranks. */
     using BeforeStep = std::function<void(State &)>;
