@@ -114,6 +114,12 @@ end
     check_below("free: its axis goes through the centre of mass [mm]",
                 (made.axis.point - made.placement(Vector3(5., 5., 5.))).norm(),
                 1e-12);
+    const Axis axis =
+      make_model(body("set axis point = 1, 2, 3\nset axis direction = 0, 3, 4\n")).bodies[0].axis;
+    check_below("free: the axis that is given",
+                (axis.point - Vector3(1., 2., 3.)).norm() +
+                  (axis.direction - Vector3(0., .6, .8)).norm(),
+                1e-15);
   }
 
   void held_by_bearings()

@@ -53,7 +53,13 @@ namespace vfife
                    "bearing",
                    bearing,
                    "Whether the body turns on its axis; else its rigid motion is free");
-    declare_vector(prm, "axis point", axis_point, "mm", "Point of the axis of a bearing");
+    declare_vector(
+      prm,
+      "axis point",
+      axis_point,
+      "mm",
+      "Point of the axis; 0, 0, 0 without a bearing: the centre of mass of a shape, the "
+      "origin of the body frame of a file");
     declare_vector(prm, "axis direction", axis_direction, "-", "Direction of the axis");
     declare_quantity(prm, "speed", speed, "rad/s", "Angular velocity about the axis of a bearing");
     declare_vector(
@@ -139,14 +145,20 @@ namespace vfife
     else
       {
         // A body that flies freely turns about its centre of mass: that is the point of its axis at
-        // time zero, and the direction of its angular velocity the axis.
+        // time zero, and the direction of its angular velocity the axis. Without angular velocity
+        // the axis only says what r and theta are: a file may hold a part of what is round, whose
+        // axis is that of the file's coordinates.
         Vector3 centre = Vector3::Zero();
         for (unsigned int i = 0; i < body.n_nodes(); ++i)
           centre += body.node_masses()[i] / body.mass() * body.placement(body.node_positions()[i]);
-        body.rate     = angular_velocity.norm();
-        body.axis     = {centre,
-                     body.rate > 0 ? Vector3(angular_velocity / body.rate)
-                                       : axis_direction.normalized()};
+        body.rate = angular_velocity.norm();
+        body.axis = {centre, axis_direction.normalized()};
+        if (body.rate > 0)
+          body.axis.direction = angular_velocity / body.rate;
+        else if (!axis_point.isZero(0.))
+          body.axis.point = axis_point;
+        else if (mesh == from_file)
+          body.axis.point = position;
         body.velocity = velocity;
       }
 
