@@ -7,70 +7,84 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /**
+     * Of the constraints of a node the one whose kind says how it moves. Those that leave it no
+     * freedom come first, and a rigid hub, with which nothing else but the same goes together. What
+     * holds radius and axial position beside other directions is one more of these.
+     */
+    const Constraint &find_leading(const NodeConstraints &node)
+    {
+      for (const ConstraintKind kind : {ConstraintKind::prescribed_rotation,
+                                        ConstraintKind::held,
+                                        ConstraintKind::rigid_hub,
+                                        ConstraintKind::directions})
+        for (const Constraint *constraint : node.constraints())
+          if (constraint->kind == kind)
+            return *constraint;
+      return *node.constraints().front();
+    }
+  } // namespace
+
   ConstraintMotion::ConstraintMotion(const Model        &model,
                                      const Partition    &partition,
                                      const Communicator &communicator)
     : communicator_(communicator)
+    , model_(model)
   {
-    // Directions come last: a node that is held altogether needs no more.
-    for (const bool directions : {false, true})
-      for (const Constraint &constraint : model.constraints)
-        if ((constraint.kind == ConstraintKind::directions) == directions)
-          add_constraint(constraint, model, partition);
-    for (const Body &body : model.bodies)
-      axes_.push_back(UpdateAxis::of(body));
+    for (const Constraint &constraint : model.constraints)
+      {
+        const Body &body = model.bodies[constraint.body];
+        groups_.push_back(
+          {&constraint, constraint.kind, constraint.body, body.axis, body.rate, {}});
+      }
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      {
+        add_nodes(b, partition);
+        axes_.push_back(UpdateAxis::of(model.bodies[b]));
+      }
+    compare_first_values();
   }
 
-  void ConstraintMotion::add_constraint(const Constraint &constraint,
-                                        const Model      &model,
-                                        const Partition  &partition)
+  void ConstraintMotion::compare_first_values() const
   {
-    // 1. What earlier constraints have taken: a node is in one group only.
-    const bool  prescribed = constraint.kind == ConstraintKind::directions;
-    const Body &body       = model.bodies[constraint.body];
-    std::vector<std::pair<Group *, Node *>> taken(partition.n_local());
-    for (Group &group : groups_)
-      for (Node &node : group.nodes)
-        taken[node.local] = {&group, &node};
+    // What contradicts itself in full, as a static solution reads values, and at time zero, as a
+    // run does, is refused before anything is computed.
+    for (const NodeConstraints &constraints : compared_)
+      try
+        {
+          constraints.compute_displacement([](const Constraint &) { return 1.; });
+        }
+      catch (const InputError &)
+        {
+          constraints.compute_displacement(
+            [](const Constraint &one) { return one.history.value(0.); });
+        }
+  }
 
-    // 2. The nodes that this rank holds; those that are new join the group of this constraint.
-    Group group{&constraint, constraint.kind, constraint.body, body.axis, body.rate, {}};
-    for (const unsigned int i : constraint.nodes)
+  void ConstraintMotion::add_nodes(const unsigned int b, const Partition &partition)
+  {
+    const Body &body = model_.bodies[b];
+    for (auto &[i, constraints] : combine_constraints(model_, b))
       {
+        // All ranks compare the values of all nodes: what is wrong is found by all of them.
+        if (constraints.has_values_to_compare())
+          compared_.push_back(constraints);
         const std::uint32_t local = partition.local_node[body.first_node + i];
         if (local == Partition::absent)
           continue;
-        const double  mass  = body.node_masses()[i];
-        const Vector3 start = body.placement(body.node_positions()[i]) - body.axis.point;
-        Node          node{local, partition.owned[local] != 0, mass, mass, start};
-        for (unsigned int c = 0; c < 3; ++c)
-          node.prescribing[c] = prescribed && constraint.prescribed[c] ? &constraint : nullptr;
-        const auto [known_group, known] = taken[local];
-        if (known == nullptr)
-          {
-            group.nodes.push_back(node);
-            continue;
-          }
-
-        // 3. A node that is known stays where it is. Held altogether it needs no more; directions
-        // with the same axes join where they prescribe different ones.
-        const Constraint *const first = known_group->definition;
-        if (prescribed && first->kind == ConstraintKind::held && constraint.displacement.isZero(0.))
-          continue;
-        bool can_join = prescribed && first->kind == ConstraintKind::directions &&
-                        first->cylindrical == constraint.cylindrical;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            can_join = can_join && !(node.prescribing[c] && known->prescribing[c]);
-            if (can_join && node.prescribing[c])
-              known->prescribing[c] = node.prescribing[c];
-          }
-        if (!can_join)
-          throw InputError("node " + std::to_string(i) + " of body \"" + body.name() +
-                           "\" is in two constraints, \"" + first->name + "\" and \"" +
-                           constraint.name + "\", that do not go together");
+        Node node                 = {};
+        node.local                = local;
+        node.owned                = partition.owned[local] != 0;
+        node.mass                 = body.node_masses()[i];
+        node.moved_mass           = node.mass;
+        node.start                = body.placement(body.node_positions()[i]) - body.axis.point;
+        const Constraint &leading = find_leading(constraints);
+        if (leading.kind == ConstraintKind::directions)
+          node.held = constraints.independent();
+        groups_[&leading - model_.constraints.data()].nodes.push_back(std::move(node));
       }
-    groups_.push_back(std::move(group));
   }
 
   void ConstraintMotion::set_part(const double part)
@@ -78,14 +92,21 @@ namespace vfife
     part_ = part;
   }
 
-  double ConstraintMotion::factor(const Constraint &constraint,
-                                  const double      time,
-                                  const MotionFrame frame) const
+  double ConstraintMotion::factor(const Constraint &constraint) const
   {
-    if (frame == MotionFrame::fixed)
-      return constraint.history.value(time);
+    return factors_[&constraint - model_.constraints.data()];
+  }
+
+  void ConstraintMotion::update_factors(const double time, const MotionFrame frame)
+  {
     // The time of a relaxation is none: a part of the loads, or what their histories begin with.
-    return part_ ? *part_ : constraint.history.value(0.);
+    factors_.clear();
+    for (const Constraint &constraint : model_.constraints)
+      factors_.push_back(frame == MotionFrame::fixed ? constraint.history.value(time)
+                         : part_                     ? *part_
+                                                     : constraint.history.value(0.));
+    for (const NodeConstraints &constraints : compared_)
+      constraints.compute_displacement([this](const Constraint &one) { return factor(one); });
   }
 
   double ConstraintMotion::turned_angle(const Group      &group,
@@ -97,15 +118,13 @@ namespace vfife
     // An angle with a history turns in both frames; the body's own rate is what one of them turns
     // with.
     if (group.definition->angle)
-      return *group.definition->angle * factor(*group.definition, time, frame);
+      return *group.definition->angle * factor(*group.definition);
     return frame == MotionFrame::fixed ? group.rate * time : 0.;
   }
 
   Vector3 ConstraintMotion::move_led(const Group       &group,
                                      Node              &node,
-                                     const double       time,
                                      const double       dt,
-                                     const MotionFrame  frame,
                                      const BodyDamping &damping,
                                      const Vector3     &force) const
   {
@@ -118,15 +137,11 @@ namespace vfife
                          (1. + half);
     const Vector3 free = node.old_position + dt * node.free_velocity;
     // ... then x* goes where prescribed displacements want it at the end of the step.
-    PrescribedDisplacement prescribed;
-    for (unsigned int c = 0; c < 3; ++c)
-      if (node.prescribing[c])
-        prescribed[c] =
-          node.prescribing[c]->displacement[c] * factor(*node.prescribing[c], time + dt, frame);
-    const Vector3 start = group.axis.point + node.start;
-    return group.definition->cylindrical
-             ? place_prescribed(group.axis, start, node.old_position, free, prescribed)
-             : place_prescribed(start, free, prescribed);
+    std::array<double, 3> values = {};
+    for (std::size_t k = 0; k < node.held.size(); ++k)
+      values[k] = node.held[k].value * factor(*node.held[k].constraint);
+    return place_prescribed(
+      group.axis, group.axis.point + node.start, node.old_position, free, node.held, values);
   }
 
   void ConstraintMotion::set_masses(const std::vector<double> &masses)
@@ -167,6 +182,7 @@ namespace vfife
                                NodeField                      &velocities,
                                std::vector<BodySums>          &sums)
   {
+    update_factors(time + dt, frame);
     for (Group &group : groups_)
       {
         // 1. New angular velocities of free rotations, and the angle of a prescribed one.
@@ -184,8 +200,7 @@ namespace vfife
                 x = turned(group.axis, node.start, node.angle);
               }
             else if (group.kind == ConstraintKind::directions)
-              x = move_led(
-                group, node, time, dt, frame, damping[group.body], forces.value(node.local));
+              x = move_led(group, node, dt, damping[group.body], forces.value(node.local));
             else
               x = group.axis.point + rotation * node.start;
             const Vector3 v = (x - node.old_position) / dt;
@@ -244,11 +259,8 @@ namespace vfife
               }
             else if (group.kind == ConstraintKind::directions)
               f = project_free(group.axis,
-                               group.definition->cylindrical,
                                positions.value(node.local),
-                               {{node.prescribing[0] != nullptr,
-                                 node.prescribing[1] != nullptr,
-                                 node.prescribing[2] != nullptr}},
+                               node.held,
                                forces.value(node.local));
             forces.set(node.local, f);
           }

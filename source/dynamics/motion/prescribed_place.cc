@@ -1,98 +1,147 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/dynamics/motion/prescribed_place.h>
 
-#include <algorithm>
+#include <Eigen/LU>
+
 #include <cmath>
+#include <limits>
 
 namespace vfife
 {
   namespace
   {
-    /** Radius, direction of r and height of a place relative to an axis. */
-    struct Cylindrical
-    {
-      double  radius, height;
-      Vector3 e_r, e_theta;
+    constexpr unsigned int largest_iterations = 50;
 
-      Cylindrical(const Axis &axis, const Vector3 &x)
+    /** As many columns as equations, at most three: no allocation. */
+    using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+    using Square  = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+    using Values  = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1>;
+
+    Vector3 flattened(const Axis &axis, const Vector3 &place)
+    {
+      const Vector3 arm = place - axis.point;
+      return arm - axis.direction.dot(arm) * axis.direction;
+    }
+
+    /** One equation c(x) = normal . (x - origin) - offset = 0, or c(x) = |flat x| - offset. */
+    struct PlaceEquation
+    {
+      bool    is_cylinder = false;
+      Vector3 normal = Vector3::Zero(), origin = Vector3::Zero();
+      double  offset = 0;
+
+      PlaceEquation() = default;
+
+      PlaceEquation(const HeldDirection &held,
+                    const Axis          &axis,
+                    const Vector3       &start,
+                    const double         value)
+        : is_cylinder(held.coordinate == HeldCoordinate::radius)
+        , normal(held.direction)
+        , origin(start)
+        , offset(value)
       {
-        const Vector3 &a    = axis.direction;
-        const Vector3  from = x - axis.point;
-        height              = a.dot(from);
-        const Vector3 flat  = from - height * a;
-        radius              = flat.norm();
-        // On the axis any direction is r.
-        e_r     = radius > 0 ? Vector3(flat / radius) : Vector3(a.unitOrthogonal());
-        e_theta = a.cross(e_r);
+        if (held.coordinate == HeldCoordinate::along)
+          return;
+        const Vector3 flat   = flattened(axis, start);
+        const double  radius = flat.norm();
+        origin               = axis.point;
+        if (is_cylinder)
+          {
+            offset = radius + value;
+            return;
+          }
+        // The half plane of the ray: its normal is the tangent there.
+        const double angle = value / radius;
+        normal             = std::cos(angle) * held.direction - std::sin(angle) / radius * flat;
+        offset             = 0;
+      }
+
+      double residual(const Axis &axis, const Vector3 &x) const
+      {
+        return is_cylinder ? flattened(axis, x).norm() - offset : normal.dot(x - origin) - offset;
+      }
+
+      Vector3 gradient(const Axis &axis, const Vector3 &x) const
+      {
+        return is_cylinder ? Vector3(flattened(axis, x).normalized()) : normal;
       }
     };
   } // namespace
 
-  Vector3 place_prescribed(const Vector3                &start,
-                           const Vector3                &free,
-                           const PrescribedDisplacement &prescribed)
+  Vector3 place_prescribed(const Axis                  &axis,
+                           const Vector3               &start,
+                           const Vector3               &old,
+                           const Vector3               &free,
+                           const HeldDirections        &held,
+                           const std::array<double, 3> &values)
   {
-    Vector3 x = free;
-    for (unsigned int c = 0; c < 3; ++c)
-      if (prescribed[c])
-        x[c] = start[c] + *prescribed[c];
+    // x = free + D mu, D the directions at the old place: Newton's method for mu, one step where
+    // all equations are planes.
+    //
+    //   e_theta ^
+    //           |       o<-----o x*    a radius R alone: back along the old e_r onto its circle, so
+    //    across |     / R              that the way across, which is the turn, stays as it is
+    //           +---/------> e_r       (e_r, e_theta at the place before the step)
+    // What is not finite stays so, for the guards of the run to tell.
+    if (!free.allFinite())
+      return free;
+    const unsigned int           n = held.size();
+    Columns                      directions(3, n);
+    std::array<PlaceEquation, 3> equations;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        directions.col(k) = present_direction(held[k], axis, old);
+        equations[k]      = PlaceEquation(held[k], axis, start, values[k]);
+      }
+    const double size     = (free - axis.point).norm() + (start - axis.point).norm();
+    Vector3      x        = free;
+    bool         is_there = false;
+    for (unsigned int i = 0; i < largest_iterations && !is_there; ++i)
+      {
+        Values residual(n);
+        Square jacobian(n, n);
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            residual[k]     = equations[k].residual(axis, x);
+            jacobian.row(k) = equations[k].gradient(axis, x).transpose() * directions;
+          }
+        const Vector3 step = directions * jacobian.fullPivLu().solve(residual);
+        x -= step;
+        is_there = step.norm() <= 4. * std::numeric_limits<double>::epsilon() * size;
+      }
+    if (!is_there)
+      {
+        std::string names;
+        for (const HeldDirection &one : held)
+          names += (names.empty() ? "\"" : ", \"") + one.constraint->name + "\"";
+        throw NumericalError("a node has left the places where its constraints (" + names +
+                             ") can meet");
+      }
+    // Along a coordinate axis to the last digit, so that a held node does not tremble.
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int c = 0; c < 3; ++c)
+        if (held[k].coordinate == HeldCoordinate::along && held[k].direction[c] == 1)
+          x[c] = start[c] + values[k];
     return x;
   }
 
-  Vector3 place_prescribed(const Axis                   &axis,
-                           const Vector3                &start,
-                           const Vector3                &old,
-                           const Vector3                &free,
-                           const PrescribedDisplacement &prescribed)
+  Vector3
+  project_free(const Axis &axis, const Vector3 &x, const HeldDirections &held, const Vector3 &f)
   {
-    // Where the prescribed displacements put the radius and the ray from the axis, seen along it.
-    const Cylindrical first(axis, start), last(axis, old);
-    const Vector3     from   = free - axis.point;
-    const double      radius = first.radius + prescribed[0].value_or(0.),
-                 angle       = prescribed[1].value_or(0.);
-    const Vector3 ray        = std::cos(angle) * first.e_r + std::sin(angle) * first.e_theta;
-
-    // Seen along the axis, x* where forces alone put the node:
-    //
-    //   e_theta ^
-    //           |       o<-----o x*    a radius R: back along the old e_r onto its circle, so that
-    //    across |     / R              the way across, which is the turn, stays as it is
-    //           +---/------> e_r       (e_r, e_theta at the place before the step)
-    Vector3 flat = from - axis.direction.dot(from) * axis.direction;
-    if (prescribed[0] && prescribed[1])
-      flat = radius * ray;
-    else if (prescribed[0])
+    // Directions of the present place, made orthonormal one after the other.
+    Vector3            rest = f;
+    Columns            orthonormal(3, held.size());
+    const unsigned int n = held.size();
+    for (unsigned int k = 0; k < n; ++k)
       {
-        // Along the old e_r until the radius fits: what lies across stays, R^2 = along^2 +
-        // across^2.
-        const double across = last.e_theta.dot(flat);
-        flat = std::sqrt(std::max(0., radius * radius - across * across)) * last.e_r +
-               across * last.e_theta;
+        Vector3 direction = present_direction(held[k], axis, x);
+        for (unsigned int j = 0; j < k; ++j)
+          direction -= orthonormal.col(j).dot(direction) * orthonormal.col(j);
+        orthonormal.col(k) = direction.normalized();
+        rest -= orthonormal.col(k).dot(rest) * orthonormal.col(k);
       }
-    else if (prescribed[1])
-      // Along the old e_theta until the ray is met: what lies along the old e_r stays.
-      flat = last.e_r.dot(flat) / last.e_r.dot(ray) * ray;
-    const double height = prescribed[2] ? first.height + *prescribed[2] : axis.direction.dot(from);
-    return axis.point + flat + height * axis.direction;
-  }
-
-  Vector3 project_free(const Axis                &axis,
-                       const bool                 cylindrical,
-                       const Vector3             &x,
-                       const std::array<bool, 3> &prescribed,
-                       const Vector3             &f)
-  {
-    // Columns: the prescribed directions at the present place.
-    Matrix3 directions = Matrix3::Identity();
-    if (cylindrical)
-      {
-        const Cylindrical place(axis, x);
-        directions << place.e_r, place.e_theta, axis.direction;
-      }
-    Vector3 rest = f;
-    for (unsigned int c = 0; c < 3; ++c)
-      if (prescribed[c])
-        rest -= directions.col(c).dot(f) * directions.col(c);
-    return rest;
+    return n == 3 ? Vector3(Vector3::Zero()) : rest;
   }
 } // namespace vfife

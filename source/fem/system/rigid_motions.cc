@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/fem/system/held_directions.h>
 #include <vfife/fem/system/unknowns.h>
 
 #include <Eigen/Eigenvalues>
@@ -54,9 +53,9 @@ namespace vfife
       if (constraint.body == part.body)
         for (const unsigned int p : discretization.points_of(part, constraint.nodes))
           forbid(p,
-                 held_directions(constraint,
-                                 model.bodies[part.body].axis,
-                                 discretization.points()[p]));
+                 compute_held_projector(constraint,
+                                        model.bodies[part.body],
+                                        discretization.points()[p]));
     for (const Load &load : model.loads)
       if (load.kind == LoadKind::spring && load.body == part.body)
         for (const unsigned int p : discretization.points_of(part, load.nodes))

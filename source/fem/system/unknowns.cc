@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace vfife
 {
@@ -12,40 +13,19 @@ namespace vfife
   {
     constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-    double distance_from(const Axis &axis, const Vector3 &point)
+    /** The constraints of all points that have any, by point. */
+    std::map<unsigned int, NodeConstraints> combine(const Discretization &discretization)
     {
-      return axis.direction.cross(point - axis.point).norm();
-    }
-
-    /** Axes r, theta, z (columns) at a point; on the axis itself any r is taken. */
-    Matrix3 cylindrical_axes(const Axis &axis, const Vector3 &point)
-    {
-      const Vector3 tangent = axis.direction.cross(point - axis.point);
-      Matrix3       columns;
-      columns.col(1) =
-        tangent.norm() > 0. ? tangent.normalized() : Vector3(axis.direction.unitOrthogonal());
-      columns.col(0) = columns.col(1).cross(axis.direction);
-      columns.col(2) = axis.direction;
-      return columns;
-    }
-
-    /** Displacement of a point that @p constraint prescribes [mm]. */
-    Vector3
-    prescribed_displacement(const Constraint &constraint, const Axis &axis, const Vector3 &point)
-    {
-      // A small rotation: angle times a x (X - c).
-      if (constraint.kind == ConstraintKind::prescribed_rotation)
-        return constraint.angle.value_or(0.) * axis.direction.cross(point - axis.point);
-      Vector3 prescribed = Vector3::Zero();
-      if (constraint.kind == ConstraintKind::directions)
-        for (unsigned int c = 0; c < 3; ++c)
-          if (constraint.prescribed[c])
-            prescribed[c] = constraint.displacement[c];
-      if (!constraint.cylindrical)
-        return prescribed;
-      // Prescribed is an angle.
-      prescribed[1] *= distance_from(axis, point);
-      return cylindrical_axes(axis, point) * prescribed;
+      std::map<unsigned int, NodeConstraints> points;
+      const Model                            &model = discretization.model();
+      for (const Constraint &constraint : model.constraints)
+        if (const Discretization::Part *part = discretization.find_part(constraint.body))
+          for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
+            points.try_emplace(p, model.bodies[constraint.body], discretization.points()[p])
+              .first->second.add(constraint);
+      for (const auto &[p, constraints] : points)
+        constraints.check();
+      return points;
     }
   } // namespace
 
@@ -54,25 +34,18 @@ namespace vfife
   {
     Matrix3                     columns  = Matrix3::Identity();
     std::array<bool, 3>         active   = {{true, true, true}};
-    unsigned int                hub      = none; ///< index of the shared unknown of column 1
+    unsigned int                hub      = none; ///< index of the shared unknown of column 2
     bool                        is_image = false;
     std::array<unsigned int, 3> unknown  = {{none, none, none}};
 
-    /** Holds the directions that a constraint of that kind prescribes. */
-    void hold(const Constraint &constraint, const Axis &axis, const Vector3 &point)
+    /** Leaves what @p constraints do not hold. */
+    explicit LocalAxes(const NodeConstraints &constraints)
+      : columns(constraints.axes())
     {
-      std::array<bool, 3> held = constraint.prescribed;
-      if (constraint.cylindrical)
-        {
-          columns = cylindrical_axes(axis, point);
-          // On the axis, whatever leads the radius or the angle leaves neither way free.
-          if (!(distance_from(axis, point) > 0.))
-            held[0] = held[1] = held[0] || held[1];
-        }
-      // Another constraint may hold more directions of the same axes.
-      for (unsigned int c = 0; c < 3; ++c)
-        active[c] = active[c] && !held[c];
+      for (unsigned int c = 0; c < constraints.n_held(); ++c)
+        active[c] = false;
     }
+    LocalAxes() = default;
   };
 
   Unknowns::Unknowns(const Discretization &discretization,
@@ -94,58 +67,48 @@ namespace vfife
     fill_terms(discretization, options, axes);
   }
 
+  void Unknowns::refuse_led_directions(const Discretization &discretization, const Options &options)
+  {
+    for (const Constraint &constraint : discretization.model().constraints)
+      if (constraint.kind == ConstraintKind::directions && !options.led_are_held &&
+          discretization.find_part(constraint.body) != nullptr &&
+          !constraint.displacement.isZero(0.))
+        throw InputError("constraint \"" + constraint.name +
+                         "\": vibrations and contact by conventional finite elements "
+                         "hold directions, they do not prescribe displacements");
+  }
+
   std::vector<Unknowns::LocalAxes> Unknowns::make_axes(const Discretization &discretization,
                                                        const Options        &options) const
   {
-    const Model           &model    = discretization.model();
-    const unsigned int     n_points = discretization.n_points();
-    std::vector<LocalAxes> axes(n_points);
-    for (unsigned int c = 0; c < model.constraints.size(); ++c)
+    const Model                 &model    = discretization.model();
+    const unsigned int           n_points = discretization.n_points();
+    std::vector<LocalAxes>       axes(n_points);
+    std::set<const Constraint *> met; // that let points turn
+    refuse_led_directions(discretization, options);
+    for (const auto &[p, constraints] : combine(discretization))
       {
-        const Constraint           &constraint = model.constraints[c];
-        const Discretization::Part *part       = discretization.find_part(constraint.body);
-        if (part == nullptr)
+        LocalAxes &local                = axes[p];
+        local                           = LocalAxes(constraints);
+        const Constraint *const turning = constraints.turning();
+        if (turning == nullptr)
           continue;
-        const Axis &axis   = model.bodies[constraint.body].axis;
-        const auto  points = discretization.points_of(*part, constraint.nodes);
-        for (const unsigned int p : points)
+        // The third direction is the tangent, which turns freely unless hubs are held. Pinned: the
+        // first point of a hub whose points turn freely, or the one angle of a rigid hub. That
+        // angle is the same in all sectors, so waves (h > 0) have none.
+        const Axis   &axis    = model.bodies[turning->body].axis;
+        const Vector3 tangent = axis.direction.cross(discretization.points()[p] - axis.point);
+        const bool    hub     = turning->kind == ConstraintKind::rigid_hub;
+        const bool    first   = met.insert(turning).second;
+        const bool    turns   = options.rotation == HubRotation::free ||
+                           (options.rotation == HubRotation::pinned && !hub && !first);
+        local.active[2]      = turns && !(hub && options.harmonic > 0);
+        local.columns.col(2) = tangent.normalized();
+        if (hub)
           {
-            LocalAxes &local = axes[p];
-            if (constraint.kind == ConstraintKind::directions)
-              {
-                if (!options.led_are_held && !constraint.displacement.isZero(0.))
-                  throw InputError("constraint \"" + constraint.name +
-                                   "\": vibrations and contact by conventional finite elements "
-                                   "hold directions, they do not prescribe displacements");
-                local.hold(constraint, axis, discretization.points()[p]);
-                continue;
-              }
-            // All other kinds hold what is not given back below.
-            local.active = {{false, false, false}};
-            if (constraint.kind == ConstraintKind::held ||
-                constraint.kind == ConstraintKind::prescribed_rotation)
-              continue;
-            const Vector3 arm     = discretization.points()[p] - axis.point;
-            const Vector3 tangent = axis.direction.cross(arm);
-            if (!(tangent.norm() > 0.))
-              continue; // on the axis: neither radius nor angle
-            local.columns.col(0) = -axis.direction.cross(tangent.normalized());
-            local.columns.col(1) = tangent.normalized();
-            local.columns.col(2) = axis.direction;
-            // The tangent turns freely unless hubs are held. Pinned: the first point of a hub whose
-            // points turn freely, or the one angle of a rigid hub. That angle is the same in all
-            // sectors, so waves (h > 0) have none.
-            const bool hub = constraint.kind == ConstraintKind::rigid_hub;
-            const bool turns =
-              options.rotation == HubRotation::free ||
-              (options.rotation == HubRotation::pinned && !hub && p != points.front());
-            local.active[1] = turns && !(hub && options.harmonic > 0);
-            if (hub)
-              {
-                local.hub = c;
-                // u_t = r phi
-                local.columns.col(1) *= tangent.norm();
-              }
+            local.hub = turning - model.constraints.data();
+            // u_t = r phi
+            local.columns.col(2) = tangent;
           }
       }
     for (const auto &image : discretization.images())
@@ -281,18 +244,8 @@ namespace vfife
                                    const std::function<double(const Constraint &)> &factor)
   {
     std::vector<double> u(3 * static_cast<std::size_t>(discretization.n_points()), 0.);
-    const Model        &model = discretization.model();
-    for (const Constraint &constraint : model.constraints)
-      if (const Discretization::Part *part = discretization.find_part(constraint.body))
-        for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
-          {
-            const Vector3 prescribed = prescribed_displacement(constraint,
-                                                               model.bodies[constraint.body].axis,
-                                                               discretization.points()[p]);
-            if (!prescribed.isZero(0.))
-              // A sum: several constraints may prescribe different directions of a point.
-              Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) += factor(constraint) * prescribed;
-          }
+    for (const auto &[p, constraints] : combine(discretization))
+      Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) = constraints.compute_displacement(factor);
     return u;
   }
 } // namespace vfife

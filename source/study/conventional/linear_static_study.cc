@@ -5,9 +5,9 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/fem/statics/probe_values.h>
-#include <vfife/fem/system/held_directions.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
+#include <vfife/model/constraints/held_direction.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
@@ -99,7 +99,7 @@ namespace vfife
                 const Vector3 place = discretization.points()[p];
                 // Of the reaction at the point only what this constraint holds, by its projector.
                 const Vector3 here =
-                  held_directions(constraint, body.axis, place) *
+                  compute_held_projector(constraint, body, place) *
                   Eigen::Map<const Vector3>(result.reactions.data() + 3 * std::size_t(p));
                 force += here;
                 torque += body.axis.direction.dot((place - body.axis.point).cross(here));

@@ -4,7 +4,7 @@
 
 #include <vfife/dynamics/motion/nodal_update.h>
 #include <vfife/dynamics/motion/prescribed_place.h>
-#include <vfife/model/model.h>
+#include <vfife/model/constraints/node_constraints.h>
 #include <vfife/model/state.h>
 
 #include <vector>
@@ -26,10 +26,13 @@ namespace vfife
    * these where they belong: prescribed rotations by position, X -> p + R(rate t)(X - p), so that
    * nothing drifts; free rotations on their circles with one angle a node, or one angle for all
    * (rigid hub); nodes prescribed in some directions where these and their free motion put them.
+   * Constraints that share a node act together (NodeConstraints).
    */
   class ConstraintMotion
   {
   public:
+    /** Throws InputError where constraints of one node contradict each other; as apply() does
+     * where they come to in time. */
     ConstraintMotion(const Model        &model,
                      const Partition    &partition,
                      const Communicator &communicator);
@@ -89,9 +92,8 @@ namespace vfife
       Vector3       old_position = Vector3::Zero(), old_velocity = Vector3::Zero();
       double        angle = 0, rate = 0; ///< free rotations
 
-      /** Directions that lead the node, one constraint each, or nullptr. */
-      std::array<const Constraint *, 3> prescribing = {{nullptr, nullptr, nullptr}};
-      Vector3 free_velocity = Vector3::Zero(); ///< without the prescribed displacements
+      HeldDirections held;                            ///< of nodes led in directions
+      Vector3        free_velocity = Vector3::Zero(); ///< without the prescribed displacements
     };
 
     struct Group
@@ -109,15 +111,15 @@ namespace vfife
       }
     };
 
-    void share_rotation(Group &group) const;
-    void
-    add_constraint(const Constraint &constraint, const Model &model, const Partition &partition);
-    double  factor(const Constraint &constraint, double time, MotionFrame frame) const;
+    void   share_rotation(Group &group) const;
+    void   add_nodes(unsigned int body, const Partition &partition);
+    void   compare_first_values() const;
+    double factor(const Constraint &constraint) const;
+    /** Reads the histories and compares the values of nodes that have several. */
+    void    update_factors(double time, MotionFrame frame);
     Vector3 move_led(const Group       &group,
                      Node              &node,
-                     double             time,
                      double             dt,
-                     MotionFrame        frame,
                      const BodyDamping &damping,
                      const Vector3     &force) const;
     double  turned_angle(const Group &group, double time, MotionFrame frame) const;
@@ -135,10 +137,13 @@ namespace vfife
                          const UpdateAxis  &axis,
                          BodySums          &sums);
 
-    const Communicator     &communicator_;
-    std::vector<Group>      groups_;
-    std::vector<UpdateAxis> axes_; ///< per body
-    std::optional<double>   part_;
+    const Communicator          &communicator_;
+    const Model                 &model_;
+    std::vector<Group>           groups_;   ///< one a constraint
+    std::vector<UpdateAxis>      axes_;     ///< per body
+    std::vector<double>          factors_;  ///< of each constraint's values at present
+    std::vector<NodeConstraints> compared_; ///< nodes whose values may come to contradict
+    std::optional<double>        part_;
   };
 } // namespace vfife
 

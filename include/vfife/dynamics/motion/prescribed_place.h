@@ -2,41 +2,34 @@
 #ifndef vfife_dynamics_motion_prescribed_place_h
 #define vfife_dynamics_motion_prescribed_place_h
 
-#include <vfife/model/body.h>
+#include <vfife/model/constraints/held_direction.h>
 
 #include <array>
-#include <optional>
+#include <vector>
 
 namespace vfife
 {
-  /** Displacements [mm; theta: rad] in the directions in which a node is prescribed; the others are
-   * free.
-   */
-  using PrescribedDisplacement = std::array<std::optional<double>, 3>;
-
-  /** @p free with the coordinates x, y, z that are prescribed replaced by those of @p start plus
-   * the displacement. */
-  Vector3 place_prescribed(const Vector3                &start,
-                           const Vector3                &free,
-                           const PrescribedDisplacement &prescribed);
+  /** At most three independent equations for the place of a node. */
+  using HeldDirections = std::vector<HeldDirection>;
 
   /**
-   * The same along r, theta, z of @p axis. A prescribed radius or angle moves the node from @p free
-   * along the direction that r or theta had at the place @p old, as the force of a constraint of
-   * central differences acts: a free rotation on a circle then keeps its speed exactly.
+   * The place nearest to @p free that meets the equations @p held, of a node that began at @p start
+   * and was at @p old before the step: along a fixed direction n . (x - start) = g, for the radius
+   * |x| = R + g, for the angle the ray at g/R from that of the start, g the @p values [mm]. The
+   * node moves from @p free along the directions that the equations had at @p old, as the forces of
+   * constraints of central differences act: a free rotation on a circle then keeps its speed
+   * exactly. Throws NumericalError where the equations have no common place.
    */
-  Vector3 place_prescribed(const Axis                   &axis,
-                           const Vector3                &start,
-                           const Vector3                &old,
-                           const Vector3                &free,
-                           const PrescribedDisplacement &prescribed);
+  Vector3 place_prescribed(const Axis                  &axis,
+                           const Vector3               &start,
+                           const Vector3               &old,
+                           const Vector3               &free,
+                           const HeldDirections        &held,
+                           const std::array<double, 3> &values);
 
-  /** Takes out of the force @p f on a node at @p x what acts along prescribed directions. */
-  Vector3 project_free(const Axis                &axis,
-                       bool                       cylindrical,
-                       const Vector3             &x,
-                       const std::array<bool, 3> &prescribed,
-                       const Vector3             &f);
+  /** Takes out of the force @p f on a node at @p x what acts along held directions. */
+  Vector3
+  project_free(const Axis &axis, const Vector3 &x, const HeldDirections &held, const Vector3 &f);
 } // namespace vfife
 
 #endif

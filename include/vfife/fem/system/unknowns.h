@@ -3,6 +3,7 @@
 #define vfife_fem_system_unknowns_h
 
 #include <vfife/fem/system/discretization.h>
+#include <vfife/model/constraints/node_constraints.h>
 
 #include <cstdint>
 #include <functional>
@@ -21,8 +22,9 @@ namespace vfife
   /**
    * What remains of the displacements u (3 a point) under the constraints of the model: u = T q.
    * Held points and points of a prescribed rotation have none (the system turns with the body),
-   * free rotation leaves the tangential displacement, a rigid hub one common angle. Unknowns are
-   * numbered rank by rank, each rank owning a run of them. Equal on all ranks.
+   * free rotation leaves the tangential displacement, a rigid hub one common angle, constraints of
+   * one point together what no held direction spans (NodeConstraints). Unknowns are numbered rank
+   * by rank, each rank owning a run of them. Equal on all ranks.
    *
    * For a sector of a cyclic body, displacements are the real part of phasors whose value turns by
    * exp(i h angle) from one sector to the next, h the harmonic: points of the next sector are
@@ -92,6 +94,7 @@ namespace vfife
 
   private:
     struct LocalAxes;
+    static void refuse_led_directions(const Discretization &discretization, const Options &options);
     std::vector<LocalAxes> make_axes(const Discretization &discretization,
                                      const Options        &options) const;
     void                   number(const Discretization   &discretization,
@@ -110,9 +113,10 @@ namespace vfife
   };
 
   /**
-   * Displacements of all points (3 a point) [mm] that the constraints prescribe, zero elsewhere:
-   * constraints of directions, and rotations by an angle, taken as small. @p factor: of the
-   * constraint's value.
+   * Displacements of all points (3 a point) [mm] that the constraints prescribe, zero elsewhere and
+   * along free directions: constraints of directions, and rotations by an angle, taken as small.
+   * @p factor: of the constraint's value. Throws InputError where constraints of a point contradict
+   * each other.
    */
   std::vector<double>
   compute_prescribed_displacements(const Discretization                            &discretization,
