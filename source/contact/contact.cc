@@ -37,6 +37,18 @@ namespace vfife
       return motion;
     }
 
+    /** Least mass over area of the nodes; those without area carry no spring. */
+    double least_ratio(const std::vector<double> &masses, const std::vector<double> &areas)
+    {
+      if (masses.size() != areas.size())
+        throw InputError("contact: there must be one mass for every surface node");
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < areas.size(); ++i)
+        if (areas[i] > 0.)
+          least = std::min(least, masses[i] / areas[i]);
+      return least;
+    }
+
     using GroupPair = std::pair<unsigned int, unsigned int>;
 
     GroupPair swapped(const GroupPair &pair)
@@ -190,21 +202,52 @@ namespace vfife
   }
 
 
+  void Contact::place(const RigidMotion &slave, const RigidMotion &master)
+  {
+    passes_[0].place(slave_to_master(slave, master));
+    if (passes_.size() == 2)
+      passes_[1].place(slave_to_master(master, slave));
+  }
+
+
   double Contact::mass_per_area(const std::vector<double> &slave_masses,
                                 const std::vector<double> &master_masses) const
   {
-    // Nodes without area carry no spring.
-    double     least = std::numeric_limits<double>::infinity();
-    const auto add = [&least](const std::vector<double> &masses, const std::vector<double> &areas) {
-      if (masses.size() != areas.size())
-        throw InputError("contact: there must be one mass for every surface node");
+    return std::min(least_ratio(slave_masses, slave_node_areas()),
+                    least_ratio(master_masses, master_node_areas()));
+  }
+
+
+  double Contact::carried_mass_per_area(const std::vector<double> &slave_masses,
+                                        const std::vector<double> &master_masses) const
+  {
+    // Each pass adds at most eps (max A/m of its slave + max A/m of its master).
+    double sum = 0.;
+    for (std::size_t i = 0; i < passes_.size(); ++i)
+      sum +=
+        1. / least_ratio(i == 0 ? slave_masses : master_masses, passes_[i].slave_carried_areas()) +
+        1. / least_ratio(i == 0 ? master_masses : slave_masses, passes_[i].master_carried_areas());
+    return 2. / sum;
+  }
+
+
+  std::vector<double> Contact::slave_carried_areas() const
+  {
+    std::vector<double> areas = passes_[0].slave_carried_areas();
+    if (passes_.size() == 2)
       for (std::size_t i = 0; i < areas.size(); ++i)
-        if (areas[i] > 0.)
-          least = std::min(least, masses[i] / areas[i]);
-    };
-    add(slave_masses, slave_node_areas());
-    add(master_masses, master_node_areas());
-    return least;
+        areas[i] += passes_[1].master_carried_areas()[i];
+    return areas;
+  }
+
+
+  std::vector<double> Contact::master_carried_areas() const
+  {
+    std::vector<double> areas = passes_[0].master_carried_areas();
+    if (passes_.size() == 2)
+      for (std::size_t i = 0; i < areas.size(); ++i)
+        areas[i] += passes_[1].slave_carried_areas()[i];
+    return areas;
   }
 
 

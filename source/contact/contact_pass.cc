@@ -2,6 +2,7 @@
 #include <vfife/base/process/machine_speed.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/contact/contact_pass.h>
+#include <vfife/contact/search/carried_area.h>
 
 #include <algorithm>
 #include <limits>
@@ -29,6 +30,7 @@ namespace vfife
     : slave_(slave, options.surface, EdgeRelief(slave, options))
     , master_(master, options.surface, EdgeRelief(master, options))
     , rule_(facet_quadrature(options.discretization, options.points_per_facet))
+    , area_factor_(area_factor)
     , edge_fading_(options.edge_fading)
     , skin_(options.search_skin > 0. ? options.search_skin : 0.2 * master_.mean_facet_size())
     , depth_limit_(options.depth_limit > 0.
@@ -44,6 +46,24 @@ namespace vfife
           point_areas_.push_back(area_factor * q.weight * slave_.area_element(f, q.xi, q.eta));
           point_offsets_.push_back(slave_.offset(f, q.xi, q.eta));
         }
+    slave_carried_areas_ = slave_.node_areas();
+    for (double &area : slave_carried_areas_)
+      area *= area_factor_;
+    bound_master_areas(FacetDirections());
+  }
+
+
+  void ContactPass::place(const RigidMotion &slave_to_master)
+  {
+    bound_master_areas(find_directions(slave_, master_, slave_to_master));
+  }
+
+
+  void ContactPass::bound_master_areas(const FacetDirections &directions)
+  {
+    master_carried_areas_ = CarriedArea(rule_, edge_fading_).bound(slave_, master_, directions);
+    for (double &area : master_carried_areas_)
+      area *= area_factor_;
   }
 
 

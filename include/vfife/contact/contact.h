@@ -119,9 +119,31 @@ namespace vfife
       return passes_.front().master().node_areas();
     }
 
-    /** Least mass/area [t/mm^2] over the surface nodes with area; masses [t] by surface node. */
+    /** Where the bodies are at the start: carried areas then reckon with how the facets lie to each
+     * other there, without it also with any other direction. */
+    void place(const RigidMotion &slave, const RigidMotion &master);
+
+    /** Area of the contact's points that a surface node carries at most [mm^2]: eps times it is the
+     * stiffness of the springs there. That of a coarse slave can exceed a node's tributary area. */
+    std::vector<double> slave_carried_areas() const;
+    std::vector<double> master_carried_areas() const;
+
+    /** Least m/A [t/mm^2] over the surface nodes with tributary area; masses [t] by surface node.
+     */
     double mass_per_area(const std::vector<double> &slave_masses,
                          const std::vector<double> &master_masses) const;
+
+    /** m/A [t/mm^2] with which the springs add at most 2 eps A/m to the square of the highest
+     * circular frequency wherever the surfaces lie to each other, by the carried areas. */
+    double carried_mass_per_area(const std::vector<double> &slave_masses,
+                                 const std::vector<double> &master_masses) const;
+
+    /** Mean facet size of the slave over that of the master; one that is much larger than 1 costs
+     * penalty, see mass_per_area(). */
+    double coarseness() const
+    {
+      return passes_.front().slave().mean_facet_size() / passes_.front().master().mean_facet_size();
+    }
 
     /** Points under pressure in the last add_forces() (this rank); its position arrays must still
      * be valid. */

@@ -7,6 +7,7 @@
 #include <vfife/contact/law/contact_spring.h>
 #include <vfife/contact/law/surface_interaction.h>
 #include <vfife/contact/search/broad_search.h>
+#include <vfife/contact/search/carried_area.h>
 #include <vfife/contact/search/group_path.h>
 #include <vfife/contact/search/local_search.h>
 
@@ -71,6 +72,21 @@ namespace vfife
 
     /** For checkpoints: lists with their last projections, and paths. */
     void serialize(ByteStream &stream);
+
+    /** Finds the carried areas anew, the motion taking the slave's undeformed frame into the
+     * master's. */
+    void place(const RigidMotion &slave_to_master);
+
+    /** Area that a spring of the contact acts on at each node at most, its stiffness there over the
+     * penalty [mm^2]: of the slave its own, of the master what can fall on it (CarriedArea). */
+    const std::vector<double> &slave_carried_areas() const
+    {
+      return slave_carried_areas_;
+    }
+    const std::vector<double> &master_carried_areas() const
+    {
+      return master_carried_areas_;
+    }
 
     const SurfaceGeometry &slave() const
     {
@@ -157,6 +173,7 @@ namespace vfife
 
     /** Smallest gap over a slave facet, from its smallest sample on. */
     ContactPoint refined_gap(const ListedPoint &sample);
+    void         bound_master_areas(const FacetDirections &directions);
     void         update_paths(const SurfaceMotion &slave, const SurfaceMotion &master);
     Vector3      slave_point(unsigned int facet, unsigned int rule_point) const;
     void         find_points(
@@ -193,7 +210,8 @@ namespace vfife
     SurfaceGeometry                   slave_, master_;
     std::vector<FacetQuadraturePoint> rule_;
     std::vector<double>               point_areas_, point_offsets_; ///< facet by facet
-    double                            edge_fading_, skin_, depth_limit_;
+    std::vector<double>               slave_carried_areas_, master_carried_areas_; ///< by node
+    double                            area_factor_, edge_fading_, skin_, depth_limit_;
 
     GroupPath                    slave_path_, master_path_;
     std::vector<Pair>            pairs_;

@@ -90,15 +90,40 @@ namespace vfife
 
   ContactOfPair::ContactOfPair(const ContactPair &pair,
                                const Model       &model,
-                               const Partition   &partition)
+                               const Partition   &partition,
+                               const double       safety)
     : definition(pair)
     , slave(pair.slave_body, model.bodies[pair.slave_body], pair.slave_surface, partition)
     , master(pair.master_body, model.bodies[pair.master_body], pair.master_surface, partition)
     , contact(*slave.facets, *master.facets, pair.options)
     , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
+    , safety_(safety)
   {
+    contact.place(model.bodies[pair.slave_body].placement,
+                  model.bodies[pair.master_body].placement);
+    carried_mass_per_area = contact.carried_mass_per_area(slave.mass, master.mass);
     // Which nodes are active changes with each search of the contact.
     slave.active  = &contact.active_slave_nodes();
     master.active = &contact.active_master_nodes();
+  }
+
+  bool ContactOfPair::is_covered(const double step) const
+  {
+    // The springs take the share x of 4/dt^2 by the nodes' own areas, all else (1 - x) safety^2 of
+    // it. Springs that are stiffer by m/A over the carried m/A must not need more than the whole.
+    const double ratio = penalty().vote_on_step(step, mass_per_area) / step;
+    const double x     = 1. - ratio * ratio;
+    return (1. - x) * safety_ * safety_ + x * mass_per_area / carried_mass_per_area <= 1.;
+  }
+
+  double ContactOfPair::vote_on_step(const double step) const
+  {
+    return penalty().vote_on_step(step, is_covered(step) ? mass_per_area : carried_mass_per_area);
+  }
+
+  double ContactOfPair::penalty_for_step(const double dt) const
+  {
+    // A penalty from the step takes the same share at any step.
+    return penalty().value_for_step(is_covered(dt) ? mass_per_area : carried_mass_per_area, dt);
   }
 } // namespace vfife

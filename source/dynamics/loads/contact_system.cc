@@ -51,14 +51,15 @@ namespace vfife
 
   ContactSystem::ContactSystem(const Model        &model,
                                const Partition    &partition,
-                               const Communicator &communicator)
+                               const Communicator &communicator,
+                               const double        safety)
     : model_(model)
     , partition_(partition)
     , communicator_(communicator)
   {
     for (const ContactPair &pair : model.contacts)
       {
-        pairs_.push_back(std::make_unique<ContactOfPair>(pair, model, partition));
+        pairs_.push_back(std::make_unique<ContactOfPair>(pair, model, partition, safety));
         needs_velocities_ = needs_velocities_ || pair.options.damping_ratio > 0. ||
                             pair.options.friction_coefficient > 0.;
       }
@@ -76,16 +77,14 @@ namespace vfife
     // A surface node is in one pair at a time: the pairs' springs do not add up.
     double dt = element_step;
     for (const auto &pair : pairs_)
-      dt = std::min(dt, pair->penalty().vote_on_step(element_step, pair->mass_per_area));
+      dt = std::min(dt, pair->vote_on_step(element_step));
     return dt;
   }
 
   void ContactSystem::set_penalties(const double dt)
   {
     for (const auto &pair : pairs_)
-      // eps = f (m/A)/dt^2 with the least mass per area of both surfaces, or the given value
-      pair->contact.set_penalty(pair->penalty().value_for_step(pair->mass_per_area, dt),
-                                pair->mass_per_area);
+      pair->contact.set_penalty(pair->penalty_for_step(dt), pair->mass_per_area);
   }
 
   std::vector<double> ContactSystem::penalties() const
@@ -192,10 +191,11 @@ namespace vfife
     for (const auto &pair : pairs_)
       for (const ContactSurface *surface : pair->surfaces())
         {
-          // A node on a spring k = eps A gets k/(2 phi^2) more mass, phi the fraction, whether it
-          // touches or not: masses stay as they are when contact opens and closes.
-          const auto &areas = surface == &pair->slave ? pair->contact.slave_node_areas()
-                                                      : pair->contact.master_node_areas();
+          // A node on a spring k = eps C gets k/(2 phi^2) more mass, phi the fraction, C the area
+          // of points that it may carry, whether it touches or not: masses stay as they are when
+          // contact opens and closes.
+          const auto areas = surface == &pair->slave ? pair->contact.slave_carried_areas()
+                                                     : pair->contact.master_carried_areas();
           for (std::size_t i = 0; i < surface->local.size(); ++i)
             if (surface->local[i] != Partition::absent)
               masses[surface->local[i]] +=

@@ -10,6 +10,12 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /** Ratio of mean facet sizes, slave to master, from which a user is told. */
+    constexpr double clearly_coarser = 1.5;
+  } // namespace
+
   double ContactSystem::energy() const
   {
     return sums_[0];
@@ -59,6 +65,32 @@ namespace vfife
     const std::vector<double>      all   = communicator_.all_gather(deepest);
     const std::vector<std::string> texts = communicator_.all_gather(text.str());
     return texts[std::max_element(all.begin(), all.end()) - all.begin()];
+  }
+
+  std::vector<std::string> ContactSystem::describe_coarse_slaves() const
+  {
+    std::vector<std::string> sentences;
+    for (const auto &pair : pairs_)
+      {
+        const Contact &contact = pair->contact;
+        if (contact.coarseness() < clearly_coarser)
+          continue;
+        // How much more than its own area a node of the master must reckon with.
+        double      most = 1;
+        const auto &own = contact.master_node_areas(), carried = contact.master_carried_areas();
+        for (std::size_t i = 0; i < own.size(); ++i)
+          if (own[i] > 0)
+            most = std::max(most, carried[i] / own[i]);
+        std::ostringstream text;
+        text.precision(3);
+        text << "contact " << pair->definition.side << ": facets of the slave \""
+             << model_.bodies[pair->slave.body].name() << "\" are " << contact.coarseness()
+             << " times as wide as those of the master \""
+             << model_.bodies[pair->master.body].name() << "\", where a node may carry " << most
+             << " times its own area: the finer surface should be the slave";
+        sentences.push_back(text.str());
+      }
+    return sentences;
   }
 
   std::vector<ToothContact> ContactSystem::collect_results() const

@@ -44,7 +44,7 @@ namespace vfife
     , log_(log)
     , timers_(timers)
     , operator_(model, options.frame, options.stiffness, communicator, layout_for(options))
-    , contact_(model, operator_.partition(), communicator)
+    , contact_(model, operator_.partition(), communicator, options.safety)
     , walls_(model, operator_.partition(), communicator)
     , torques_(model, operator_.partition())
     , loads_(model, operator_, communicator)

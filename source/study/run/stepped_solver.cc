@@ -61,6 +61,8 @@ namespace vfife
     for (std::size_t i = 0; i < penalties.size(); ++i)
       log.line(
         "contact penalty of the ", model.contacts[i].side, " side ", penalties[i], " N/mm^3");
+    for (const std::string &sentence : solver.contact().describe_coarse_slaves())
+      log.line(sentence);
     log.line(vfife.n_congruence_classes(),
              " classes of congruent elements on this rank, kernels for ",
              vfife.instruction_set());

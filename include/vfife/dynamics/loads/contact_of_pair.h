@@ -48,7 +48,17 @@ namespace vfife
   /** A contact pair of the model with its contact. */
   struct ContactOfPair
   {
-    ContactOfPair(const ContactPair &pair, const Model &model, const Partition &partition);
+    /** @p safety: step over the largest stable one, of all else that acts. */
+    ContactOfPair(const ContactPair &pair,
+                  const Model       &model,
+                  const Partition   &partition,
+                  double             safety);
+
+    /** Largest stable step [s] where everything else allows @p step. */
+    double vote_on_step(double step) const;
+
+    /** Penalty at the step @p dt [s] [N/mm^3]. */
+    double penalty_for_step(double dt) const;
 
     /** Penetration at which a run is given up [mm]. */
     double penetration_limit() const
@@ -69,7 +79,16 @@ namespace vfife
     const ContactPair &definition;
     ContactSurface     slave, master;
     Contact            contact;
-    double             mass_per_area;
+    double             mass_per_area; ///< least of both surfaces [t/mm^2]
+    /** The same by the area that nodes can carry from the other side's points. */
+    double carried_mass_per_area;
+
+  private:
+    /** Whether the safety of the step @p step of everything else covers what nodes carry beyond
+     * their own area. */
+    bool is_covered(double step) const;
+
+    double safety_;
   };
 } // namespace vfife
 

@@ -26,7 +26,11 @@ namespace vfife
   class ContactSystem
   {
   public:
-    ContactSystem(const Model &model, const Partition &partition, const Communicator &communicator);
+    /** @p safety: the step that elements allow over their largest stable one. */
+    ContactSystem(const Model        &model,
+                  const Partition    &partition,
+                  const Communicator &communicator,
+                  double              safety);
     ~ContactSystem();
 
     bool empty() const;
@@ -43,6 +47,10 @@ namespace vfife
 
     /** Penalty of each pair [N/mm^3]. */
     std::vector<double> penalties() const;
+
+    /** Sentences about slaves that are clearly coarser than their masters: which surface should be
+     * the slave, and what it costs that it is not. */
+    std::vector<std::string> describe_coarse_slaves() const;
 
     /**
      * Broad search: which surface groups (teeth) can touch during the next @p duration [s], from

@@ -1,0 +1,119 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// A slave whose facets are ten times and more as wide as those of its master: the step bears the
+// points that fall on the master's small nodes, and a relaxation finds its equilibrium.
+#include "../tests.h"
+#include "one_solver.h"
+
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/dynamics/equilibrium/relaxation.h>
+#include <vfife/mesh/body_mesh.h>
+
+using namespace vfife;
+
+namespace
+{
+  /** A block of 5 mm over a floor, both of steel; cells across. */
+  Model make_model(const unsigned int cells, const unsigned int floor_cells, const double gap)
+  {
+    Model model;
+    model.add_body(
+      Body("floor",
+           make_block(Vector3(6, 6, 1), {{floor_cells, floor_cells, 4}}, Vector3(-0.5, -0.5, -1)),
+           Material()));
+    Body block("block", make_block(Vector3(5, 5, 5), {{cells, cells, cells}}), Material());
+    block.placement.translation[2] = gap;
+    block.axis.point               = block.placement.translation;
+    model.add_body(std::move(block));
+
+    Constraint ground;
+    ground.name  = "ground";
+    ground.nodes = model.bodies[0].node_set("z-");
+    model.constraints.push_back(ground);
+    ContactPair pair;
+    pair.side            = "face";
+    pair.slave_body      = 1;
+    pair.slave_surface   = "z-";
+    pair.master_surface  = "z+";
+    pair.options.surface = ContactSurfaceKind::flat_facets;
+    model.contacts.push_back(pair);
+    return model;
+  }
+
+  void landing()
+  {
+    Model model                 = make_model(2, 24, 1e-4);
+    model.bodies[1].velocity[2] = -200;
+    OneSolver run(model, undamped());
+    double    error = 0, force = 0;
+    auto      observers = watch(1, [&](const State &state) {
+      error = std::max(error, std::abs(state.measured.energy.error()));
+      force = std::max(force, state.measured.contact_force);
+    });
+    run.solver.run(run.state, 20e-6, observers);
+    // rho c v A of a one-dimensional wave, steel against steel through a thin floor: the size.
+    check("lands: contact force within a factor of 2 of the wave's",
+          force > 0.5 * 200 * 25 * 7.85e-9 * 5.1e6 && force < 2 * 200 * 25 * 7.85e-9 * 6e6);
+    check_below("lands: largest energy error", error, 5e-3);
+  }
+
+  /** Surfaces that match have what the nodes' own areas allow. */
+  void matching()
+  {
+    for (const double safety : {0.9, 1.})
+      {
+        DynamicsOptions options = undamped();
+        options.safety          = safety;
+        const Model  model      = make_model(5, 6, 0.);
+        OneSolver    run(model, options);
+        const Body  &floor  = model.bodies[0];
+        const double m_by_A = floor.material().density * 0.25 / 2, dt = run.state.dt;
+        const double part = run.solver.contact().penalties()[0] / (0.5 * m_by_A / (dt * dt));
+        check_close("matching surfaces: penalty", part, 1., 1e-12);
+        check_close("step", dt / (safety * run.solver.element_step()), std::sqrt(0.75), 1e-12);
+      }
+  }
+
+  void relaxing()
+  {
+    Model model = make_model(1, 60, 0.);
+    Load  press;
+    press.name   = "press";
+    press.body   = 1;
+    press.nodes  = model.bodies[1].node_set("z+");
+    press.vector = Vector3(0, 0, -1000);
+    press.history.check("press");
+    model.loads.push_back(press);
+    // Off the lines of the floor's nodes, on which a point would rest on an edge.
+    model.bodies[1].placement.translation += Vector3(0.03, 0.04, 0);
+    Constraint guide;
+    guide.name       = "guide";
+    guide.kind       = ConstraintKind::directions;
+    guide.body       = 1;
+    guide.nodes      = model.bodies[1].node_set("z+");
+    guide.prescribed = {{true, true, false}};
+    guide.history.check("guide");
+    model.constraints.push_back(guide);
+
+    OneSolver  run(model, undamped());
+    Relaxation relaxation(model,
+                          run.options.relaxation,
+                          run.solver.vfife_operator(),
+                          run.solver.contact(),
+                          run.solver.walls(),
+                          run.communicator,
+                          run.log);
+    State     &state  = run.state;
+    const auto report = relaxation.solve(state, Relaxation::Loads());
+    check("relaxes in less than 10,000 steps", report.steps < 10000);
+    run.solver.measure_at_rest(state);
+    check_close("contact force over the load", state.measured.contact_force / 1000., 1., 1e-4);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  landing();
+  matching();
+  relaxing();
+}
