@@ -1,9 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/shown_text.h>
 
 #include "file_mesh.h"
 
-#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <map>
@@ -29,10 +30,7 @@ namespace vfife
       std::istringstream       in(line);
       std::string              word;
       while (std::getline(in, word, ','))
-        {
-          const auto first = word.find_first_not_of(" \t\r"), last = word.find_last_not_of(" \t\r");
-          words.push_back(first == std::string::npos ? "" : word.substr(first, last - first + 1));
-        }
+        words.push_back(trimmed(word));
       while (!words.empty() && words.back().empty())
         words.pop_back();
       return words;
@@ -62,14 +60,15 @@ namespace vfife
             else if (data_ != nullptr)
               (this->*data_)(split(line));
           }
+        check_element_is_whole();
         if (mesh_.elements.empty())
           refuse("there are no hexahedra (C3D8 elements)");
-        finish();
+        mesh_.finish(node_sets_, surfaces_, element_sets_);
         return std::move(mesh_);
       }
 
     private:
-      using Members = std::map<std::string, std::vector<unsigned int>>;
+      using Members = FileMesh::Members;
 
       [[noreturn]] void refuse(const std::string &message) const
       {
@@ -80,7 +79,7 @@ namespace vfife
       {
         if (word.empty() || word.find_first_not_of("0123456789") != std::string::npos ||
             word.size() > 18)
-          refuse("\"" + word + "\" is no number of a node or element");
+          refuse("\"" + shown(word) + "\" is no number of a node or element");
         return std::stoul(word);
       }
 
@@ -89,7 +88,7 @@ namespace vfife
         std::istringstream in(word);
         double             value;
         if (!(in >> value) || !in.eof())
-          refuse("\"" + word + "\" is no number");
+          refuse("\"" + shown(word) + "\" is no number");
         return value;
       }
 
@@ -110,13 +109,10 @@ namespace vfife
             // OPTION or OPTION = VALUE; the option in any case of letters, the value as it is
             // written.
             const auto equals = words[i].find('=');
-            const auto key    = upper(split(words[i].substr(0, equals)).at(0));
-            options_[key] =
-              equals == std::string::npos || split(words[i].substr(equals + 1)).empty()
-                ? ""
-                : split(words[i].substr(equals + 1))[0];
+            const auto key    = upper(trimmed(words[i].substr(0, equals)));
+            options_[key] = equals == std::string::npos ? "" : trimmed(words[i].substr(equals + 1));
           }
-        pending_.clear();
+        check_element_is_whole();
         const std::string keyword = upper(words[0]);
         data_                     = nullptr;
         if (keyword == "*NODE")
@@ -145,7 +141,7 @@ namespace vfife
         if (type == "C3D8" || type == "C3D8R" || type == "C3D8I")
           data_ = &AbaqusReader::read_hexahedron;
         else if (type.rfind("C3D", 0) == 0)
-          refuse("elements of type " + type + " are no 8-node hexahedra (C3D8)");
+          refuse("elements of type " + shown(type) + " are no 8-node hexahedra (C3D8)");
         else if (type.find('4') != std::string::npos && type[0] != 'T' && type[0] != 'B')
           data_ = &AbaqusReader::read_shell;
       }
@@ -154,7 +150,8 @@ namespace vfife
       {
         if (words.size() < 4)
           refuse("a node needs a number and three coordinates");
-        node_index_[label(words[0])] = mesh_.nodes.size();
+        if (!node_index_.emplace(label(words[0]), mesh_.nodes.size()).second)
+          refuse("there is a second node " + words[0]);
         if (!options_["NSET"].empty())
           node_sets_[options_["NSET"]].push_back(mesh_.nodes.size());
         mesh_.nodes.emplace_back(number(words[1]), number(words[2]), number(words[3]));
@@ -168,13 +165,24 @@ namespace vfife
         pending_.insert(pending_.end(), words.begin(), words.end());
         if (pending_.size() < 9)
           return; // goes on in the next line
+        if (pending_.size() > 9)
+          refuse("an element needs its number and eight nodes, not more");
         CellNodes nodes;
         for (unsigned int k = 0; k < 8; ++k)
           nodes[place[k]] = node(pending_[k + 1]);
-        element_index_[label(pending_[0])] = mesh_.elements.size();
+        if (!element_index_.emplace(label(pending_[0]), mesh_.elements.size()).second)
+          refuse("there is a second element " + pending_[0]);
         element_sets_[options_["ELSET"]].push_back(mesh_.elements.size());
         mesh_.elements.push_back(nodes);
+        mesh_.element_lines.push_back(line_);
         pending_.clear();
+      }
+
+      /** An element may be cut by the next keyword or the end of the file. */
+      void check_element_is_whole() const
+      {
+        if (!pending_.empty())
+          refuse("the element before has fewer than eight nodes");
       }
 
       void read_shell(const std::vector<std::string> &words)
@@ -212,9 +220,11 @@ namespace vfife
             const unsigned long step = words.size() > 2 ? label(words[2]) : 1;
             if (step == 0)
               refuse("the step of GENERATE must not be 0");
-            const unsigned long last = label(words[1]);
-            for (unsigned long i = label(words[0]); i <= last; i += step)
-              add(i);
+            // Not from the first number to the last: they may be far from each other.
+            const unsigned long first = label(words[0]), last = label(words[1]);
+            for (const auto &[number, place] : index)
+              if (number >= first && number <= last && (number - first) % step == 0)
+                set_->push_back(place);
             return;
           }
         for (const std::string &word : words)
@@ -244,56 +254,12 @@ namespace vfife
           {
             const auto found = element_index_.find(label(words[0]));
             if (found == element_index_.end())
-              refuse("there is no element " + words[0]);
+              refuse("there is no element " + shown(words[0]));
             elements = {found->second};
           }
         for (const unsigned int element : elements)
           for (const unsigned int corner : corners[words[1][1] - '1'])
             surfaces_[options_["NAME"]].push_back(mesh_.elements[element][corner]);
-      }
-
-      /** Sorted groups; nodes that no hexahedron uses (of shells, reference points) go. */
-      void finish()
-      {
-        // nodes in the order in which elements use them
-        const unsigned int        none = -1;
-        std::vector<unsigned int> index(mesh_.nodes.size(), none);
-        std::vector<Vector3>      nodes;
-        for (CellNodes &element : mesh_.elements)
-          for (unsigned int &corner : element)
-            {
-              if (index[corner] == none)
-                {
-                  index[corner] = nodes.size();
-                  nodes.push_back(mesh_.nodes[corner]);
-                }
-              corner = index[corner];
-            }
-        mesh_.nodes         = nodes;
-        const auto renumber = [&](std::vector<unsigned int> &members) {
-          std::vector<unsigned int> used;
-          for (const unsigned int member : members)
-            if (index[member] != none)
-              used.push_back(index[member]);
-          members = used;
-        };
-        // sets and surfaces in the new numbers, without what belongs to no hexahedron
-        const auto hand_over = [](Members &members, std::vector<FileMesh::Group> &groups) {
-          for (auto &group : members)
-            {
-              std::sort(group.second.begin(), group.second.end());
-              group.second.erase(std::unique(group.second.begin(), group.second.end()),
-                                 group.second.end());
-              if (!group.first.empty() && !group.second.empty())
-                groups.push_back({group.first, group.second});
-            }
-        };
-        for (Members *members : {&node_sets_, &surfaces_})
-          for (auto &group : *members)
-            renumber(group.second);
-        hand_over(node_sets_, mesh_.node_sets);
-        hand_over(surfaces_, mesh_.surfaces);
-        hand_over(element_sets_, mesh_.regions);
       }
 
       const std::string &path_;

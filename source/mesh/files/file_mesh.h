@@ -18,21 +18,44 @@ namespace vfife
       std::string               name;
       std::vector<unsigned int> members; ///< sorted nodes or elements
     };
+    /** Members of groups while they are read, by name. */
+    using Members = std::map<std::string, std::vector<unsigned int>>;
 
-    std::vector<Vector3>   nodes;
-    std::vector<CellNodes> elements;  ///< lexicographic
-    std::vector<Group>     node_sets; ///< of nodes
-    std::vector<Group>     surfaces;  ///< of the nodes of boundary faces
-    std::vector<Group>     regions;   ///< of elements
+    std::vector<Vector3>      nodes;
+    std::vector<CellNodes>    elements;      ///< lexicographic
+    std::vector<unsigned int> element_lines; ///< of the file, for messages
+    std::vector<Group>        node_sets;     ///< of nodes
+    std::vector<Group>        surfaces;      ///< of the nodes of boundary faces
+    std::vector<Group>        regions;       ///< of elements
+
+    /** Nodes in the order in which elements use them, without those that none uses (of shells,
+     * reference points), and the groups made of these members, sorted: those without a name or
+     * members go. */
+    void finish(Members sets, Members of_surfaces, Members of_elements);
   };
+
+  /** Turns all hexahedra inside out if all have a negative volume: some programs number from the
+   * other side. */
+  void turn_inside_out(FileMesh &mesh);
+
+  /**
+   * Throws InputError unless the hexahedra can be a mesh: nodes are different, volumes positive and
+   * finite, and faces belong to one or two elements, which see the same edges in them. Begins with
+   * @p path and the line of the element.
+   */
+  void check_elements(const std::string &path, const FileMesh &mesh);
 
   /** Reads an Abaqus or CalculiX file (read_body()). */
   FileMesh read_abaqus(const std::string &path);
 
-  /** Adds the physical points of a Gmsh file, @p names by their numbers, as node sets. */
-  void add_gmsh_points(const std::string                         &path,
-                       const std::map<unsigned int, std::string> &names,
-                       FileMesh                                  &mesh);
+  /** Reads a Gmsh file of format 2.2 or 4.1 (read_body()). */
+  FileMesh read_gmsh(const std::string &path);
+
+  /** Reads an unstructured grid of VTK's legacy format in text (read_body()). */
+  FileMesh read_vtk(const std::string &path);
+
+  /** Reads AVS' unstructured cell data (read_body()). */
+  FileMesh read_ucd(const std::string &path);
 } // namespace vfife
 
 #endif

@@ -8,10 +8,10 @@
 
 #include "file_mesh.h"
 
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -19,120 +19,23 @@ namespace vfife
 {
   namespace
   {
-    using GridInput = dealii::GridIn<3>;
-    /** Names of physical groups: [dimension][number]. */
-    using GroupNames = std::map<unsigned int, std::map<unsigned int, std::string>>;
-
     void sort_unique(std::vector<unsigned int> &members)
     {
       std::sort(members.begin(), members.end());
       members.erase(std::unique(members.begin(), members.end()), members.end());
     }
 
-    /** Names in the section $PhysicalNames of a Gmsh file. */
-    GroupNames read_group_names(const std::string &path)
-    {
-      std::ifstream in(path);
-      std::string   line;
-      GroupNames    names;
-      while (std::getline(in, line) && line.rfind("$Nodes", 0) != 0)
-        {
-          //   dimension number "name"
-          std::istringstream words(line);
-          unsigned int       dimension, number;
-          const auto         quote = line.find('"'), end = line.rfind('"');
-          if (quote != end && words >> dimension >> number)
-            names[dimension][number] = line.substr(quote + 1, end - quote - 1);
-        }
-      return names;
-    }
-
-    /** Hexahedra, ids and names of what deal.II has read. */
-    FileMesh take_over(const dealii::Triangulation<3> &triangulation, GroupNames names)
-    {
-      FileMesh                                     mesh;
-      std::map<std::string, std::vector<unsigned>> surfaces, regions;
-      // place of each vertex among the nodes that are used
-      std::vector<unsigned int> index(triangulation.n_vertices(), -1);
-      // physical names where the file has them
-      const auto name_of = [&](const unsigned int dimension, const unsigned int id) {
-        const auto &of_dimension = names[dimension];
-        const auto  found        = of_dimension.find(id);
-        return found != of_dimension.end()
-                 ? found->second
-                 : (dimension == 2 ? "boundary " : "region ") + std::to_string(id);
-      };
-      for (const auto &cell : triangulation.active_cell_iterators())
-        {
-          CellNodes nodes;
-          for (unsigned int v = 0; v < 8; ++v)
-            {
-              unsigned int &i = index[cell->vertex_index(v)];
-              if (i == static_cast<unsigned int>(-1))
-                {
-                  i = mesh.nodes.size();
-                  mesh.nodes.emplace_back(cell->vertex(v)[0],
-                                          cell->vertex(v)[1],
-                                          cell->vertex(v)[2]);
-                }
-              nodes[v] = i;
-            }
-          regions[name_of(3, cell->material_id())].push_back(mesh.elements.size());
-          mesh.elements.push_back(nodes);
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() && face->boundary_id() != 0)
-              for (unsigned int v = 0; v < 4; ++v)
-                surfaces[name_of(2, face->boundary_id())].push_back(index[face->vertex_index(v)]);
-        }
-      for (auto &surface : surfaces)
-        mesh.surfaces.push_back({surface.first, surface.second});
-      for (auto &region : regions)
-        mesh.regions.push_back({region.first, region.second});
-      return mesh;
-    }
-
-    /** Formats that deal.II reads. */
-    FileMesh read_by_deal_ii(const std::string &path, const GridInput::Format format)
-    {
-      dealii::Triangulation<3> triangulation;
-      try
-        {
-          std::ifstream in(path);
-          GridInput     grid_in(triangulation);
-          grid_in.read(in, format);
-        }
-      catch (const dealii::ExceptionBase &error)
-        {
-          std::string what = error.get_exc_name();
-          if (what.empty())
-            what = "unknown content";
-          throw InputError(path + ": cannot be read as a mesh of hexahedra in the format " +
-                           GridInput::default_suffix(format) + " (deal.II says " + what + ")");
-        }
-      if (triangulation.n_active_cells() == 0 ||
-          !triangulation.all_reference_cells_are_hyper_cube())
-        throw InputError(path + ": has other volume elements than hexahedra, or none");
-      if (format != GridInput::msh)
-        return take_over(triangulation, GroupNames());
-      // what deal.II passes over: names of groups, and physical points
-      GroupNames names = read_group_names(path);
-      FileMesh   mesh  = take_over(triangulation, names);
-      add_gmsh_points(path, names[0], mesh);
-      return mesh;
-    }
-
     using ReadMesh = FileMesh (*)(const std::string &path);
 
     /** All formats, by the end of the file's name. */
-    const Choices<ReadMesh> formats = {
-      {"msh", [](const std::string &path) { return read_by_deal_ii(path, GridInput::msh); }},
-      {"inp", &read_abaqus},
-      {"vtk", [](const std::string &path) { return read_by_deal_ii(path, GridInput::vtk); }},
-      {"ucd", [](const std::string &path) { return read_by_deal_ii(path, GridInput::ucd); }}};
+    const Choices<ReadMesh> formats = {{"msh", &read_gmsh},
+                                       {"inp", &read_abaqus},
+                                       {"vtk", &read_vtk},
+                                       {"ucd", &read_ucd}};
 
     FileMesh read_file(const std::string &path)
     {
-      if (!std::ifstream(path))
+      if (!std::ifstream(path) || std::filesystem::is_directory(path))
         throw InputError("mesh file " + path + " cannot be opened");
       const auto               dot = path.rfind('.');
       const std::string        end = dot == std::string::npos ? "" : path.substr(dot + 1);
@@ -140,7 +43,13 @@ namespace vfife
       for (const auto &format : formats)
         {
           if (format.first == end)
-            return format.second(path);
+            {
+              FileMesh mesh = format.second(path);
+              if (end != "inp")
+                turn_inside_out(mesh);
+              check_elements(path, mesh);
+              return mesh;
+            }
           ends.push_back("." + format.first);
         }
       throw InputError("mesh file " + path + ": the end of the name must be one of " +
@@ -150,19 +59,18 @@ namespace vfife
     /** deal.II wants opposite edges of a cell to point the same way in all cells. */
     void orient(const std::string &path, FileMesh &mesh)
     {
-      // an inverted element is told by its volume, before the order of its edges is touched
-      std::vector<dealii::Point<3>> points;
-      for (const Vector3 &x : mesh.nodes)
-        points.emplace_back(x[0], x[1], x[2]);
       std::vector<dealii::CellData<3>> cells(mesh.elements.size());
       for (std::size_t e = 0; e < cells.size(); ++e)
+        std::copy(mesh.elements[e].begin(), mesh.elements[e].end(), cells[e].vertices.begin());
+      try
         {
-          std::copy(mesh.elements[e].begin(), mesh.elements[e].end(), cells[e].vertices.begin());
-          if (!(dealii::GridTools::cell_measure<3>(points, cells[e].vertices) > 0.))
-            throw InputError(path + ": element " + std::to_string(e + 1) +
-                             " (in the order of the file) is inverted");
+          dealii::GridTools::consistently_order_cells(cells);
         }
-      dealii::GridTools::consistently_order_cells(cells);
+      catch (const dealii::ExceptionBase &)
+        {
+          throw InputError(path + ": the edges of the hexahedra cannot be given directions that "
+                                  "agree in all of them, as in a twisted ring");
+        }
       for (std::size_t e = 0; e < cells.size(); ++e)
         std::copy(cells[e].vertices.begin(), cells[e].vertices.end(), mesh.elements[e].begin());
     }
@@ -190,7 +98,14 @@ namespace vfife
             nodes.insert(nodes.end(), file.elements[element].begin(), file.elements[element].end());
           }
       }
-    create_triangulation(*mesh, file.nodes, file.elements, regions);
+    try
+      {
+        create_triangulation(*mesh, file.nodes, file.elements, regions);
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+        throw InputError(path + ": the hexahedra cannot be joined to a mesh");
+      }
     mesh->sector.assign(file.elements.size(), 0);
 
     // 3. Node sets, and surfaces with their node sets.
@@ -205,8 +120,15 @@ namespace vfife
     for (const auto &group : file.surfaces)
       {
         names.push_back(group.name);
-        mesh->surfaces[group.name] =
-          surface_of_boundary(mesh->triangulation, group.name, mesh->node_sets.at(group.name));
+        try
+          {
+            mesh->surfaces[group.name] =
+              surface_of_boundary(mesh->triangulation, group.name, mesh->node_sets.at(group.name));
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(path + ": " + error.what());
+          }
       }
     // More surfaces than ids: they are all known by name, the faces of the mesh have none.
     if (names.size() <= most_boundaries)

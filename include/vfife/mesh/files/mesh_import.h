@@ -17,8 +17,9 @@ namespace vfife
    *         shells by their ELSET;
    *   .vtk  VTK's legacy format, .ucd AVS: regions "region N", surfaces "boundary N" by their ids.
    * Names are node sets; those of surfaces are surfaces as well, and boundary ids 1, 2, ... in
-   * alphabetical order. Throws InputError (one line with the file's name) when the file cannot be
-   * opened or read, has other volume elements than hexahedra, or an inverted one.
+   * alphabetical order. Throws InputError (one line with the file's name and line) when the file
+   * cannot be opened or read, has other volume elements than hexahedra, or hexahedra that are no
+   * mesh: inverted, twice the same, more than two at a face.
    */
   std::unique_ptr<BodyMesh> read_body(const std::string &path);
 } // namespace vfife

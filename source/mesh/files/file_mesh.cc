@@ -1,0 +1,170 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+
+#include "file_mesh.h"
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Corners of the faces in cyclic order. */
+    constexpr unsigned int cyclic_faces[6][4] = {
+      {0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+
+    /** A face seen from one of its elements. */
+    struct Face
+    {
+      std::array<unsigned int, 4> nodes;    ///< sorted
+      unsigned int                opposite; ///< the node opposite to the first one of these
+      unsigned int                element;
+
+      bool operator<(const Face &other) const
+      {
+        return std::tie(nodes, element) < std::tie(other.nodes, other.element);
+      }
+    };
+
+    std::vector<Face> collect_faces(const std::vector<CellNodes> &elements)
+    {
+      std::vector<Face> faces;
+      faces.reserve(6 * elements.size());
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        for (const auto &corners : cyclic_faces)
+          {
+            Face face;
+            for (unsigned int v = 0; v < 4; ++v)
+              face.nodes[v] = elements[e][corners[v]];
+            const auto first = std::min_element(face.nodes.begin(), face.nodes.end());
+            face.opposite    = face.nodes[(first - face.nodes.begin() + 2) % 4];
+            face.element     = e;
+            std::sort(face.nodes.begin(), face.nodes.end());
+            faces.push_back(face);
+          }
+      std::sort(faces.begin(), faces.end());
+      return faces;
+    }
+
+    std::vector<dealii::Point<3>> points_of(const FileMesh &mesh)
+    {
+      std::vector<dealii::Point<3>> points;
+      points.reserve(mesh.nodes.size());
+      for (const Vector3 &x : mesh.nodes)
+        points.emplace_back(x[0], x[1], x[2]);
+      return points;
+    }
+
+    double volume(const std::vector<dealii::Point<3>> &points, const CellNodes &element)
+    {
+      const std::vector<unsigned int> corners(element.begin(), element.end());
+      return dealii::GridTools::cell_measure<3>(points, corners);
+    }
+  } // namespace
+
+  void FileMesh::finish(Members sets, Members of_surfaces, Members of_elements)
+  {
+    // nodes in the order in which elements use them
+    const unsigned int        none = -1;
+    std::vector<unsigned int> index(nodes.size(), none);
+    std::vector<Vector3>      used;
+    for (CellNodes &element : elements)
+      for (unsigned int &corner : element)
+        {
+          if (index[corner] == none)
+            {
+              index[corner] = used.size();
+              used.push_back(nodes[corner]);
+            }
+          corner = index[corner];
+        }
+    nodes = used;
+    // sets and surfaces in the new numbers, without what belongs to no hexahedron
+    for (Members *members : {&sets, &of_surfaces})
+      for (auto &group : *members)
+        {
+          std::vector<unsigned int> kept;
+          for (const unsigned int member : group.second)
+            if (index[member] != none)
+              kept.push_back(index[member]);
+          group.second = kept;
+        }
+    const auto hand_over = [](Members &members, std::vector<Group> &groups) {
+      for (auto &group : members)
+        {
+          std::sort(group.second.begin(), group.second.end());
+          group.second.erase(std::unique(group.second.begin(), group.second.end()),
+                             group.second.end());
+          if (!group.first.empty() && !group.second.empty())
+            groups.push_back({group.first, group.second});
+        }
+    };
+    hand_over(sets, node_sets);
+    hand_over(of_surfaces, surfaces);
+    hand_over(of_elements, regions);
+  }
+
+  void turn_inside_out(FileMesh &mesh)
+  {
+    const auto points = points_of(mesh);
+    for (const CellNodes &element : mesh.elements)
+      if (!(volume(points, element) < 0.))
+        return;
+    for (CellNodes &element : mesh.elements)
+      std::swap_ranges(element.begin(), element.begin() + 4, element.begin() + 4);
+  }
+
+  void check_elements(const std::string &path, const FileMesh &mesh)
+  {
+    const auto refuse = [&](const unsigned int element, const std::string &message) {
+      throw InputError(path + ":" + std::to_string(mesh.element_lines[element]) + ": element " +
+                       std::to_string(element + 1) + " (in the order of the file) " + message);
+    };
+    const auto line_of = [&](const unsigned int element) {
+      return "that of line " + std::to_string(mesh.element_lines[element]);
+    };
+    // Nodes before volumes: with one node twice the volume may still be positive.
+    const auto points = points_of(mesh);
+    for (unsigned int e = 0; e < mesh.elements.size(); ++e)
+      {
+        CellNodes nodes = mesh.elements[e];
+        std::sort(nodes.begin(), nodes.end());
+        if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end())
+          refuse(e, "has a node twice");
+        const double measure = volume(points, mesh.elements[e]);
+        if (!std::isfinite(measure))
+          refuse(e, "has corners too far away for a volume");
+        if (!(measure > 0.))
+          refuse(e, "is inverted, or has no volume");
+      }
+    // Equal elements, and equal faces, are neighbours in sorted lists.
+    std::vector<std::pair<CellNodes, unsigned int>> copies;
+    for (unsigned int e = 0; e < mesh.elements.size(); ++e)
+      {
+        copies.emplace_back(mesh.elements[e], e);
+        std::sort(copies.back().first.begin(), copies.back().first.end());
+      }
+    std::sort(copies.begin(), copies.end());
+    for (std::size_t i = 1; i < copies.size(); ++i)
+      if (copies[i - 1].first == copies[i].first)
+        refuse(copies[i].second, "has the same nodes as " + line_of(copies[i - 1].second));
+    const std::vector<Face> faces = collect_faces(mesh.elements);
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      {
+        const Face &one = faces[i - 1], &two = faces[i];
+        if (one.nodes != two.nodes)
+          continue;
+        if (i + 1 < faces.size() && faces[i + 1].nodes == two.nodes)
+          refuse(faces[i + 1].element,
+                 "has a face that two other elements have already, " + line_of(one.element) +
+                   " and " + line_of(two.element));
+        if (one.opposite != two.opposite)
+          refuse(two.element,
+                 "shares four nodes with " + line_of(one.element) + ", but not the face's edges");
+      }
+  }
+} // namespace vfife

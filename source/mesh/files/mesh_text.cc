@@ -1,0 +1,110 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/shown_text.h>
+
+#include "mesh_text.h"
+
+#include <charconv>
+
+namespace vfife
+{
+  MeshText::MeshText(const std::string &path, const char comment)
+    : path_(path)
+    , file_(path)
+    , comment_(comment)
+  {
+  }
+
+  void MeshText::refuse(const std::string &message) const
+  {
+    throw InputError(path_ + ":" + std::to_string(line_) + ": " + message);
+  }
+
+  unsigned int MeshText::line() const
+  {
+    return line_;
+  }
+
+  std::string MeshText::next()
+  {
+    std::string found, line;
+    while (!(words_ >> found))
+      {
+        if (!std::getline(file_, line))
+          return "";
+        ++line_;
+        words_.clear();
+        words_.str(comment_ != '\0' && line[0] == comment_ ? "" : line);
+      }
+    return found;
+  }
+
+  std::string MeshText::word(const std::string &what)
+  {
+    std::string found = next();
+    if (found.empty())
+      refuse("the file ends where " + what + " should stand");
+    return found;
+  }
+
+  void MeshText::expect(const std::string &expected)
+  {
+    const std::string found = word(expected);
+    if (found != expected)
+      refuse("\"" + shown(found) + "\" stands where " + expected + " should");
+  }
+
+  double MeshText::number(const std::string &what)
+  {
+    const std::string found = word(what);
+    std::string       rest;
+    try
+      {
+        const double value = read_number(found, rest);
+        if (rest.empty())
+          return value;
+      }
+    catch (const InputError &)
+      {
+        // the place says more than the reason
+      }
+    refuse("\"" + shown(found) + "\" is no number; " + what + " should stand there");
+  }
+
+  Vector3 MeshText::point()
+  {
+    Vector3 x;
+    for (unsigned int c = 0; c < 3; ++c)
+      x[c] = number("a coordinate");
+    return x;
+  }
+
+  long MeshText::integer(const std::string &what, const long least)
+  {
+    const std::string found  = word(what);
+    long              value  = 0;
+    const auto        result = std::from_chars(found.data(), found.data() + found.size(), value);
+    if (result.ec != std::errc() || result.ptr != found.data() + found.size())
+      refuse("\"" + shown(found) + "\" is no whole number; " + what + " should stand there");
+    if (value < least)
+      refuse(what + " must be at least " + std::to_string(least) + ", not " + found);
+    return value;
+  }
+
+  std::string MeshText::rest_of_line()
+  {
+    std::string line;
+    if (std::getline(words_, line) && !trimmed(line).empty())
+      return trimmed(line);
+    words_.clear();
+    words_.str("");
+    while (std::getline(file_, line))
+      {
+        ++line_;
+        if (!trimmed(line).empty())
+          return trimmed(line);
+      }
+    return "";
+  }
+} // namespace vfife
