@@ -4,6 +4,7 @@
 #include <vfife/model/load_shares.h>
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include <numeric>
 
@@ -83,30 +84,72 @@ namespace vfife
     return 0.5 * (c - a).cross(d - b);
   }
 
-  void MomentSums::add(const double share, const Vector3 &place)
+  MomentTraction::MomentTraction(std::vector<double>         shares,
+                                 const std::vector<Vector3> &places,
+                                 const std::string          &load)
+    : shares_(std::move(shares))
+    , load_(load)
   {
-    // With A the share: [0] sum A, [1..3] sum A x, [4..12] sum A x x^T about the origin. No centre
-    // is needed while summing, so that ranks add up their sums in one reduction.
-    const Matrix3 second = share * place * place.transpose();
-    values[0] += share;
-    for (unsigned int c = 0; c < 3; ++c)
-      values[1 + c] += share * place[c];
-    for (unsigned int c = 0; c < 9; ++c)
-      values[4 + c] += second.data()[c];
+    Vector3 centre = Vector3::Zero();
+    for (std::size_t i = 0; i < places.size(); ++i)
+      centre += shares_[i] * places[i];
+    centre /= std::accumulate(shares_.begin(), shares_.end(), 0.);
+    for (const Vector3 &place : places)
+      arms_.push_back(place - centre);
+    try
+      {
+        solve(Vector3::Zero());
+      }
+    catch (const NumericalError &)
+      {
+        throw InputError("load \"" + load_ +
+                         "\": its nodes lie on a line and cannot carry a moment");
+      }
   }
 
-  std::pair<Vector3, Vector3> MomentSums::solve(const Vector3     &moment,
-                                                const std::string &load) const
+  void
+  MomentTraction::add(const std::size_t i, const Vector3 &place, std::vector<double> &sums) const
   {
-    // About the centre (Steiner), r = x - centre: J = tr(S) I - S with S = sum A r r^T. The forces
-    // A w x r with J w = M have the moment sum A r x (w x r) = J w = M.
-    const Vector3 centre = Vector3(values[1], values[2], values[3]) / values[0];
-    const Matrix3 second =
-      Eigen::Map<const Matrix3>(values.data() + 4) - values[0] * centre * centre.transpose();
-    const Matrix3                   inertia = second.trace() * Matrix3::Identity() - second;
+    // The present centre is not needed: sum A r = 0.
+    Eigen::Map<Matrix3>(sums.data()) += shares_[i] * place * arms_[i].transpose();
+  }
+
+  MomentTraction::Motion MomentTraction::solve(const Vector3             &moment,
+                                               const std::vector<double> &sums) const
+  {
+    // 1. Mean rotation: R minimizes sum A |x - c - R r|^2. Nodes of a plane leave the third
+    // singular value at zero; its direction is chosen so that R does not mirror.
+    const Eigen::Map<const Matrix3> second(sums.data());
+    const Eigen::JacobiSVD<Matrix3> svd(second, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Matrix3                         U = svd.matrixU();
+    if ((U * svd.matrixV().transpose()).determinant() < 0)
+      U.col(2) *= -1;
+    Motion motion;
+    motion.rotation = U * svd.matrixV().transpose();
+
+    // 2. A spin w of R needs J w = sum A (R r) x dx, J = tr(S) I - S with the symmetric
+    // S = sum A x (R r)^T: M . w is the power of the forces A (J^-1 M) x (R r).
+    const Matrix3                   S       = second * motion.rotation.transpose();
+    const Matrix3                   inertia = S.trace() * Matrix3::Identity() - S;
     const Eigen::FullPivLU<Matrix3> factors(inertia);
     if (!factors.isInvertible())
-      throw InputError("load \"" + load + "\": its nodes lie on a line and cannot carry a moment");
-    return {centre, factors.solve(moment)};
+      throw NumericalError("load \"" + load_ +
+                           "\": its nodes have come to lie on a line, where a "
+                           "moment finds no arm");
+    motion.turn = factors.solve(moment);
+    return motion;
+  }
+
+  MomentTraction::Motion MomentTraction::solve(const Vector3 &moment) const
+  {
+    std::vector<double> sums = make_sums();
+    for (std::size_t i = 0; i < arms_.size(); ++i)
+      add(i, arms_[i], sums);
+    return solve(moment, sums);
+  }
+
+  Vector3 MomentTraction::force(const std::size_t i, const Motion &motion) const
+  {
+    return shares_[i] * motion.turn.cross(motion.rotation * arms_[i]);
   }
 } // namespace vfife

@@ -71,35 +71,47 @@ namespace
     check("acceleration: the masses", compute_load_shares(load, body) == body.node_masses());
   }
 
-  /** Places of the nodes of an end face, moved, with the forces of a moment on them. */
+  /** The nodes of an end face that carry a moment. */
   struct LoadedFace
   {
     std::vector<double>  areas;
-    std::vector<Vector3> places, forces;
+    std::vector<Vector3> undeformed;
+    MomentTraction       traction;
 
-    LoadedFace(const Body &body, const RigidMotion &motion, const Vector3 &moment)
+    explicit LoadedFace(const Body &body)
+      : areas(compute_nodal_areas(body, body.node_set("x+")))
+      , undeformed(places_of(body))
+      , traction(areas, undeformed, "bend")
     {
-      const auto &nodes = body.node_set("x+");
-      areas             = compute_nodal_areas(body, nodes);
-      MomentSums sums, of_other_ranks;
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        {
-          places.push_back(motion(body.node_positions()[nodes[i]]));
-          (i % 3 == 0 ? of_other_ranks : sums).add(areas[i], places[i]);
-        }
-      for (std::size_t c = 0; c < sums.values.size(); ++c)
-        sums.values[c] += of_other_ranks.values[c];
-      const auto [centre, turn] = sums.solve(moment, "bend");
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        forces.push_back(areas[i] * turn.cross(places[i] - centre));
+    }
+
+    static std::vector<Vector3> places_of(const Body &body)
+    {
+      std::vector<Vector3> places;
+      for (const unsigned int node : body.node_set("x+"))
+        places.push_back(body.node_positions()[node]);
+      return places;
+    }
+
+    /** What the traction does with the nodes at @p places, summed as by two ranks. */
+    MomentTraction::Motion motion(const std::vector<Vector3> &places, const Vector3 &moment) const
+    {
+      std::vector<double> sums           = MomentTraction::make_sums();
+      std::vector<double> of_other_ranks = MomentTraction::make_sums();
+      for (std::size_t i = 0; i < places.size(); ++i)
+        traction.add(i, places[i], i % 3 == 0 ? of_other_ranks : sums);
+      for (std::size_t c = 0; c < sums.size(); ++c)
+        sums[c] += of_other_ranks[c];
+      return traction.solve(moment, sums);
     }
   };
 
   void moments()
   {
-    const Body    body = bar();
-    RigidMotion   motion;
-    const Vector3 moment(3000., -5000., 7000.);
+    const Body       body = bar();
+    RigidMotion      motion;
+    const Vector3    moment(3000., -5000., 7000.);
+    const LoadedFace face(body);
     for (const bool moved : {false, true})
       {
         if (moved)
@@ -107,13 +119,17 @@ namespace
             motion.rotation    = rotation_about(Vector3(1., -1., 2.).normalized(), 2.);
             motion.translation = Vector3(100., -50., 7.);
           }
-        const LoadedFace face(body, motion, motion.rotation * moment);
-        Vector3          force = Vector3::Zero(), turned = Vector3::Zero();
-        double           deviation = 0;
-        for (std::size_t i = 0; i < face.forces.size(); ++i)
+        std::vector<Vector3> places;
+        for (const Vector3 &place : face.undeformed)
+          places.push_back(motion(place));
+        const auto at    = face.motion(places, motion.rotation * moment);
+        Vector3    force = Vector3::Zero(), turned = Vector3::Zero();
+        double     deviation = 0;
+        for (std::size_t i = 0; i < places.size(); ++i)
           {
-            force += face.forces[i];
-            turned += face.places[i].cross(face.forces[i]);
+            const Vector3 nodal = face.traction.force(i, at);
+            force += nodal;
+            turned += places[i].cross(nodal);
             // Beam theory with the second moments of the nodes' areas.
             const Vector3 r  = body.node_positions()[body.node_set("x+")[i]] - Vector3(20., 0., 0.);
             const double  Iz = width * height * (width * width / 12 + 4. / 6);
@@ -121,9 +137,9 @@ namespace
             const Vector3 traction(moment[1] / Iy * r[2] - moment[2] / Iz * r[1],
                                    -moment[0] / (Iy + Iz) * r[2],
                                    moment[0] / (Iy + Iz) * r[1]);
-            deviation = std::max(
-              deviation,
-              (motion.rotation.transpose() * face.forces[i] - face.areas[i] * traction).norm());
+            deviation =
+              std::max(deviation,
+                       (motion.rotation.transpose() * nodal - face.areas[i] * traction).norm());
           }
         const std::string name = moved ? "moved end face: " : "end face: ";
         check_below(name + "sum of the forces [N]", force.norm(), 1e-9);
@@ -132,18 +148,68 @@ namespace
                     1e-8);
         check_below(name + "bending and torsion of beam theory [N]", deviation, 1e-9);
       }
-    MomentSums line;
+    std::vector<Vector3> line;
     for (unsigned int i = 0; i < 4; ++i)
-      line.add(1., Vector3(i, 2. * i, 1.));
+      line.emplace_back(i, 2. * i, 1.);
     try
       {
-        line.solve(moment, "bend");
+        MomentTraction({1., 1., 1., 1.}, line, "bend");
         check("refused", false);
       }
     catch (const InputError &error)
       {
         std::cout << error.what() << std::endl;
       }
+  }
+
+  /** A deformed end face that deforms further: the power of the forces is the moment times the
+   * rate of the mean rotation, whatever the nodes do among themselves. */
+  void power_of_a_moment()
+  {
+    const Body           body = bar();
+    const LoadedFace     face(body);
+    const Vector3        moment(3000., -5000., 7000.);
+    const Matrix3        turn = rotation_about(Vector3(1., -1., 2.).normalized(), 2.);
+    std::vector<Vector3> places, way;
+    for (std::size_t i = 0; i < face.undeformed.size(); ++i)
+      {
+        const double s = static_cast<double>(i);
+        places.push_back(turn * face.undeformed[i] +
+                         .3 * Vector3(std::sin(3 * s), std::cos(5 * s), std::sin(7 * s + 1)));
+        way.push_back(Vector3(std::cos(2 * s), std::sin(11 * s), std::cos(13 * s + 2)));
+      }
+    const auto at    = face.motion(places, moment);
+    Vector3    force = Vector3::Zero(), turned = Vector3::Zero();
+    double     power = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        const Vector3 nodal = face.traction.force(i, at);
+        force += nodal;
+        turned += places[i].cross(nodal);
+        power += nodal.dot(way[i]);
+      }
+    check_below("deformed end face: sum of the forces [N]", force.norm(), 1e-9);
+    check_below("deformed end face: their moment less the load's [N mm]",
+                (turned - moment).norm(),
+                1e-8);
+
+    // Spin by central differences: R(+h) R(-h)^T = 1 + 2 h [spin]x + O(h^3).
+    const double h     = 1e-5;
+    const auto   moved = [&](const double amount) {
+      std::vector<Vector3> there = places;
+      for (std::size_t i = 0; i < there.size(); ++i)
+        there[i] += amount * way[i];
+      return face.motion(there, moment).rotation;
+    };
+    const Matrix3 change = moved(h) * moved(-h).transpose();
+    const Vector3 spin   = Vector3(change(2, 1) - change(1, 2),
+                                 change(0, 2) - change(2, 0),
+                                 change(1, 0) - change(0, 1)) /
+                         (4 * h);
+    check_close("deformed end face: power of the forces over moment times mean spin",
+                power / moment.dot(spin),
+                1.,
+                1e-8);
   }
 
   void transmission()
@@ -218,6 +284,7 @@ int main()
 {
   shares();
   moments();
+  power_of_a_moment();
   transmission();
   energies();
 }

@@ -16,9 +16,10 @@ namespace vfife
     /** The vector is the sum of the nodal forces [N], fixed in space, shared out by the area that
      * belongs to each node (equally where the nodes carry no whole face). */
     force,
-    /** The vector is the sum of the moments about the set's centre [N mm], fixed in space, with the
-     * forces f_i = A_i (J^-1 M) x r_i, J = sum A_i (r^2 I - r r^T) in the present places: bending
-     * traction on an end face, torsion about its normal. The forces sum to zero. */
+    /** The vector is the sum of the moments about the set's centre [N mm], fixed in space:
+     * bending traction on an end face, torsion about its normal.
+     * The traction turns with the mean rotation of the set (see MomentTraction); the forces
+     * sum to zero. */
     moment,
     /** Pressure [MPa] on the faces within the set, on their present areas and normals (follows). */
     pressure,

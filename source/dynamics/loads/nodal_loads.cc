@@ -20,18 +20,26 @@ namespace vfife
         // 1. What each node takes of the load: by area, equally, or its mass.
         const Body &body    = model.bodies[load.body];
         const auto  weights = compute_load_shares(load, body);
-        Group       group{&load, {}, {}};
+        Group       group{&load, {}, {}, {}};
         for (std::size_t i = 0; i < load.nodes.size(); ++i)
           {
             const unsigned int  node  = load.nodes[i];
             const std::uint32_t local = partition.local_node[body.first_node + node];
             if (local != Partition::absent)
               group.nodes.push_back({local,
+                                     static_cast<std::uint32_t>(i),
                                      partition.owned[local] != 0,
                                      weights[i],
                                      body.placement(body.node_positions()[node])});
           }
-        // 2. A pressure acts on faces instead, which move.
+        // 2. A moment needs the places of the whole set, a pressure acts on faces, which move.
+        if (load.kind == LoadKind::moment)
+          {
+            std::vector<Vector3> places;
+            for (const unsigned int node : load.nodes)
+              places.push_back(body.placement(body.node_positions()[node]));
+            group.traction.emplace(weights, places, load.name);
+          }
         if (load.kind == LoadKind::pressure)
           {
             add_faces(load, group);
@@ -104,15 +112,14 @@ namespace vfife
 
   void NodalLoads::add_moment(const Group &group, const Vector3 &moment, const NodeField &positions)
   {
-    // f_i = A_i (J^-1 M) x r_i, J = sum A_i (r^2 I - r r^T) in the present places from the centre.
-    MomentSums sums;
+    std::vector<double> sums = MomentTraction::make_sums();
     for (const Node &node : group.nodes)
       if (node.owned)
-        sums.add(node.weight, positions.value(node.local));
-    communicator_.sum(sums.values);
-    const auto [centre, turn] = sums.solve(moment, group.load->name);
+        group.traction->add(node.of_set, positions.value(node.local), sums);
+    communicator_.sum(sums);
+    const MomentTraction::Motion motion = group.traction->solve(moment, sums);
     for (const Node &node : group.nodes)
-      forces_.add(node.local, node.weight * turn.cross(positions.value(node.local) - centre));
+      forces_.add(node.local, group.traction->force(node.of_set, motion));
   }
 
   void

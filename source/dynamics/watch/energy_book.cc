@@ -77,13 +77,16 @@ namespace vfife
     largest_approach_ = std::max(largest_approach_, approach_.compute(sums));
     if (has_touched_)
       ledger_.scale = std::max(ledger_.scale, largest_approach_);
-    // What has been exchanged since the start.
-    ledger_.scale =
-      std::max(ledger_.scale,
-               std::abs(ledger_.strain - at_start_.strain) +
-                 std::abs(ledger_.contact - at_start_.contact) +
-                 std::abs(ledger_.kinetic_relative - at_start_.kinetic_relative) +
-                 std::abs(ledger_.damping_loss + ledger_.mesh_damping_loss + ledger_.contact_loss));
+    // What has been exchanged since the start: within the bodies and lost; with what drives and
+    // loads them, less what only passes through; and by their motion as a whole, which spins up or
+    // falls while hardly anything is strained.
+    const double within =
+      std::abs(ledger_.strain - at_start_.strain) + std::abs(ledger_.contact - at_start_.contact) +
+      std::abs(ledger_.kinetic_relative - at_start_.kinetic_relative) +
+      std::abs(ledger_.damping_loss + ledger_.mesh_damping_loss + ledger_.contact_loss);
+    const double work    = std::abs(ledger_.drive_work + ledger_.torque_work);
+    const double kinetic = std::abs(ledger_.kinetic - at_start_.kinetic);
+    ledger_.scale        = std::max({ledger_.scale, within, work, kinetic});
   }
 
   void EnergyBook::check(const double limit, const std::string &instant, Log &log)
@@ -110,7 +113,9 @@ namespace vfife
 
   void EnergyBook::serialize(ByteStream &stream)
   {
-    stream.pass(ledger_, at_start_, largest_approach_, has_touched_, has_sample_, has_warned_);
+    stream.pass_record(ledger_);
+    stream.pass_record(at_start_);
+    stream.pass(largest_approach_, has_touched_, has_sample_, has_warned_);
     stream.pass(warning_watch_, failure_watch_);
   }
 } // namespace vfife

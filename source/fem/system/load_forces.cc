@@ -103,13 +103,17 @@ namespace vfife
         break;
       case LoadKind::moment:
         {
-          MomentSums sums;
+          std::vector<double>  areas;
+          std::vector<Vector3> of_shares;
           for (const auto &share : shares)
-            sums.add(share.second, places[share.first]);
-          // f_i = A_i (J^-1 M) x r_i about the centre of the set.
-          const auto [centre, turn] = sums.solve(load.vector, load.name);
-          for (const auto &share : shares)
-            add(share.first, share.second * turn.cross(places[share.first] - centre));
+            {
+              areas.push_back(share.second);
+              of_shares.push_back(places[share.first]);
+            }
+          const MomentTraction         traction(std::move(areas), of_shares, load.name);
+          const MomentTraction::Motion motion = traction.solve(load.vector);
+          for (std::size_t i = 0; i < shares.size(); ++i)
+            add(shares[i].first, traction.force(i, motion));
           break;
         }
       case LoadKind::pressure:

@@ -2,9 +2,11 @@
 #ifndef vfife_dynamics_loads_nodal_loads_h
 #define vfife_dynamics_loads_nodal_loads_h
 
+#include <vfife/model/load_shares.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
+#include <optional>
 #include <vector>
 
 namespace vfife
@@ -44,6 +46,7 @@ namespace vfife
     struct Node
     {
       std::uint32_t local;
+      std::uint32_t of_set; ///< place in the load's list of nodes
       bool          owned;
       double        weight; ///< area, share of one, or mass
       Vector3       start;  ///< fixed frame, undeformed
@@ -54,9 +57,10 @@ namespace vfife
     };
     struct Group
     {
-      const Load       *load;
-      std::vector<Node> nodes;
-      std::vector<Face> faces; ///< of elements on this rank
+      const Load                   *load;
+      std::vector<Node>             nodes;
+      std::vector<Face>             faces;    ///< of elements on this rank
+      std::optional<MomentTraction> traction; ///< of a moment
     };
 
     void find_spring_frequency();
