@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
@@ -96,7 +97,7 @@ namespace vfife
                    sources,
                    "Stiffness and transmission error without load over a tooth mesh: of the series "
                    "below, or of a loaded tooth contact analysis");
-    declare_text(prm, "table", table, "loaded_contact.csv of that analysis");
+    declare_file_name(prm, "table", table, "loaded_contact.csv of that analysis");
     declare_choice(prm,
                    "load law",
                    load_law,

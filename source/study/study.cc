@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
@@ -68,7 +69,9 @@ namespace vfife
           study->inspect(communicator, log);
           return;
         }
-      // 2. The folder of results. What an earlier run has left is read before it is written to: its
+      // 2. Parameters that are kept name the same files from the folder they are kept in.
+      std::optional<AbsoluteFileNames> absolute(prm);
+      // 3. The folder of results. What an earlier run has left is read before it is written to: its
       // checkpoint says how much of the log is kept.
       const std::string path = command_line.output_folder.empty() ? read.options.output_folder
                                                                   : command_line.output_folder;
@@ -78,8 +81,9 @@ namespace vfife
       OutputFolder folder(path, communicator);
       folder.attach_log(log, log_size);
       folder.write_parameters(prm);
+      absolute.reset();
       log.line("vfife: ", file.path(), ", results in ", folder.path());
-      // 3. The study itself, on all ranks.
+      // 4. The study itself, on all ranks.
       study->run(folder, log);
     }
 
@@ -92,8 +96,9 @@ namespace vfife
         const ParameterFile file(line.parameter_file, line.overrides);
         try
           {
-            const ReadStudy parsed(file, *this);
+            ReadStudy parsed(file, *this);
             parsed.study->check();
+            const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
             return {find_declared(parsed.prm).list_values(), parsed.study->last_file()};
           }
         catch (const InputError &error)

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/failure.h>
@@ -8,6 +9,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <filesystem>
 #include <list>
 #include <ostream>
 
@@ -90,7 +92,10 @@ namespace vfife
   {
     // Behind those of the file, so that they win.
     for (const std::string &text : overrides)
-      statements_.push_back(read_override(text));
+      {
+        statements_.push_back(read_override(text));
+        statements_.back().folder = std::filesystem::path(path).parent_path().string();
+      }
   }
 
   // Both readers match statements with what is declared instead of handing the text to deal.II:
@@ -100,11 +105,13 @@ namespace vfife
     const DeclaredSection top = find_declared(prm);
     for (const ParameterStatement &statement : statements_)
       {
-        const DeclaredSection *const section = find_section_of(statement, top, false);
         // What this handler does not declare may belong to a later pass: it is no mistake yet.
-        if (section != nullptr && !statement.opens_section &&
-            section->find_entry(statement.name) != nullptr)
-          apply(statement, prm);
+        const DeclaredSection *const        section = find_section_of(statement, top, false);
+        const DeclaredSection::Entry *const entry   = section == nullptr || statement.opens_section
+                                                        ? nullptr
+                                                        : section->find_entry(statement.name);
+        if (entry != nullptr)
+          apply(statement, *entry, prm);
       }
   }
 
@@ -121,15 +128,16 @@ namespace vfife
             if (section.find_section(statement.name) == nullptr)
               refuse_section(statement.place, statement.name, section, statement.section_path());
           }
-        else if (section.find_entry(statement.name) == nullptr)
-          refuse_entry(statement, section, top);
+        else if (const auto *const entry = section.find_entry(statement.name))
+          apply(statement, *entry, prm);
         else
-          apply(statement, prm);
+          refuse_entry(statement, section, top);
       }
   }
 
-  void ParameterFile::apply(const ParameterStatement &statement,
-                            dealii::ParameterHandler &prm) const
+  void ParameterFile::apply(const ParameterStatement     &statement,
+                            const DeclaredSection::Entry &entry,
+                            dealii::ParameterHandler     &prm) const
   {
     // A list, since a Subsection can be neither copied nor moved.
     std::list<Subsection> sections;
@@ -143,7 +151,10 @@ namespace vfife
         : statement.place + ": " + statement.name + " = " + statement.value + ": ";
     try
       {
-        prm.set(statement.name, statement.value);
+        prm.set(statement.name,
+                names_a_file(entry.pattern, statement.value)
+                  ? find_beside(statement.folder, statement.value)
+                  : statement.value);
       }
     catch (const InputError &error)
       {

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_history.h>
-#include <vfife/base/parameters/parameters.h>
 
 #include <algorithm>
 #include <fstream>
@@ -11,16 +11,6 @@ namespace vfife
 {
   namespace
   {
-    /** Whether the text is a file: no formula ends in these letters. */
-    bool names_a_file(const std::string &text)
-    {
-      const auto ends_in = [&](const std::string &end) {
-        return text.size() > end.size() &&
-               text.compare(text.size() - end.size(), end.size(), end) == 0;
-      };
-      return ends_in(".csv") || ends_in(".txt");
-    }
-
     /** Time and factor of each row, times increasing. */
     std::vector<std::pair<double, double>> read_rows(const std::string &path)
     {
@@ -52,11 +42,12 @@ namespace vfife
 
   void ParameterHistory::declare(dealii::ParameterHandler &prm)
   {
-    declare_text(prm,
-                 "history",
-                 text_,
-                 "Factor over time: a formula of t [s], or a table file (.csv, .txt) of time [s] "
-                 "and factor");
+    declare_formula_or_table(
+      prm,
+      "history",
+      text_,
+      "Factor over time: a formula of t [s], or a table file (.csv, .txt) of time [s] "
+      "and factor");
   }
 
   void ParameterHistory::check(const std::string &section)
@@ -65,7 +56,7 @@ namespace vfife
     rows_.clear();
     try
       {
-        if (names_a_file(text_))
+        if (names_a_table(text_))
           rows_ = read_rows(text_);
         else
           formula_.emplace(text_);

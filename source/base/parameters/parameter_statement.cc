@@ -153,6 +153,7 @@ namespace vfife
       statement.name     = trimmed(rest.substr(0, equal_sign));
       statement.value    = trimmed(rest.substr(equal_sign + 1));
       statement.place    = place();
+      statement.folder   = std::filesystem::path(file_name_).parent_path().string();
       if (statement.name.empty())
         throw InputError(place() + ": the name before '=' is missing in \"set " + rest + "\"");
 

@@ -1,12 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/expression.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/mesh/files/mesh_import.h>
 #include <vfife/model/options/body_options.h>
 
-#include <filesystem>
 
 namespace vfife
 {
@@ -37,12 +37,13 @@ namespace vfife
     declare_kind(prm);
     // A file brings its own sizes; a shape declares those that it has.
     if (mesh == from_file)
-      declare_text(prm,
-                   "file",
-                   file,
-                   "Mesh file of 8-node hexahedra, lengths in mm: .msh (Gmsh), .inp (Abaqus, "
-                   "CalculiX), .vtk, .ucd; its named groups are node sets and surfaces; a relative "
-                   "name starts at the folder of the parameter file");
+      declare_file_name(
+        prm,
+        "file",
+        file,
+        "Mesh file of 8-node hexahedra, lengths in mm: .msh (Gmsh), .inp (Abaqus, "
+        "CalculiX), .vtk, .ucd; its named groups are node sets and surfaces; a relative "
+        "name starts at the folder of the parameter file");
     else
       declare_shape(prm, section);
     declare_vector(prm, "position", position, "mm", "Place of the body frame's origin");
@@ -119,7 +120,7 @@ namespace vfife
       return make_primitive(*primitive);
     try
       {
-        return read_body((std::filesystem::path(folder) / file).string());
+        return read_body(file);
       }
     catch (const InputError &error)
       {

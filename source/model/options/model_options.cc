@@ -7,7 +7,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 
 namespace vfife
@@ -149,10 +148,8 @@ namespace vfife
     // Third: everything, in the handler with which the whole file is read strictly.
     declare_names_of_parts(prm);
     {
-      Subsection        section(prm, "Model");
-      const std::string folder = std::filesystem::path(file.path()).parent_path().string();
+      Subsection section(prm, "Model");
       inside_each(prm, "Body", bodies_, [&](BodyOptions &body, const std::string &path) {
-        body.folder = folder;
         body.declare(prm, path);
       });
       const auto declare_all = [&prm](auto &options, const std::string &) { options.declare(prm); };

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/command_line.h>
@@ -57,7 +58,6 @@ namespace vfife
 
   void CompareStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    folder_of_file_ = fs::path(file.path()).parent_path().string();
     {
       // First pass: each name has a section, which the strict pass has to know.
       dealii::ParameterHandler first;
@@ -75,16 +75,19 @@ namespace vfife
         Case &one = cases_[i];
         one.name  = names_[i];
         Subsection part(prm, "Case " + names_[i]);
-        declare_text(prm, "base", one.base, "Parameter file of the case, relative to this file");
+        declare_file_name(prm,
+                          "base",
+                          one.base,
+                          "Parameter file of the case, relative to this file");
         declare_text(prm,
                      "entries",
                      one.entries,
                      "What this case has otherwise than its file, as Compare/entries; {NAME} is "
                      "the folder of the results of case NAME");
-        declare_text(prm,
-                     "results",
-                     one.results,
-                     "Folder of results that are read instead of doing the case");
+        declare_file_name(prm,
+                          "results",
+                          one.results,
+                          "Folder of results that are read instead of doing the case");
       }
   }
 
@@ -109,7 +112,7 @@ namespace vfife
   CommandLine CompareStudy::command_line(const Case &one, const std::string &folder) const
   {
     CommandLine line;
-    line.parameter_file = (fs::path(folder_of_file_) / one.base).string();
+    line.parameter_file = one.base;
     line.output_folder  = folder_of(one, folder);
     // The case's own entries come last and win.
     for (const std::string &text : {entries_, one.entries})

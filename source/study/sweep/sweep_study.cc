@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/command_line.h>
@@ -78,7 +79,7 @@ namespace vfife
   {
     static const Choices<Combination> combinations = {{"product", Combination::product},
                                                       {"list", Combination::list}};
-    declare_text(prm, "base", base_, "Parameter file of the case, relative to this file");
+    declare_file_name(prm, "base", base_, "Parameter file of the case, relative to this file");
     declare_names(prm, "parameters", names_, "What is varied: a section Parameter NAME each");
     declare_choice(
       prm,
@@ -114,7 +115,6 @@ namespace vfife
 
   void SweepStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    folder_of_file_ = fs::path(file.path()).parent_path().string();
     {
       // First pass: names of parameters and figures, which have sections.
       dealii::ParameterHandler first;
@@ -181,7 +181,7 @@ namespace vfife
   CommandLine SweepStudy::command_line(const Values &values) const
   {
     CommandLine line;
-    line.parameter_file = (fs::path(folder_of_file_) / base_).string();
+    line.parameter_file = base_;
     line.overrides      = split_entries(entries_, "Sweep/entries");
     // The swept value comes last: it wins over the entries that all runs share.
     for (std::size_t i = 0; i < values.size(); ++i)

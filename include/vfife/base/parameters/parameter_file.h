@@ -3,6 +3,7 @@
 #define vfife_base_parameters_parameter_file_h
 
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/parameter_statement.h>
 
 #include <iosfwd>
@@ -61,7 +62,9 @@ namespace vfife
     }
 
   private:
-    void apply(const ParameterStatement &statement, dealii::ParameterHandler &prm) const;
+    void                      apply(const ParameterStatement     &statement,
+                                    const DeclaredSection::Entry &entry,
+                                    dealii::ParameterHandler     &prm) const;
     const ParameterStatement *find(const std::string &entry_path) const;
 
     std::string                     path_;

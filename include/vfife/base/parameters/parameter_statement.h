@@ -14,7 +14,8 @@ namespace vfife
     std::string              name;     ///< of the entry or of the section that it opens
     std::string              value;    ///< text of the entry
     bool                     opens_section = false;
-    std::string              place; ///< "file.prm:12" or "--set "Section/name=value""
+    std::string              place;  ///< "file.prm:12" or "--set "Section/name=value""
+    std::string              folder; ///< of that file: what names of files are relative to
     bool                     from_command_line = false;
 
     /** "Section/Sub": the sections it stands in. */

@@ -18,7 +18,6 @@ namespace vfife
     std::string                       material = "steel"; ///< name of a section Material NAME
     std::unique_ptr<PrimitiveOptions> primitive; ///< sizes and cells of a mesh that is no file
     std::string                       file;      ///< of `mesh = file`, see read_body()
-    std::string                       folder;    ///< of the parameter file, where `file` starts
 
     Vector3 position       = Vector3::Zero(); ///< of the body frame's origin [mm]
     Vector3 rotation_axis  = Vector3::UnitZ();

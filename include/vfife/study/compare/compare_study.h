@@ -53,7 +53,7 @@ namespace vfife
     ComparedCase             do_one(const Case &one, OutputFolder &folder, Log &log) const;
 
     const CaseRunner        &runner_;
-    std::string              title_, entries_, folder_of_file_;
+    std::string              title_, entries_;
     std::vector<std::string> names_;
     std::vector<Case>        cases_;
     ComparisonTolerances     tolerances_;

@@ -81,7 +81,7 @@ namespace vfife
 
     const CaseRunner          &runner_;
     bool                       restart_ = false;
-    std::string                base_, entries_, folder_of_file_;
+    std::string                base_, entries_;
     std::vector<std::string>   names_, figure_names_, beside_;
     std::vector<Parameter>     parameters_;
     std::vector<HistoryFigure> figures_;

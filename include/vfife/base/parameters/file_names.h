@@ -1,0 +1,61 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_base_parameters_file_names_h
+#define vfife_base_parameters_file_names_h
+
+#include <vfife/base/parameters/declared_section.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /**
+   * Declares the name of a file that is read. A relative name means a file beside the parameter
+   * file that the entry stands in (of the command line: beside the parameter file it is given
+   * with) or, where there is none, in the working folder: @p value is the name to open it by.
+   */
+  void declare_file_name(dealii::ParameterHandler &prm,
+                         const std::string        &name,
+                         std::string              &value,
+                         const std::string        &meaning);
+
+  /** Whether the text of an entry that may be a formula is the name of a table: it ends in ".csv"
+   * or ".txt", as no formula does. */
+  bool names_a_table(const std::string &text);
+
+  /** Declares a formula or the name of a table (names_a_table()), for which all that
+   * declare_file_name() says holds. */
+  void declare_formula_or_table(dealii::ParameterHandler &prm,
+                                const std::string        &name,
+                                std::string              &value,
+                                const std::string        &meaning);
+
+  /** Whether an entry of this @p pattern (DeclaredSection::Entry) with this text names a file. */
+  bool names_a_file(const std::string &pattern, const std::string &text);
+
+  /** The name to open the file @p name by that a parameter file in @p folder names: see
+   * declare_file_name(). */
+  std::string find_beside(const std::string &folder, const std::string &name);
+
+  /** As long as it lives all names of files in force in a handler are absolute, so that its text
+   * means the same files from any folder; then they are again what the user wrote, as messages
+   * show them. */
+  class AbsoluteFileNames
+  {
+  public:
+    explicit AbsoluteFileNames(dealii::ParameterHandler &prm);
+    ~AbsoluteFileNames();
+    AbsoluteFileNames(const AbsoluteFileNames &)            = delete;
+    AbsoluteFileNames &operator=(const AbsoluteFileNames &) = delete;
+
+  private:
+    dealii::ParameterHandler &prm_;
+    DeclaredSection           before_;
+  };
+} // namespace vfife
+
+#endif
