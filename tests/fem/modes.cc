@@ -76,6 +76,68 @@ namespace
       }
   }
 
+  /** The plate as a file may bring it: nodes and cells in any order, nothing said of sectors. */
+  Model make_shuffled_plate(const Model &plate)
+  {
+    const Body        &body = plate.bodies[0];
+    const unsigned int n    = body.n_nodes();
+    // 7 does not divide the number of nodes: a permutation.
+    const auto           moved = [n](const unsigned int i) { return (7 * i + 5) % n; };
+    std::vector<Vector3> nodes(n);
+    for (unsigned int i = 0; i < n; ++i)
+      nodes[moved(i)] = body.node_positions()[i];
+    std::vector<CellNodes> cells;
+    for (auto element = body.elements().rbegin(); element != body.elements().rend(); ++element)
+      {
+        cells.push_back(*element);
+        for (unsigned int &node : cells.back())
+          node = moved(node);
+      }
+    auto mesh = std::make_unique<BodyMesh>();
+    create_triangulation(*mesh, nodes, cells);
+    mesh->sector.assign(cells.size(), 0);
+    std::vector<unsigned int> inner;
+    for (const unsigned int i : body.node_set("inner"))
+      inner.push_back(moved(i));
+    std::sort(inner.begin(), inner.end());
+    Model model;
+    model.add_body(Body("plate", std::move(mesh), body.material()));
+    model.constraints.push_back({"clamp", ConstraintKind::held, 0, inner});
+    return model;
+  }
+
+  void shuffled_plate(const Communicator &communicator)
+  {
+    const Model plate = make_plate({{4, 30, 1}});
+    FemOptions  options;
+    options.n_modes             = 9;
+    const Model          model  = make_shuffled_plate(plate);
+    const ModalResult    result = solve(model, options, communicator);
+    const Discretization d(model, {0}, options.element);
+    const ModeDescriber  describer(d, d.parts()[0]);
+    for (unsigned int k = 0; k < 9; ++k)
+      {
+        const ModeDescription description = describer.describe(result.modes[k].shape);
+        check("nodes in any order: nodal diameters",
+              description.nodal_diameter == static_cast<int>((k + 1) / 2) &&
+                description.share > .999);
+      }
+    // One node out of its place, and no part of a revolution does it any more.
+    std::vector<Vector3> places = plate.bodies[0].node_positions();
+    check("sectors of the plate", find_cyclic_copies(places, Vector3::UnitZ()).n_sectors == 30);
+    places[17] *= 1.01;
+    check("no sectors", find_cyclic_copies(places, Vector3::UnitZ()).n_sectors == 0);
+    // Points on the axis belong to no sector; a quarter turn is a sector.
+    CyclicCopies cross = find_cyclic_copies({Vector3(0., 0., 1.),
+                                             Vector3(2., 0., 0.),
+                                             Vector3(0., 2., 0.),
+                                             Vector3(-2., 0., 0.),
+                                             Vector3(0., -2., 0.)},
+                                            Vector3::UnitZ());
+    check("points on the axis",
+          cross.n_sectors == 4 && cross.points == std::vector<unsigned int>({1, 2, 3, 4}));
+  }
+
   /**
    * NAFEMS FV52, solid square plate 10 x 10 x 1 m whose four lower edges keep their height: here by
    * springs of a thousand times the largest diagonal entry.
@@ -183,6 +245,7 @@ int main(int argc, char **argv)
   MpiSession          session(argc, argv);
   const Communicator &communicator = session.world();
   annular_plate(communicator);
+  shuffled_plate(communicator);
   // What these meshes give; a line support has no limit under refinement (doc/verification.md).
   nafems_plate(FemElement::incompatible_modes,
                {{8, 8, 3}},

@@ -9,25 +9,15 @@ namespace vfife
 {
   namespace
   {
-    /** Whether node i of sector k is node i of sector 0 turned by k pitches about the axis z. */
-    bool has_turned_sectors(const Body &body)
+    /** Places of the nodes from a point of the axis. */
+    std::vector<Vector3> places_from_axis(const Discretization       &discretization,
+                                          const Discretization::Part &part,
+                                          const Body                 &body)
     {
-      const unsigned int n = body.mesh().n_sectors;
-      if (n < 3 || body.n_nodes() % n != 0)
-        return false;
-      const auto        &X       = body.node_positions();
-      const unsigned int n_nodes = body.n_nodes() / n;
-      double             size    = 0;
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        size = std::max(size, X[i].norm());
-      for (unsigned int k = 1; k < n; ++k)
-        {
-          const Matrix3 turn = rotation_about(Vector3::UnitZ(), 2. * pi * k / n);
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            if ((turn * X[i] - X[k * n_nodes + i]).norm() > 1e-9 * size)
-              return false;
-        }
-      return true;
+      std::vector<Vector3> places;
+      for (unsigned int i = 0; i < body.n_nodes(); ++i)
+        places.push_back(discretization.points()[part.first_point + i] - body.axis.point);
+      return places;
     }
   } // namespace
 
@@ -36,19 +26,22 @@ namespace vfife
     : discretization_(discretization)
     , first_point_(part.first_point)
     , body_(discretization.model().bodies[part.body])
-    , n_sectors_(has_turned_sectors(body_) ? body_.mesh().n_sectors : 0)
   {
-    const Vector3 z = body_.axis.direction;
-    for (unsigned int i = 0; i < body_.n_nodes(); ++i)
+    const Vector3              z      = body_.axis.direction;
+    const std::vector<Vector3> places = places_from_axis(discretization, part, body_);
+    copies_                           = find_cyclic_copies(places, z);
+    for (const Vector3 &x : places)
       {
-        const Vector3 x      = discretization_.points()[first_point_ + i] - body_.axis.point;
         const Vector3 across = x - z.dot(x) * z;
         const Vector3 r = across.norm() > 0 ? Vector3(across.normalized()) : z.unitOrthogonal();
         Matrix3       axes;
         axes << r, z.cross(r), z;
         axes_.push_back(axes);
-        if (n_sectors_ > 0 && i < body_.n_nodes() / n_sectors_)
-          radii_.push_back(across.norm());
+      }
+    for (std::size_t i = 0; i < copies_.n_per_sector(); ++i)
+      {
+        const Vector3 &x = places[copies_.points[i]];
+        radii_.push_back((x - z.dot(x) * z).norm());
       }
   }
 
@@ -77,10 +70,11 @@ namespace vfife
           values[3 * i + c] = {a[c], b[c]};
       }
     ModeDescription description;
-    description.radial     = energy[0] / energy.sum();
-    description.tangential = energy[1] / energy.sum();
-    description.axial      = energy[2] / energy.sum();
-    if (n_sectors_ == 0)
+    description.radial           = energy[0] / energy.sum();
+    description.tangential       = energy[1] / energy.sum();
+    description.axial            = energy[2] / energy.sum();
+    const unsigned int n_sectors = copies_.n_sectors;
+    if (n_sectors == 0)
       return description;
 
     // The body's kinetic energy by harmonics over the sectors: the largest is the nodal diameter.
@@ -89,14 +83,14 @@ namespace vfife
     const auto energy_of = [&](const Amplitudes &amplitudes) {
       double sum = 0;
       for (std::size_t i = 0; i < amplitudes.size(); ++i)
-        sum += body_.node_masses()[i / 3] * std::norm(amplitudes[i]);
-      return sum / n_sectors_;
+        sum += first_mass(i / 3) * std::norm(amplitudes[i]);
+      return sum / n_sectors;
     };
     double largest = 0, positive = 0;
-    for (unsigned int h = 0; h <= n_sectors_ / 2; ++h)
+    for (unsigned int h = 0; h <= n_sectors / 2; ++h)
       {
         // h = 0 and h = N/2 are their own counterparts.
-        const bool   both  = h > 0 && 2 * h < n_sectors_;
+        const bool   both  = h > 0 && 2 * h < n_sectors;
         const double plus  = energy_of(harmonic(values, h)),
                      minus = both ? energy_of(harmonic(values, -static_cast<int>(h))) : 0.;
         if (plus + minus > largest)
@@ -117,17 +111,23 @@ namespace vfife
     return description;
   }
 
+  double ModeDescriber::first_mass(const std::size_t i) const
+  {
+    return body_.node_masses()[copies_.points[i]];
+  }
+
   ModeDescriber::Amplitudes ModeDescriber::harmonic(const Amplitudes &values, const int h) const
   {
-    const std::size_t per_sector = values.size() / n_sectors_;
+    const std::size_t per_sector = copies_.n_per_sector();
     // A_h = sum_k a_k exp(-2 pi i h k / N), a_k the amplitudes of sector k.
-    Amplitudes sums(per_sector);
-    for (unsigned int k = 0; k < n_sectors_; ++k)
+    Amplitudes sums(3 * per_sector);
+    for (unsigned int k = 0; k < copies_.n_sectors; ++k)
       {
         const std::complex<double> phase =
-          std::polar(1., -2. * pi * h * static_cast<double>(k) / n_sectors_);
+          std::polar(1., -2. * pi * h * static_cast<double>(k) / copies_.n_sectors);
         for (std::size_t i = 0; i < per_sector; ++i)
-          sums[i] += phase * values[k * per_sector + i];
+          for (unsigned int c = 0; c < 3; ++c)
+            sums[3 * i + c] += phase * values[3 * copies_.points[k * per_sector + i] + c];
       }
     return sums;
   }
@@ -137,8 +137,7 @@ namespace vfife
     // Real at the meridian of largest motion.
     std::complex<double> square = 0;
     for (std::size_t i = 0; i < radii_.size(); ++i)
-      square +=
-        body_.node_masses()[i] * amplitudes[3 * i + component] * amplitudes[3 * i + component];
+      square += first_mass(i) * amplitudes[3 * i + component] * amplitudes[3 * i + component];
     const std::complex<double> phase = std::polar(1., -.5 * std::arg(square));
 
     // The wave of one sector as a function of the radius alone: a circle is where it changes sign.
@@ -150,8 +149,8 @@ namespace vfife
         // Rings of equal width; what they move is the mean of their nodes, weighted with mass.
         const double       part = (radii_[i] - *range.first) / (*range.second - *range.first);
         const unsigned int ring = std::min<unsigned int>(n_rings * part, n_rings - 1);
-        sum[ring] += body_.node_masses()[i] * (phase * amplitudes[3 * i + component]).real();
-        mass[ring] += body_.node_masses()[i];
+        sum[ring] += first_mass(i) * (phase * amplitudes[3 * i + component]).real();
+        mass[ring] += first_mass(i);
       }
     double largest = 0;
     for (unsigned int ring = 0; ring < n_rings; ++ring)

@@ -2,6 +2,7 @@
 #ifndef vfife_fem_modes_mode_description_h
 #define vfife_fem_modes_mode_description_h
 
+#include <vfife/fem/modes/cyclic_copies.h>
 #include <vfife/fem/system/discretization.h>
 
 #include <complex>
@@ -9,7 +10,7 @@
 
 namespace vfife
 {
-  /** What a mode of a body made of equal sectors looks like. */
+  /** What a mode of a body made of equal sectors looks like, whatever file or shape it came of. */
   struct ModeDescription
   {
     /** Waves around the axis (harmonic with the largest kinetic energy), at most half the number of
@@ -41,15 +42,16 @@ namespace vfife
     using Amplitudes = std::vector<std::complex<double>>;
 
     Vector3    components(unsigned int node, const std::vector<double> &shape) const;
+    double     first_mass(std::size_t i) const; ///< of node i of the first sector
     Amplitudes harmonic(const Amplitudes &values, int h) const;
     int        count_circles(const Amplitudes &amplitudes, unsigned int component) const;
 
     const Discretization &discretization_;
     unsigned int          first_point_;
     const Body           &body_;
-    unsigned int          n_sectors_ = 0; ///< 0: the body is not made of sectors
-    std::vector<Matrix3>  axes_;          ///< r, theta, z of each node (columns)
-    std::vector<double>   radii_;         ///< of the nodes of sector 0 [mm]
+    CyclicCopies          copies_;
+    std::vector<Matrix3>  axes_;  ///< r, theta, z of each node (columns)
+    std::vector<double>   radii_; ///< of the nodes of the first sector [mm]
   };
 } // namespace vfife
 
