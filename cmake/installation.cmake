@@ -5,9 +5,7 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/vfife)
 
 install(TARGETS vfife EXPORT vfifeTargets)
-if(TARGET vfife_main)
-  install(TARGETS vfife_main)
-endif()
+install(TARGETS vfife_main vfife_study)
 install(DIRECTORY include/vfife DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_BINARY_DIR}/include/vfife/revision.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vfife)

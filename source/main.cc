@@ -1,50 +1,42 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/process/command_line.h>
-#include <vfife/base/process/failure.h>
-#include <vfife/base/process/log.h>
-#include <vfife/base/process/mpi_session.h>
-#include <vfife/study/parameter_reference.h>
-#include <vfife/study/study.h>
 
-#include <exception>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
+#include <unistd.h>
+
+// The program that users call. Loading deal.II with its 200 libraries and starting MPI take about a
+// second: what needs neither is answered here, everything else by vfife-study, which stands beside
+// this program and takes its place: same process, same arguments.
 
 namespace
 {
-  /** Everything between start and end of MPI. */
-  void run(const int argc, const char *const *argv, vfife::Communicator &world)
+  /** Whether the arguments ask for a text alone, which is then printed. */
+  bool answers(const int argc, const char *const *argv)
   {
-    const vfife::CommandLine line = vfife::parse_command_line(argc, argv);
-    if (line.help || line.version)
+    try
       {
-        if (world.is_root())
-          std::cout << (line.help ? vfife::help_text() : vfife::version_text()) << std::flush;
-        return;
+        return vfife::print_requested_text(vfife::parse_command_line(argc, argv), std::cout);
       }
-    if (line.parameter_reference)
+    catch (const vfife::InputError &)
       {
-        if (world.is_root())
-          vfife::write_parameter_reference(std::cout);
-        return;
+        return false; // vfife-study says what is wrong, as it does of all input
       }
-    vfife::Log log(std::cout, world.is_root());
-    vfife::run_study(line, world, log);
   }
 } // namespace
 
-/** Exit codes: 0 done, 1 the input cannot be used, 2 the computation failed, 3 stopped by a signal.
- */
 int main(int argc, char **argv)
 {
-  vfife::MpiSession session(argc, argv);
-  vfife::Failure    failure;
-  try
-    {
-      run(argc, argv, session.world());
-    }
-  catch (...)
-    {
-      failure = vfife::describe_failure(std::current_exception());
-    }
-  return session.finish(failure);
+  if (answers(argc, argv))
+    return 0;
+  std::error_code             error;
+  const std::filesystem::path self  = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::string           study = (self.parent_path() / "vfife-study").string();
+  execv(study.c_str(), argv);
+  std::cerr << "vfife: the program " << study << " cannot be started: " << std::strerror(errno)
+            << std::endl;
+  return 1;
 }

@@ -3,14 +3,13 @@
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/text/nearest_name.h>
 
-#include <deal.II/base/config.h>
-
 #include <boost/program_options.hpp>
 
 #include <vfife/base/process/revision.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <ostream>
 #include <sstream>
 
 namespace vfife
@@ -143,6 +142,13 @@ namespace vfife
   std::string version_text()
   {
     return std::string("vfife ") + program_version() + " (revision " + program_revision() +
-           ", deal.II " + DEAL_II_PACKAGE_VERSION + ")\n";
+           ", deal.II " + VFIFE_DEAL_II_VERSION + ")\n";
+  }
+
+  bool print_requested_text(const CommandLine &line, std::ostream &out)
+  {
+    if (line.help || line.version)
+      out << (line.help ? help_text() : version_text()) << std::flush;
+    return line.help || line.version;
   }
 } // namespace vfife

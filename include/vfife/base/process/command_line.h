@@ -2,6 +2,7 @@
 #ifndef vfife_base_process_command_line_h
 #define vfife_base_process_command_line_h
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ namespace vfife
 
   /** What --version prints: version, git revision, version of deal.II. */
   std::string version_text();
+
+  /** Prints what --help or --version ask for; false where neither is asked for. */
+  bool print_requested_text(const CommandLine &line, std::ostream &out);
 } // namespace vfife
 
 #endif
