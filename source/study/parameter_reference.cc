@@ -129,6 +129,31 @@ namespace vfife
       return words;
     }
 
+    /** Lists of names that open a section each, beside those of a model. */
+    struct NamedSections
+    {
+      const char *kind, *section, *list;
+    };
+    const NamedSections named_sections[] = {{"compare", "Compare", "cases"},
+                                            {"lumped", "Lumped", "supports"},
+                                            {"sweep", "Sweep", "parameters"},
+                                            {"sweep", "Sweep", "figures"}};
+
+    /** All that a kind declares, as of a gear pair, each list of names holding one NAME. */
+    Json declare_kind(const std::string &kind)
+    {
+      // An entry of a pair makes those kinds declare it that can do without.
+      std::vector<std::string> statements = {"Study/kind=" + kind, "Gear pair/Mounting/backlash=0"};
+      for (const NamedSections &named : named_sections)
+        if (kind == named.kind)
+          statements.push_back(std::string(named.section) + "/" + named.list + "=NAME");
+      Json declared = declare(statements);
+      for (const NamedSections &named : named_sections)
+        if (kind == named.kind)
+          declared.at(named.section).at(named.list).at("default_value") = ""; // not that name
+      return declared;
+    }
+
     /** Parts of a model and the entries that decide what else they declare. */
     struct Part
     {
@@ -208,13 +233,9 @@ namespace vfife
   void write_parameter_reference(std::ostream &out)
   {
     std::vector<Section> sections;
-    // All kinds as of a gear pair: an entry of it makes those that can do without it declare it.
-    // Then the general model, whose parts have names.
+    // All kinds as of a gear pair, then the general model, whose parts have names.
     for (const auto &kind : study_kinds())
-      collect(declare({"Study/kind=" + kind.first, "Gear pair/Mounting/backlash=0"}),
-              "",
-              kind.first,
-              sections);
+      collect(declare_kind(kind.first), "", kind.first, sections);
     collect_model(sections);
     std::stable_sort(sections.begin(), sections.end(), [](const Section &a, const Section &b) {
       return a.path < b.path;

@@ -114,6 +114,7 @@ subsection Support tilt
   set centre = 0, 0, 100
   set inertia = 9000
   set tilt stiffness = 1 MN m/rad
+  set damping ratio = 0.05
 end
 )")
                               .pair();
@@ -127,6 +128,8 @@ end
                 pair.supports[1].lever,
                 -(.6 * 60 + .8 * 90) / 90,
                 1e-14);
+    check("damping ratio: of its own support",
+          pair.supports[1].damping_ratio == .05 && pair.supports[0].damping_ratio != .05);
   }
 
   void damper()

@@ -133,6 +133,19 @@ namespace
     // Strains of 1.5e-4 at the hole are the order of what linear statics leave out.
     check_below("largest difference of displacements and stresses", largest, 1e-3);
     check("but there is one", largest > 1e-7);
+
+    // Results that are there already are read: no case is done again, and nothing differs.
+    std::filesystem::remove_all("compare_read");
+    std::ofstream("compare_read.prm")
+      << "include compare_plate.prm\nsubsection Compare\n"
+      << " subsection Case rest\n  set results = compare_plate/rest\n end\n"
+      << " subsection Case linear\n  set results = compare_plate/linear\n end\nend\n";
+    run_pair("compare_read.prm", "compare_read", world);
+    const Table again = read_result_table("compare_read/comparison.csv");
+    check("results: the same rows without a case done",
+          again.numbers("value") == table.numbers("value") &&
+            again.numbers("reference") == table.numbers("reference") &&
+            !std::filesystem::exists("compare_read/rest"));
   }
 
   void passage()
