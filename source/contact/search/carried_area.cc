@@ -59,7 +59,20 @@ namespace vfife
       return x;
     };
     const auto normal = [](const std::array<Vector3, 4> &x) {
-      return Vector3((x[2] - x[0]).cross(x[3] - x[1]));
+      return Vector3((x[2] - x[0]).cross(x[3] - x[1]).normalized());
+    };
+    // They face each other within 45 degrees, overlap, and are nearer than they are wide. Those of
+    // teeth further on, which see each other too, lie in directions of their own.
+    const auto do_face = [&](const std::array<Vector3, 4> &x,
+                             const FacetSides             &of_x,
+                             const std::array<Vector3, 4> &y,
+                             const FacetSides             &of_y) {
+      const Vector3 n     = normal(y),
+                    way   = 0.25 * (x[0] + x[1] + x[2] + x[3] - y[0] - y[1] - y[2] - y[3]);
+      const double height = n.dot(way);
+      return normal(x).dot(n) < -std::sqrt(0.5) &&
+             std::abs(height) < std::max(of_x.shorter, of_y.shorter) &&
+             (way - height * n).norm() < 0.5 * (of_x.longer + of_y.longer);
     };
     const auto longer_direction = [](const std::array<Vector3, 4> &x) {
       const Vector3 one = x[1] - x[0] + x[2] - x[3], two = x[3] - x[0] + x[2] - x[1];
@@ -81,7 +94,7 @@ namespace vfife
         for (const unsigned int m : near)
           {
             const std::array<Vector3, 4> y = corners(master, m);
-            if (normal(x).dot(normal(y)) > 0.)
+            if (!do_face(x, sides(slave, f), y, sides(master, m)))
               continue;
             // Nearer to 0 or to 90 degrees.
             (std::abs(longer_direction(x).dot(longer_direction(y))) > std::sqrt(0.5)

@@ -107,23 +107,24 @@ namespace vfife
     master.active = &contact.active_master_nodes();
   }
 
-  bool ContactOfPair::is_covered(const double step) const
-  {
-    // The springs take the share x of 4/dt^2 by the nodes' own areas, all else (1 - x) safety^2 of
-    // it. Springs that are stiffer by m/A over the carried m/A must not need more than the whole.
-    const double ratio = penalty().vote_on_step(step, mass_per_area) / step;
-    const double x     = 1. - ratio * ratio;
-    return (1. - x) * safety_ * safety_ + x * mass_per_area / carried_mass_per_area <= 1.;
-  }
-
   double ContactOfPair::vote_on_step(const double step) const
   {
-    return penalty().vote_on_step(step, is_covered(step) ? mass_per_area : carried_mass_per_area);
+    // The nodes' own areas as everywhere; of what is carried beyond them the safety of the step
+    // bears a part: 4/dt^2 >= 4 safety^2/step^2 + n eps A/m with the carried A.
+    const double own = penalty().vote_on_step(step, mass_per_area);
+    if (penalty().from_step)
+      return own;
+    const double whole = step / safety_;
+    return std::min(own, penalty().vote_on_step(whole, carried_mass_per_area));
   }
 
   double ContactOfPair::penalty_for_step(const double dt) const
   {
-    // A penalty from the step takes the same share at any step.
-    return penalty().value_for_step(is_covered(dt) ? mass_per_area : carried_mass_per_area, dt);
+    // The same with the springs' share x = n f/4 of 4/dt^2 by their own areas, everything else
+    // having (1 - x) safety^2: carried areas may take what is left, so that the penalty never falls
+    // by a jump where a slave gets coarser.
+    const double x    = 0.25 * penalty().n_moving * penalty().fraction;
+    const double left = (1. - (1. - x) * safety_ * safety_) / x;
+    return penalty().value_for_step(std::min(mass_per_area, left * carried_mass_per_area), dt);
   }
 } // namespace vfife

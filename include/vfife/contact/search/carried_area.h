@@ -16,7 +16,7 @@ namespace vfife
     bool along = true, across = true; ///< what is to be reckoned with
   };
 
-  /** From facets that face each other nearer than their size, the motion taking the slave's
+  /** From facets that face each other nearer than they are wide, the motion taking the slave's
    * undeformed frame into the master's; both where there are none. */
   FacetDirections find_directions(const SurfaceGeometry &slave,
                                   const SurfaceGeometry &master,

@@ -84,10 +84,6 @@ namespace vfife
     double carried_mass_per_area;
 
   private:
-    /** Whether the safety of the step @p step of everything else covers what nodes carry beyond
-     * their own area. */
-    bool is_covered(double step) const;
-
     double safety_;
   };
 } // namespace vfife
