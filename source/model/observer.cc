@@ -4,6 +4,11 @@
 namespace vfife
 {
   // For observers that keep nothing from sample to sample, or have nothing to write at the end.
+  std::string Observer::part_name() const
+  {
+    return "";
+  }
+
   void Observer::serialize(ByteStream &)
   {
   }

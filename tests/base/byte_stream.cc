@@ -39,6 +39,47 @@ namespace
         std::cout << error.what() << std::endl;
       }
   }
+  struct Record
+  {
+    double one = 1, two = 2;
+  };
+  /** The same in a later version. */
+  struct LongerRecord
+  {
+    double one = 10, two = 20, three = 30;
+  };
+
+  /** Parts are found by their names, in any order; what is not there says so. */
+  void parts()
+  {
+    double     a = 1, b = 2;
+    ByteStream out;
+    out.pass_part("a", [&](ByteStream &part) { part.pass(a); });
+    out.pass_part("nobody asks", [&](ByteStream &part) { part.pass(a, b); });
+    out.pass_part("b", [&](ByteStream &part) { part.pass(b); });
+    a = b        = 0;
+    double     c = 3;
+    ByteStream in(out.bytes());
+    const bool found_b = in.pass_part("b", [&](ByteStream &part) { part.pass(b); });
+    const bool found_c = in.pass_part("c", [&](ByteStream &part) { part.pass(c); });
+    in.pass_required_part("a", [&](ByteStream &part) { part.pass(a); });
+    check("parts", found_b && !found_c && a == 1 && b == 2 && c == 3);
+    refuse([&] { in.pass_required_part("c", [&](ByteStream &part) { part.pass(c); }); });
+
+    Record     record{5, 6};
+    ByteStream short_one;
+    short_one.pass_record(record);
+    LongerRecord longer;
+    ByteStream   from_short(short_one.bytes());
+    from_short.pass_record(longer);
+    check("a record of before", longer.one == 5 && longer.two == 6 && longer.three == 30);
+    ByteStream long_one;
+    long_one.pass_record(longer);
+    refuse([&] {
+      ByteStream from_long(long_one.bytes());
+      from_long.pass_record(record);
+    });
+  }
 } // namespace
 
 int main()
@@ -78,6 +119,19 @@ int main()
   table.serialize_rows(stored_rows);
   check("rows of a table", table.n_rows() == 2 && table.csv_row(1) == last);
 
+  // A column that a later version adds has no cells for the rows of before.
+  Table wider;
+  wider.add_column("length", "mm");
+  wider.add_column("force", "N");
+  wider.add_text_column("name");
+  ByteStream rows_again(rows.bytes());
+  wider.serialize_rows(rows_again);
+  wider.add_row({3.5, 7., "three"});
+  check("rows with a younger column",
+        wider.n_rows() == 3 && wider.numbers("length")[1] == 2.5 &&
+          std::isnan(wider.numbers("force")[1]) && wider.column("name").texts[1] == "two");
+
+  parts();
   refuse([&] {
     ByteStream part(written.bytes().substr(0, written.bytes().size() - 1));
     again.serialize(part);

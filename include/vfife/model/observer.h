@@ -3,6 +3,7 @@
 #define vfife_model_observer_h
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vfife
@@ -22,6 +23,10 @@ namespace vfife
     virtual bool due(const State &state) const = 0;
 
     virtual void observe(const Model &model, const State &state) = 0;
+
+    /** By which what it has observed is found in a checkpoint, whatever observers there are; ""
+     * (default) for one that keeps nothing. Different from that of all others. */
+    virtual std::string part_name() const;
 
     /** For checkpoints: passes what has been observed so far, equal on all ranks. Collective. */
     virtual void serialize(ByteStream &stream);

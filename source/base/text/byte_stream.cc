@@ -26,6 +26,36 @@ namespace vfife
       throw InputError("stored data end too early: they are of another version of vfife");
   }
 
+  bool ByteStream::find_part(const std::string &name, std::string &bytes) const
+  {
+    // From the beginning: the order of the questions need not be that of the parts.
+    ByteStream all(bytes_);
+    while (all.next_ < all.bytes_.size())
+      {
+        std::string found;
+        all.pass(found, bytes);
+        if (found == name)
+          return true;
+      }
+    return false;
+  }
+
+  void ByteStream::add_part(std::string name, std::string bytes)
+  {
+    pass(name, bytes);
+  }
+
+  void ByteStream::refuse_without(const std::string &name) const
+  {
+    throw InputError("stored data have no part \"" + name +
+                     "\": they are of another version of vfife");
+  }
+
+  void ByteStream::refuse_newer() const
+  {
+    throw InputError("stored data are of a newer version of vfife than this one");
+  }
+
   void ByteStream::pass_bytes(void *value, const std::size_t n)
   {
     if (n == 0)

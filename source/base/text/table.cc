@@ -6,7 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
 #include <stdexcept>
 
@@ -23,6 +25,12 @@ namespace vfife
       for (const char letter : text)
         quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
       return quoted + "\"";
+    }
+
+    /** "length [mm]"; a text column has no unit. */
+    std::string header_of(const Table::Column &column)
+    {
+      return column.is_text ? column.name : column.name + " [" + column.unit + "]";
     }
 
     /** The cell; null for a number that is not finite, for which JSON has no text. */
@@ -103,14 +111,29 @@ namespace vfife
 
   void Table::serialize_rows(ByteStream &stream)
   {
-    // Names and units first: rows of a run with other columns must not be mixed in.
-    std::string columns = csv_header();
-    stream.pass(columns, n_rows_);
-    if (columns != csv_header())
-      throw InputError("stored rows have other columns (" + columns + ") than now (" +
-                       csv_header() + ")");
-    for (Column &column : columns_)
-      stream.pass(column.numbers, column.texts);
+    // 1. Columns by names and units: a stored one that is not there now, or in another unit, would
+    // be lost without a word.
+    std::vector<std::string> stored;
+    for (const Column &column : columns_)
+      stored.push_back(header_of(column));
+    const std::vector<std::string> known = stored;
+    stream.pass_required_part("columns", [&](ByteStream &part) { part.pass(stored, n_rows_); });
+    for (const std::string &name : stored)
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        throw InputError("stored rows have a column " + name + ", which is not one of " +
+                         csv_header());
+    // 2. Cells. A column that is younger than the rows has none for them.
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      {
+        Column    &column    = columns_[i];
+        const bool was_there = stream.pass_part(known[i], [&](ByteStream &part) {
+          part.pass(column.numbers, column.texts);
+        });
+        if (!was_there && column.is_text)
+          column.texts.assign(n_rows_, "");
+        else if (!was_there)
+          column.numbers.assign(n_rows_, std::numeric_limits<double>::quiet_NaN());
+      }
   }
 
   void Table::clear_rows()
@@ -143,8 +166,7 @@ namespace vfife
   {
     std::string header;
     for (const Column &column : columns_)
-      header += (header.empty() ? "" : ",") +
-                csv_text(column.is_text ? column.name : column.name + " [" + column.unit + "]");
+      header += (header.empty() ? "" : ",") + csv_text(header_of(column));
     return header;
   }
 

@@ -175,20 +175,24 @@ namespace vfife
 
   void ExplicitSolver::serialize(ByteStream &common, ByteStream *own, State &state)
   {
-    // What all ranks know, in one order for both directions.
+    // What all ranks know.
     Beginning beginning = beginning_.value_or(Beginning());
-    common.pass(beginning, state.time, state.step, state.dt, state.body_motion);
-    pass_vectors(common, *state.partition, communicator_, state.position);
-    pass_vectors(common, *state.partition, communicator_, state.velocity);
-    constraints_.serialize(common, *state.partition);
-    for (RigidVelocity &rate : rigid_)
-      common.pass(rate.velocity, rate.omega);
-    energy_.serialize(common);
-    damping_watch_.serialize(common);
-    contact_watch_.serialize(common);
+    common.pass_required_part("state", [&](ByteStream &part) {
+      part.pass(beginning, state.time, state.step, state.dt, state.body_motion);
+      pass_vectors(part, *state.partition, communicator_, state.position);
+      pass_vectors(part, *state.partition, communicator_, state.velocity);
+      for (RigidVelocity &rate : rigid_)
+        part.pass(rate.velocity, rate.omega);
+    });
+    common.pass_required_part("constraints", [&](ByteStream &part) {
+      constraints_.serialize(part, *state.partition);
+    });
+    common.pass_required_part("energy", [&](ByteStream &part) { energy_.serialize(part); });
+    common.pass_part("damping", [&](ByteStream &part) { damping_watch_.serialize(part); });
+    common.pass_part("contact", [&](ByteStream &part) { contact_watch_.serialize(part); });
     // What this rank knows of the pairs that may touch.
     if (own != nullptr)
-      contact_.serialize(*own);
+      own->pass_required_part("contact", [&](ByteStream &part) { contact_.serialize(part); });
     if (!common.reads())
       return;
 

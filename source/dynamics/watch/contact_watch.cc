@@ -44,7 +44,8 @@ namespace vfife
 
   void ContactWatch::serialize(ByteStream &stream)
   {
-    stream.pass(losses_, touched_);
+    stream.pass_record(losses_);
+    stream.pass(touched_);
   }
 
   const ContactLosses &ContactWatch::losses() const

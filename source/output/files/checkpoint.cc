@@ -30,10 +30,12 @@ namespace vfife
     /** What a file begins with. */
     struct Header
     {
-      std::array<char, 16> mark           = {{"vfife-run-state"}};
-      std::uint64_t        format_version = 3;
-      std::uint64_t        size           = 0; ///< of what follows [bytes]
-      std::uint64_t        checksum       = 0; ///< of what follows: CRC-32
+      std::array<char, 16> mark = {{"vfife-run-state"}};
+      /** Raised only by what older programs cannot read: parts and entries are found by their names
+       * (ByteStream::pass_part()), so that new ones do not. */
+      std::uint64_t format_version = 4;
+      std::uint64_t size           = 0; ///< of what follows [bytes]
+      std::uint64_t checksum       = 0; ///< of what follows: CRC-32
     };
 
     std::uint64_t compute_checksum(const std::string &bytes)
@@ -43,11 +45,15 @@ namespace vfife
       return crc.checksum();
     }
 
-    /** One order for writing and reading; what changes it raises Header::format_version. */
+    /** Both directions. */
     void serialize(ByteStream &stream, Checkpoint &checkpoint)
     {
-      stream.pass(checkpoint.version, checkpoint.parameters, checkpoint.log_size);
-      stream.pass(checkpoint.common, checkpoint.own);
+      stream.pass_required_part("origin", [&](ByteStream &part) {
+        part.pass(checkpoint.version, checkpoint.parameters, checkpoint.log_size);
+      });
+      stream.pass_required_part("run", [&](ByteStream &part) {
+        part.pass(checkpoint.common, checkpoint.own);
+      });
     }
 
     /** What is wrong with a file, or nothing and the bytes behind its header. */
@@ -72,7 +78,10 @@ namespace vfife
       if (header.mark != known.mark)
         return "\"" + path + "\" is no checkpoint of vfife, or is damaged";
       if (header.format_version != known.format_version)
-        return "\"" + path + "\" is a checkpoint of another version of vfife";
+        return "\"" + path + "\" is a checkpoint of " +
+               (header.format_version < known.format_version ? "an older" : "a newer") +
+               " version of vfife (format " + std::to_string(header.format_version) +
+               "), this one reads format " + std::to_string(known.format_version);
       if (header.size != bytes.size())
         return "\"" + path + "\" is damaged: it has " + std::to_string(bytes.size()) + " of " +
                std::to_string(header.size) + " bytes";

@@ -228,6 +228,11 @@ namespace vfife
     is_requested_ = true;
   }
 
+  std::string FieldWriter::part_name() const
+  {
+    return "fields";
+  }
+
   void FieldWriter::serialize(ByteStream &stream)
   {
     // A resumed run goes on with the numbering, and its list names no file written after

@@ -112,6 +112,11 @@ namespace vfife
         }
   }
 
+  std::string PatternWriter::part_name() const
+  {
+    return "pattern";
+  }
+
   void PatternWriter::serialize(ByteStream &stream)
   {
     // With the start of the last tooth mesh, so that a run that goes on knows which one it was.

@@ -76,27 +76,36 @@ namespace vfife
 
   void Stepping::serialize(ByteStream &common, ByteStream *own)
   {
-    // One function writes and reads, so that both have the same order. `common` is equal on all
-    // ranks, `own` is of one rank, and missing where their number has changed.
-    serialize_model(common, model_);
-    double time = run_time();
-    // The wall time so far goes on counting after a restart.
-    common.pass(time);
-    earlier_time_ = common.reads() ? time : earlier_time_;
-    solver_.serialize(common, own, state_);
-    start_->serialize(common);
+    // One function writes and reads. `common` is equal on all ranks, `own` is of one rank, and
+    // missing where their number has changed. Everything is a part with a name, so that a run goes
+    // on from the checkpoint of a version that did not have all of them.
+    common.pass_required_part("model", [&](ByteStream &part) { serialize_model(part, model_); });
+    common.pass_part("wall time", [&](ByteStream &part) {
+      // The wall time so far goes on counting after a restart.
+      double time = run_time();
+      part.pass(time);
+      earlier_time_ = part.reads() ? time : earlier_time_;
+    });
+    common.pass_required_part("solver",
+                              [&](ByteStream &part) { solver_.serialize(part, own, state_); });
+    common.pass_part("start", [&](ByteStream &part) { start_->serialize(part); });
     for (const auto &observer : observers_)
-      observer->serialize(common);
+      if (const std::string name = observer->part_name(); !name.empty())
+        common.pass_part("observer " + name, [&](ByteStream &part) { observer->serialize(part); });
+    common.pass_part("warnings", [&](ByteStream &part) { serialize_warnings(part); });
+  }
 
+  void Stepping::serialize_warnings(ByteStream &stream)
+  {
     // Warnings of the log belong to the run: its summary lists them at the end.
     std::vector<std::pair<std::string, unsigned int>> warnings;
     for (const Log::Warning &warning : log_.warnings())
       warnings.emplace_back(warning.text, warning.count);
-    common.pass(warnings);
+    stream.pass(warnings);
     std::vector<Log::Warning> earlier;
     for (const auto &[text, count] : warnings)
       earlier.push_back({text, count});
-    if (common.reads())
+    if (stream.reads())
       log_.take_warnings(earlier);
   }
 

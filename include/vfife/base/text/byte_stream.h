@@ -83,7 +83,59 @@ namespace vfife
           pass(value);
     }
 
+    /**
+     * Passes a struct of plain numbers to which later versions add members at the end: with its
+     * size, so that members that were not there yet stay what they are.
+     */
+    template <typename Value>
+    void pass_record(Value &value)
+    {
+      static_assert(std::is_trivially_copyable<Value>::value, "plain numbers only");
+      std::size_t size = sizeof(Value);
+      pass(size);
+      if (size > sizeof(Value))
+        refuse_newer();
+      pass_bytes(&value, size);
+    }
+
+    /**
+     * Passes a part by its name: @p pass is called with a stream of that part alone. A stream
+     * consists of parts or of values, not of both; parts are found in any order, parts that nobody
+     * asks for are passed over. Returns false, without calling @p pass, where the part is not among
+     * what was stored: it is younger than that.
+     */
+    template <typename Pass>
+    bool pass_part(const std::string &name, const Pass &pass)
+    {
+      if (reads_)
+        {
+          std::string bytes;
+          if (!find_part(name, bytes))
+            return false;
+          ByteStream part(std::move(bytes));
+          pass(part);
+          return true;
+        }
+      ByteStream part;
+      pass(part);
+      add_part(name, part.bytes());
+      return true;
+    }
+
+    /** The same for a part that must be there: throws InputError where it is not. */
+    template <typename Pass>
+    void pass_required_part(const std::string &name, const Pass &pass)
+    {
+      if (!pass_part(name, pass))
+        refuse_without(name);
+    }
+
   private:
+    bool              find_part(const std::string &name, std::string &bytes) const;
+    void              add_part(std::string name, std::string bytes);
+    [[noreturn]] void refuse_without(const std::string &name) const;
+    [[noreturn]] void refuse_newer() const;
+
     /** Passes the number of values, each of @p least bytes or more, and makes room for them. */
     template <typename Values>
     void value_size(Values &values, const std::size_t least)

@@ -47,9 +47,10 @@ namespace vfife
                 StiffnessKind       kind,
                 FrameKind           frame);
 
-    bool due(const State &state) const override;
-    void observe(const Model &model, const State &state) override;
-    void serialize(ByteStream &stream) override;
+    bool        due(const State &state) const override;
+    void        observe(const Model &model, const State &state) override;
+    std::string part_name() const override;
+    void        serialize(ByteStream &stream) override;
 
     /** Asks for a file at the next step, whatever its number. On all ranks. */
     void request();

@@ -28,10 +28,11 @@ namespace vfife
                   double              start,
                   std::uint64_t       steps_between);
 
-    bool due(const State &state) const override;
-    void observe(const Model &model, const State &state) override;
-    void serialize(ByteStream &stream) override;
-    void finish(const Model &model, const State &state) override;
+    bool        due(const State &state) const override;
+    void        observe(const Model &model, const State &state) override;
+    std::string part_name() const override;
+    void        serialize(ByteStream &stream) override;
+    void        finish(const Model &model, const State &state) override;
 
   private:
     /** Flank of one side on one body; its places are nodes of a single tooth. */

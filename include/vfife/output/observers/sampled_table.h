@@ -39,6 +39,11 @@ namespace vfife
       file_.append_new_rows(table_);
     }
 
+    std::string part_name() const override
+    {
+      return name_;
+    }
+
     void serialize(ByteStream &stream) override
     {
       table_.serialize_rows(stream);
@@ -65,7 +70,8 @@ namespace vfife
                  const std::string           &name,
                  const SampleColumns<Sample> &columns,
                  const std::uint64_t          steps_between)
-      : steps_between_(steps_between)
+      : name_(name)
+      , steps_between_(steps_between)
       , columns_(columns)
       , table_(make_table(columns))
       , file_(folder, name, table_)
@@ -92,6 +98,7 @@ namespace vfife
     /** Calls add_row() for each sample of a state that is due; on all ranks. */
     virtual void add_rows(const Model &model, const State &state) = 0;
 
+    std::string           name_; ///< of the file
     std::uint64_t         steps_between_;
     SampleColumns<Sample> columns_;
     Table                 table_;

@@ -77,6 +77,7 @@ namespace vfife
     void   write();
     void   restore(const Checkpoint &checkpoint);
     void   serialize(ByteStream &common, ByteStream *own);
+    void   serialize_warnings(ByteStream &stream);
     double run_time() const;
     void   finish(const std::function<void()> &complete);
 
