@@ -12,7 +12,10 @@ numpy, matplotlib, Jinja2 and meshio, no display. Exit codes: 0; 1 if not all co
 of these is missing.
 """
 import argparse
+import logging
+import os
 import sys
+import warnings
 from pathlib import Path
 
 try:
@@ -24,6 +27,7 @@ except ImportError as error:
     print(error)
     sys.exit(77)
 
+from .data.files import DamagedFile
 from .data.study import open_folder
 from .page.report import make_report, write_page
 from .plot_table import draw_folder
@@ -80,12 +84,25 @@ def read_arguments(arguments):
     return parser.parse_args(arguments)
 
 
+def describe(asked, error):
+    """What is no run's folder or is damaged, in one line."""
+    if isinstance(error, (OSError, DamagedFile)):
+        return str(error)
+    missing = f" (there is no {error})" if isinstance(error, KeyError) else ""
+    return (f"{getattr(asked, 'folder', 'a folder')}: its files contradict each other or lack something{missing}; with "
+            "VFIFE_REPORT_TRACE=1 in the environment it is shown where")
+
+
 def main(arguments):
     if not arguments:
         sys.exit(__doc__)
     asked = read_arguments(arguments)
+    # Numbers that are none are shown as such; what libraries think of them is no message of this program.
+    warnings.simplefilter("ignore")
+    logging.disable(logging.WARNING)
     try:
         asked.do(asked)
-    except (OSError, ValueError, KeyError) as error:
-        # What is no run's folder or was cut off; errors of these scripts show their trace.
-        sys.exit(f"{asked.command}: {str(error) or type(error).__name__}")
+    except Exception as error:  # of whatever kind: what is damaged shows in many ways
+        if "VFIFE_REPORT_TRACE" in os.environ:
+            raise
+        sys.exit(f"{asked.command}: {describe(asked, error)}")

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import meshio
 import numpy as np
 
+from .files import DamagedFile
+
 
 @dataclass
 class Fields:
@@ -49,17 +51,24 @@ def has_cells(path):
 
 def read_piece(path):
     """Corners of the hexahedra of a .vtu file and data at them."""
-    grid = meshio.vtu.read(path)  # meshio.read() ends the program at a damaged file
+    try:
+        grid = meshio.vtu.read(path)  # meshio.read() ends the program at a damaged file
+    except Exception as error:  # of whatever kind: meshio trusts what it reads
+        raise DamagedFile(f"{path} is damaged: no grid can be read from it") from error
     if set(grid.cells_dict) != {"hexahedron"}:
-        raise ValueError(f"{path} has cells that are no hexahedra")
+        raise DamagedFile(f"{path} has cells that are no hexahedra")
     corners = grid.cells_dict["hexahedron"]
+    if corners.size and not (0 <= corners.min() and corners.max() < len(grid.points)):
+        raise DamagedFile(f"{path} is damaged: cells have corners that are not there")
+    if not np.all(np.isfinite(grid.points)):
+        raise DamagedFile(f"{path} is damaged: coordinates are no numbers")
     data = {name: np.asarray(values, dtype=float)[corners] for name, values in grid.point_data.items()}
     return np.asarray(grid.points, dtype=float)[corners], data
 
 
 def read_last_fields(pvd):
-    """Fields of the last instant that a .pvd names; None if it names none or they are empty. ValueError
-    for a file that is damaged."""
+    """Fields of the last instant that a .pvd names; None if it names none or they are empty. DamagedFile
+    for one that is damaged."""
     try:
         instants = ElementTree.parse(pvd).getroot().findall("Collection/DataSet")
         if not instants:
@@ -71,6 +80,8 @@ def read_last_fields(pvd):
             grid = ElementTree.parse(path).getroot().find("PUnstructuredGrid")
             paths = [path.parent / piece.attrib["Source"] for piece in grid.findall("Piece")]
         pieces = [read_piece(piece) for piece in paths if has_cells(piece)]
-    except (ElementTree.ParseError, KeyError, meshio.ReadError) as error:
-        raise ValueError(f"{pvd} names a damaged file: {error!r}") from error
+    except (AttributeError, ElementTree.ParseError, KeyError, OSError) as error:
+        raise DamagedFile(f"{pvd}, or the file that it names, is damaged") from error
+    except ValueError as error:
+        raise error if isinstance(error, DamagedFile) else DamagedFile(f"{pvd} is damaged") from error
     return join_pieces(pieces, float(last.attrib["timestep"])) if pieces else None

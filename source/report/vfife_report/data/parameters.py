@@ -1,7 +1,9 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The parameters in force of a run, as the program writes them."""
-import json
 import re
+
+from .files import DamagedFile, read_json, read_text
+from .shapes import PARAMETERS
 
 UNIT = re.compile(r"\[([^\[\]]+)\]$")
 
@@ -12,7 +14,7 @@ def read_parameters(folder):
     Empty without either."""
     path, earlier = folder / "parameters.json", folder / "parameters.prm"
     if path.is_file():
-        entries = json.loads(path.read_text(encoding="utf-8"))
+        entries = read_json(path, PARAMETERS)
         return {name: add_unit(entry["value"], entry["unit"]) for name, entry in entries.items()}
     return read_parameter_file(earlier) if earlier.is_file() else {}
 
@@ -20,17 +22,19 @@ def read_parameters(folder):
 def read_parameter_file(path):
     """The same from parameters.prm, where the description before an entry ends in its unit."""
     values, sections, description = {}, [], []
-    for line in path.read_text(encoding="utf-8").splitlines():
+    for number, line in enumerate(read_text(path).split("\n"), 1):
         line = line.strip()
         if line.startswith("#"):
             description.append(line[1:].strip())
             continue
         words = line.split(None, 1)
+        if words and not (line == "end" and sections or words[0] in ("set", "subsection") and len(words) == 2):
+            raise DamagedFile(f'{path}:{number}: "{line[:40]}" is no line of a parameter file')
         if words and words[0] == "subsection":
             sections.append(words[1])
         elif line == "end":
             sections.pop()
-        elif words and words[0] == "set":
+        elif words:
             name, _, value = words[1].partition("=")
             value = value.partition("# default:")[0].strip()
             unit = UNIT.search(" ".join(description))

@@ -1,11 +1,12 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The text files of a run's folder (doc/output.md)."""
-import json
 from pathlib import Path
 
 import numpy as np
 
+from .files import DamagedFile, read_json
 from .parameters import read_parameters
+from .shapes import SUMMARY
 from .table import read_table
 
 
@@ -21,8 +22,11 @@ class RunFolder:
         self.probes = read_table(self.path / "probes.csv")
         self.pattern = read_table(self.path / "pattern.csv")
         self.rim = read_table(self.path / "rim.csv")
+        for table in (self.history, self.teeth, self.probes, self.rim):
+            if table is not None:
+                table.check_times()
         summary = self.path / "summary.json"
-        self.summary = json.loads(summary.read_text(encoding="utf-8")) if summary.is_file() else {}
+        self.summary = read_json(summary, SUMMARY) if summary.is_file() else {}
         self.parameters = read_parameters(self.path)
         self.fields = self.path / "fields.pvd"
 
@@ -39,6 +43,9 @@ class RunFolder:
         if not frequency or self.history is None or self.history.n_rows < 2:
             return None
         interval = (self.history["time"][-1] - self.history["time"][0]) / (self.history.n_rows - 1)
+        if not (interval > 0 and 0.5 <= 1 / (frequency * interval) < self.history.n_rows * 1e6):
+            raise DamagedFile(f"{self.path / 'history.csv'}: its samples do not fit the mesh frequency {frequency:g} Hz "
+                              "of summary.json")
         return 1 / (frequency * interval)
 
     def steady_part(self):

@@ -1,10 +1,10 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The runs of a study: folders below one folder, in the order of sweep.csv where there is one."""
-import csv
 from dataclasses import dataclass
 
 from .naming import name_variants
 from .run_folder import RunFolder
+from .table import read_rows
 
 
 @dataclass
@@ -23,8 +23,7 @@ def list_sweep_order(folder):
     path = folder / "sweep.csv"
     if not path.is_file():
         return []
-    with open(path, encoding="utf-8", newline="") as file:
-        cells = [cell for row in csv.reader(file) for cell in row if cell.strip()]
+    cells = [cell for _, row in read_rows(path) for cell in row if cell.strip() and "\0" not in cell]
     return list(dict.fromkeys(folder / cell for cell in cells if (folder / cell).is_dir()))
 
 

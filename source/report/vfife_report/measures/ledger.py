@@ -1,6 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The comparison ledger: rows of comparison.json (doc/report.md) and their table."""
-import json
+from ..data.files import DamagedFile, read_json
+from ..data.shapes import COMPARISON
 
 VERDICTS = ("agrees", "differs", "not judged")
 HEADER = ["quantity", "value", "reference", "unit", "difference", "%", "tolerance", "verdict",
@@ -9,7 +10,7 @@ HEADER = ["quantity", "value", "reference", "unit", "difference", "%", "toleranc
 
 def read_ledger(path):
     """Rows of a comparison.json; ValueError names the row that contradicts itself."""
-    content = json.loads(path.read_text(encoding="utf-8"))
+    content = read_json(path, COMPARISON)
     rows = content["rows"]
     for row in rows:
         check_row(path, row)
@@ -21,23 +22,23 @@ def check_row(path, row):
     for name in ("quantity", "unit", "value", "reference", "reference kind", "difference",
                  "tolerance", "verdict", "reason"):
         if name not in row:
-            raise ValueError(f'{where}: "{name}" is missing')
+            raise DamagedFile(f'{where}: "{name}" is missing')
     if row["verdict"] not in VERDICTS:
-        raise ValueError(f'{where}: verdict "{row["verdict"]}" is none of {", ".join(VERDICTS)}')
+        raise DamagedFile(f'{where}: verdict "{row["verdict"]}" is none of {", ".join(VERDICTS)}')
     value, reference = row["value"], row["reference"]
     if value is None or reference is None or row["difference"] is None:
         if row["verdict"] != "not judged":
-            raise ValueError(f"{where}: a verdict without numbers")
+            raise DamagedFile(f"{where}: a verdict without numbers")
         return
     scale = max(abs(value), abs(reference))
     if abs(row["difference"] - (value - reference)) > 1e-6 * scale:
-        raise ValueError(f"{where}: the difference is not value minus reference")
+        raise DamagedFile(f"{where}: the difference is not value minus reference")
     if row["verdict"] == "not judged":
         return
     if row["tolerance"] is None:
-        raise ValueError(f"{where}: a verdict without tolerance")
+        raise DamagedFile(f"{where}: a verdict without tolerance")
     if (abs(row["difference"]) <= row["tolerance"]) != (row["verdict"] == "agrees"):
-        raise ValueError(f"{where}: verdict and tolerance contradict each other")
+        raise DamagedFile(f"{where}: verdict and tolerance contradict each other")
 
 
 def list_ledger_rows(rows):

@@ -1,8 +1,8 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Chapters that every folder can have: comparison ledger, tooth contact analysis, loaded tooth contact,
 natural frequencies, lumped model."""
-import json
-
+from ..data.files import read_json
+from ..data.shapes import LUMPED
 from ..measures.ledger import HEADER, list_ledger_rows, read_ledger
 from .chapter import Chapter
 from .parts import Cells, Paragraph
@@ -25,7 +25,7 @@ def tell_lumped_model(run, plots):
     yield from plots
     if not run.has_file("lumped.csv"):
         return
-    results = json.loads((run.path / "lumped.json").read_text(encoding="utf-8"))
+    results = read_json(run.path / "lumped.json", LUMPED)
     for part, caption in (("model", "The model."), ("response", "Response at the speed of operation.")):
         yield Cells(["", "value", "unit"], [[name, one["value"], one["unit"]]
                                             for name, one in results[part].items()], caption)

@@ -1,9 +1,9 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Plots of a lumped model's results: motion at the speed of operation, response over speed."""
-import json
-
 import numpy as np
 
+from ..data.files import read_json
+from ..data.shapes import LUMPED
 from ..data.table import Table
 from .style import COLOURS, GREY, add_legend, plt
 
@@ -29,7 +29,7 @@ def draw_motion(run):
 def draw_response(run):
     """Over speed, upwards and downwards."""
     sweep = Table(run.path / "resonance.csv")
-    modes = json.loads((run.path / "lumped.json").read_text(encoding="utf-8"))["modes"]
+    modes = read_json(run.path / "lumped.json", LUMPED)["modes"]
     plot, panels = plt.subplots(2, 1, sharex=True, figsize=(8, 7))
     for axes, (column, label) in zip(panels, RESPONSES):
         for direction, marker, colour in (("up", "o", COLOURS[1]), ("down", "x", COLOURS[2])):

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
 
+from ..data.files import DamagedFile
 from . import style
 from .plot_data import write_plot_data
 
@@ -40,7 +41,11 @@ def draw_rows(rows, source, folder, names=()):
             name = row.name.format(one)
             if names and name not in names:
                 continue
-            plot = row.draw(source) if one is None else row.draw(source, one)
+            try:
+                plot = row.draw(source) if one is None else row.draw(source, one)
+            except (ArithmeticError, LookupError, TypeError) as error:
+                raise DamagedFile(f"{folder}: {name} cannot be drawn: its numbers"
+                                  f"{' in ' + row.data if row.data else ''} contradict each other") from error
             if plot is not None:
                 path = save_plot(plot, folder / "pictures" / name)
                 data = path.with_suffix(".csv")
