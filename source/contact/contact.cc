@@ -272,6 +272,10 @@ namespace vfife
   void Contact::serialize(ByteStream &stream)
   {
     stream.pass(candidate_pairs_);
+    for (const GroupPair &pair : candidate_pairs_)
+      stream.require(pair.first < passes_[0].slave().n_groups() &&
+                       pair.second < passes_[0].master().n_groups(),
+                     "groups that the surfaces have not");
     for (ContactPass &pass : passes_)
       pass.serialize(stream);
     if (stream.reads())

@@ -93,7 +93,9 @@ namespace vfife
     // A report is an addition to the results: whatever goes wrong with it is a line of the log and
     // no failure of the run.
     // -B: nothing is written beside the scripts.
-    const std::string arguments = " -B " + quote(script) + " " + quote(folder.path());
+    // A name such as "--help" must not be taken for an option.
+    const std::string path      = (folder.path()[0] == '-' ? "./" : "") + folder.path();
+    const std::string arguments = " -B " + quote(script) + " " + quote(path);
     Outcome           outcome   = run_command("python3" + arguments);
     if (lacks_something(outcome))
       outcome = run_command("/usr/bin/python3" + arguments);

@@ -136,6 +136,31 @@ int main()
     ByteStream part(written.bytes().substr(0, written.bytes().size() - 1));
     again.serialize(part);
   });
+  // What the reader knows is compared before it is used.
+  ByteStream          three;
+  std::vector<double> numbers = {1, 2, 3};
+  three.pass_known(numbers);
+  ByteStream stored_three(three.bytes());
+  numbers.assign(3, 0);
+  stored_three.pass_known(numbers);
+  stored_three.finish();
+  check("as many as are known", numbers == std::vector<double>({1, 2, 3}));
+  refuse([&] {
+    ByteStream from(three.bytes(), "the data in \"file\"");
+    numbers.resize(2);
+    from.pass_known(numbers);
+  });
+  refuse([&] {
+    ByteStream from(three.bytes() + "x");
+    numbers.resize(3);
+    from.pass_known(numbers);
+    from.finish();
+  });
+  refuse([&] {
+    ByteStream from(std::string("\2"));
+    bool       answer = false;
+    from.pass(answer);
+  });
   refuse([&] {
     Table other;
     other.add_column("length", "m");

@@ -47,8 +47,19 @@ namespace
       }
     catch (const InputError &error)
       {
-        std::cout << error.what() << std::endl;
+        const std::string message = error.what();
+        std::cout << message.substr(0, message.find(" of memory, ")) << std::endl;
       }
+  }
+
+  /** A model of one body. */
+  std::string write_model(const std::string &body)
+  {
+    const std::string name = "model.prm";
+    std::ofstream(name) << "subsection Study\n  set kind = linear static\nend\nsubsection Model\n"
+                           "  set bodies = a\n  subsection Body a\n    "
+                        << body << "\n  end\nend\n";
+    return name;
   }
 
   std::string gear_body(const std::string &entry)
@@ -81,4 +92,22 @@ int main(int argc, char **argv)
   refuse(write_case(""), world, {"Operation/speed=0 rpm"});
   refuse(write_case(""), world, {"Operation/speed"});
   refuse(write_case(""), world, {"Operations/speed=1 rpm"});
+
+  // What is no text.
+  refuse(write_case("# a\xff\n"), world);
+  refuse(write_case(std::string("set a\0b = 1\n", 12)), world);
+  refuse(write_case(""), world, {"Study/output folder=\xc3("});
+
+  // Meshes that no machine holds are refused before anything is meshed; how much is free is another
+  // number everywhere.
+  const std::vector<std::string> shapes = {"block", "beam", "ring", "cylinder", "disc", "sphere"};
+  const std::vector<std::string> counts = {
+    "cells x", "cells along length", "cells around", "axial cells", "radial cells", "radial cells"};
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    refuse(write_model("set mesh = " + shapes[i] + "\n    set " + counts[i] + " = 1e8"), world);
+  refuse(write_model("set mesh = block\n    set cells x = 1000\n    set cells y = 1000\n"
+                     "    set cells z = 490"),
+         world);
+  refuse(write_case(""), world, {"Gear pair/Gear/Mesh/cells lengthwise=1e7"});
+  refuse(write_case(""), world, {"Gear pair/Pinion/Mesh/cells across tooth=1e8"});
 }

@@ -4,7 +4,10 @@
 #include "child_program.h"
 #include "quick_pair.h"
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 namespace
@@ -171,11 +174,55 @@ namespace
     show("both damaged", run_program(command("parts", {"--restart"})));
   }
 
+  /** Writes a checkpoint whose state is cut or changed, with the checksum that belongs to it. */
+  void forge(const std::string &from, const std::function<void(std::string &)> &change)
+  {
+    constexpr std::size_t header = 40, size_at = 24, checksum_at = 32;
+    std::string           bytes = read_text(from), state = bytes.substr(header);
+    change(state);
+    boost::crc_32_type crc;
+    crc.process_bytes(state.data(), state.size());
+    const std::uint64_t size = state.size(), checksum = crc.checksum();
+    bytes.replace(size_at, 8, reinterpret_cast<const char *>(&size), 8);
+    bytes.replace(checksum_at, 8, reinterpret_cast<const char *>(&checksum), 8);
+    fs::create_directory("forged");
+    std::ofstream("forged/checkpoint.bin", std::ios::binary) << bytes.substr(0, header) << state;
+    fs::remove("forged/checkpoint.previous.bin");
+  }
+
+  /** Right checksums do not make sizes and indices right: nothing is used before it is compared
+   * with the model. */
+  void refuse_forged()
+  {
+    run_program(command("parts", {"--set", "Dynamics/largest number of steps=57"}));
+    const std::string from = "parts/checkpoint.bin";
+    forge(from, [](std::string &state) { state.resize(state.size() / 2); });
+    show("forged, cut", run_program(command("forged", {"--restart"})));
+    forge(from, [](std::string &state) { state += "more"; });
+    show("forged, longer", run_program(command("forged", {"--restart"})));
+    // Every number of the contact's lists, which are the last of the state, becomes a huge one.
+    unsigned int ended_well = 0, n = 0;
+    for (std::size_t at = 16; at <= 2048; at += 56, ++n)
+      {
+        forge(from, [at](std::string &state) {
+          state.replace(state.size() - at, 4, "\xf0\xff\xff\x7f", 4);
+        });
+        const int code = run_program(command("forged", {"--restart"})).exit_code;
+        ended_well += code >= 0 && code <= 2 ? 1 : 0;
+      }
+    check("forged: no crash", ended_well == n);
+  }
+
   void report_full_disk()
   {
     fs::create_directory("full");
     fs::create_symlink("/dev/full", "full/history.csv");
     show("full disk", run_program(command("full")));
+    // deal.II writes the fields; the message is this program's.
+    fs::remove_all("full");
+    fs::create_directories("full/fields");
+    fs::create_symlink("/dev/full", "full/fields/00000.vtu.part");
+    show("full disk, fields", run_program(command("full")));
     show("no folder can be made", run_program(command("/proc/results")));
   }
 } // namespace
@@ -183,7 +230,7 @@ namespace
 int main()
 {
   for (const char *folder :
-       {"whole", "parts", "killed", "stopped", "frame", "ranks", "full", "empty"})
+       {"whole", "parts", "killed", "stopped", "frame", "ranks", "full", "empty", "forged"})
     fs::remove_all(folder);
   write_case();
   const Ending whole = run_program(command("whole"));
@@ -193,5 +240,6 @@ int main()
   resume_after_signals();
   resume_with_more_ranks();
   refuse_others();
+  refuse_forged();
   report_full_disk();
 }

@@ -174,10 +174,12 @@ namespace vfife
     /** Smallest gap over a slave facet, from its smallest sample on. */
     ContactPoint refined_gap(const ListedPoint &sample);
     void         bound_master_areas(const FacetDirections &directions);
-    void         update_paths(const SurfaceMotion &slave, const SurfaceMotion &master);
-    Vector3      slave_point(unsigned int facet, unsigned int rule_point) const;
-    void         find_points(
-              Pair &pair, double open_reach, double depth_reach, unsigned int rank, unsigned int n_ranks);
+    /** Throws InputError when lists that a checkpoint has given are of other surfaces. */
+    void    check_lists(const ByteStream &stream) const;
+    void    update_paths(const SurfaceMotion &slave, const SurfaceMotion &master);
+    Vector3 slave_point(unsigned int facet, unsigned int rule_point) const;
+    void    find_points(
+         Pair &pair, double open_reach, double depth_reach, unsigned int rank, unsigned int n_ranks);
     /** Boxes of the master's facets of a group, in their order. */
     std::vector<Box> facet_boxes(unsigned int group) const;
     /** The nearest foot on the facets with the numbers @p near in @p group; the facet found goes to

@@ -2,6 +2,8 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_history.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/shown_text.h>
 
 #include <algorithm>
 #include <fstream>
@@ -11,6 +13,12 @@ namespace vfife
 {
   namespace
   {
+    /** Whether a word begins as numbers do, and no heading. */
+    bool begins_number(const std::string &word)
+    {
+      return std::string("+-.0123456789").find(word[0]) != std::string::npos;
+    }
+
     /** Time and factor of each row, times increasing. */
     std::vector<std::pair<double, double>> read_rows(const std::string &path)
     {
@@ -18,18 +26,29 @@ namespace vfife
       if (!file)
         throw InputError("the table \"" + path + "\" cannot be read");
       std::vector<std::pair<double, double>> rows;
+      unsigned int                           n_lines = 0;
       for (std::string line; std::getline(file, line);)
         {
+          const std::string place =
+            "the table \"" + path + "\", line " + std::to_string(++n_lines) + ": ";
           // Columns may be divided by commas, blanks or tabs.
           std::replace(line.begin(), line.end(), ',', ' ');
-          std::istringstream        numbers(line);
-          std::pair<double, double> row;
-          // Headings and empty lines.
-          if (!(numbers >> row.first))
+          std::istringstream       stream(line);
+          std::vector<std::string> words;
+          for (std::string word; stream >> word;)
+            words.push_back(word);
+          // Headings come before the numbers.
+          if (words.empty() || (rows.empty() && !begins_number(words[0])))
             continue;
-          if (!(numbers >> row.second))
-            throw InputError("the table \"" + path + "\" has a line without a second number: \"" +
-                             line + "\"");
+          if (words.size() != 2)
+            throw InputError(place + "a time and a factor are needed, not " +
+                             std::to_string(words.size()) + " numbers");
+          std::string                     rest[2];
+          const std::pair<double, double> row = {read_number(words[0], rest[0]),
+                                                 read_number(words[1], rest[1])};
+          if (!rest[0].empty() || !rest[1].empty())
+            throw InputError(place + "\"" + shown(rest[0].empty() ? words[1] : words[0]) +
+                             "\" is no number");
           if (!rows.empty() && row.first <= rows.back().first)
             throw InputError("times in the table \"" + path + "\" must increase");
           rows.push_back(row);

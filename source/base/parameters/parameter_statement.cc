@@ -3,6 +3,7 @@
 #include <vfife/base/parameters/parameter_statement.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>
+#include <vfife/base/text/shown_text.h>
 
 #include <algorithm>
 #include <cctype>
@@ -76,6 +77,10 @@ namespace vfife
               line_number_ = n_lines;
               statement.clear();
             }
+          // Values go into JSON, names of files and messages: only text can.
+          const std::string bad = find_bad_bytes(line);
+          if (!bad.empty())
+            throw InputError(file_name_ + ":" + std::to_string(n_lines) + ": " + bad);
           // A statement over several lines has the number of its first one, and
           // ends with the file at the latest.
           continued = !line.empty() && line.back() == '\\';
@@ -204,8 +209,11 @@ namespace vfife
   ParameterStatement read_override(const std::string &text)
   {
     ParameterStatement statement;
-    statement.place             = "--set \"" + text + "\"";
+    statement.place             = "--set \"" + shown(text, text.size()) + "\"";
     statement.from_command_line = true;
+    const std::string bad       = find_bad_bytes(text);
+    if (!bad.empty())
+      throw InputError(statement.place + ": " + bad);
 
     // The first '=' ends the name: values may have more of them, names have none.
     const std::size_t equal_sign = text.find('=');

@@ -55,7 +55,7 @@ namespace vfife
     if (!*file_)
       {
         file_ = nullptr;
-        throw std::runtime_error(std::string("cannot write the log's file: ") +
+        throw std::runtime_error(std::string("cannot write run.log: ") +
                                  std::strerror(errno));
       }
   }

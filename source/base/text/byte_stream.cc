@@ -6,10 +6,20 @@
 
 namespace vfife
 {
-  ByteStream::ByteStream(std::string bytes)
+  ByteStream::ByteStream(std::string bytes, std::string name)
     : reads_(true)
     , bytes_(std::move(bytes))
+    , name_(std::move(name))
   {
+  }
+
+  void ByteStream::pass(bool &value)
+  {
+    // Another byte than 0 and 1 would be no bool.
+    char byte = value ? 1 : 0;
+    pass_bytes(&byte, 1);
+    require(byte == 0 || byte == 1, "a byte that is neither yes nor no");
+    value = byte == 1;
   }
 
   void ByteStream::pass(std::string &value)
@@ -23,13 +33,27 @@ namespace vfife
   {
     // Asked before a vector is resized: a wrong count must not ask for all memory.
     if (n > (bytes_.size() - next_) / least)
-      throw InputError("stored data end too early: they are of another version of vfife");
+      throw InputError(name_ + " end too early: they are of another version of vfife");
+  }
+
+  void ByteStream::require(const bool condition, const std::string &wrong) const
+  {
+    if (reads_ && !condition)
+      throw InputError(name_ + " are damaged, or of another version of vfife: byte " +
+                       std::to_string(next_) + " of " + std::to_string(bytes_.size()) +
+                       " comes after " + wrong);
+  }
+
+  void ByteStream::finish() const
+  {
+    require(has_parts_ || next_ == bytes_.size(), "the last value");
   }
 
   bool ByteStream::find_part(const std::string &name, std::string &bytes) const
   {
     // From the beginning: the order of the questions need not be that of the parts.
-    ByteStream all(bytes_);
+    has_parts_ = true;
+    ByteStream all(bytes_, name_);
     while (all.next_ < all.bytes_.size())
       {
         std::string found;
@@ -47,13 +71,13 @@ namespace vfife
 
   void ByteStream::refuse_without(const std::string &name) const
   {
-    throw InputError("stored data have no part \"" + name +
+    throw InputError(name_ + " have no part \"" + name +
                      "\": they are of another version of vfife");
   }
 
   void ByteStream::refuse_newer() const
   {
-    throw InputError("stored data are of a newer version of vfife than this one");
+    throw InputError(name_ + " are of a newer version of vfife than this one");
   }
 
   void ByteStream::pass_bytes(void *value, const std::size_t n)

@@ -128,6 +128,8 @@ namespace vfife
         Column    &column    = columns_[i];
         const bool was_there = stream.pass_part(known[i], [&](ByteStream &part) {
           part.pass(column.numbers, column.texts);
+          part.require((column.is_text ? column.texts.size() : column.numbers.size()) == n_rows_,
+                       "a column that is not as long as the table");
         });
         if (!was_there && column.is_text)
           column.texts.assign(n_rows_, "");

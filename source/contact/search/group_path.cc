@@ -68,6 +68,14 @@ namespace vfife
 
   void GroupPath::serialize(ByteStream &stream)
   {
-    stream.pass(active_, lengths_, previous_);
+    stream.pass(active_);
+    stream.pass_known(lengths_);
+    stream.pass_known(previous_);
+    if (!stream.reads())
+      return;
+    for (const unsigned int group : active_)
+      stream.require(group < lengths_.size(), "a group that the surface has not");
+    for (const double length : lengths_)
+      stream.require(std::isfinite(length), "a path without end");
   }
 } // namespace vfife

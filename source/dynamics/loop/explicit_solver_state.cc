@@ -7,6 +7,9 @@
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/dynamics/watch/measurement.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vfife
 {
   namespace
@@ -28,10 +31,27 @@ namespace vfife
             place(i) = field.value(i);
           communicator.sum(all); // one owner a node: adding the others' zeros changes no digit
         }
-      stream.pass(all);
+      stream.pass_known(all);
+      const auto is_finite = [](const double number) { return std::isfinite(number); };
+      if (stream.reads())
+        stream.require(std::all_of(all.begin(), all.end(), is_finite),
+                       "a coordinate or velocity that is no number");
       if (stream.reads())
         for (const std::uint32_t i : partition.nodes())
           field.set(i, place(i));
+    }
+    /** A run goes on from time and step of its beginning in equal steps. */
+    void check_times(const ByteStream   &stream,
+                     const std::uint64_t first_step,
+                     const double        first_time,
+                     const State        &state)
+    {
+      stream.require(std::isfinite(state.dt) && state.dt > 0 && state.step >= first_step,
+                     "a step that is none");
+      const double steps = static_cast<double>(state.step - first_step);
+      stream.require(std::abs(state.time - first_time - steps * state.dt) <=
+                       1e-9 * (std::abs(state.time) + state.dt),
+                     "a time that is not that of its step");
     }
   } // namespace
 
@@ -178,7 +198,9 @@ namespace vfife
     // What all ranks know.
     Beginning beginning = beginning_.value_or(Beginning());
     common.pass_required_part("state", [&](ByteStream &part) {
-      part.pass(beginning, state.time, state.step, state.dt, state.body_motion);
+      part.pass(beginning.step, beginning.time, state.time, state.step, state.dt);
+      check_times(part, beginning.step, beginning.time, state);
+      part.pass_known(state.body_motion);
       pass_vectors(part, *state.partition, communicator_, state.position);
       pass_vectors(part, *state.partition, communicator_, state.velocity);
       for (RigidVelocity &rate : rigid_)

@@ -4,6 +4,7 @@
 #include <vfife/mesh/gear/gear_manifolds.h>
 #include <vfife/mesh/gear/gear_sector_builder.h>
 #include <vfife/mesh/gear/refined_sector.h>
+#include <vfife/mesh/mesh_size.h>
 #include <vfife/mesh/node_set_names.h>
 
 namespace vfife
@@ -32,9 +33,10 @@ namespace vfife
   {
     asked.check(gear.name(), gear.blank());
     // 1. The template of one sector.
-    const GearBodyOptions options   = asked.with_counts_of_size(gear);
-    const GearSector      sector    = make_gear_sector(gear, options);
-    const unsigned int    n_sectors = gear.blank().teeth, n_nodes = sector.nodes.size();
+    const GearBodyOptions options = asked.with_counts_of_size(gear);
+    check_mesh_size(gear.name(), options.n_cells(gear.blank().teeth));
+    const GearSector   sector    = make_gear_sector(gear, options);
+    const unsigned int n_sectors = gear.blank().teeth, n_nodes = sector.nodes.size();
 
     // 2. Its copies, turned about the axis; a node of the next sector is that of sector k + 1.
     auto mesh       = std::make_unique<BodyMesh>();

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/mesh/gear/gear_body_options.h>
+#include <vfife/mesh/mesh_size.h>
 
 #include <cmath>
 #include <sstream>
@@ -286,7 +287,10 @@ namespace vfife
                   millimetres(element_size) + " is too small, at least " +
                     millimetres(least_size_part * blank.face_width));
     if (element_size == 0.)
-      check_counts(*this, refuse);
+      {
+        check_counts(*this, refuse);
+        check_mesh_size(section + "/Mesh", n_cells(blank.teeth));
+      }
 
     const double L = blank.inner_cone_distance();
     // under the root: the bore of a solid body, or a rim that does not reach the axis

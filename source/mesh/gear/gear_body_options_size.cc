@@ -6,6 +6,26 @@
 
 namespace vfife
 {
+  double GearBodyOptions::n_cells(const unsigned int teeth) const
+  {
+    // In numbers that do not overflow. The tooth has a row for the fillet besides those of the
+    // flank.
+    const double in_teeth = cells_lengthwise * (flank_rows + 1.) * cells_across;
+    const double in_rim   = static_cast<double>(cells_lengthwise) * rim_rows * columns();
+    double       n        = in_teeth + in_rim;
+    if (web == WebKind::conical)
+      {
+        // Three columns of the rim become one in a first row of four cells each.
+        const double groups = coarsens() ? columns() / 3 : columns();
+        const double fillets =
+          (rim_fillet_radius > 0. ? fillet_rows * static_cast<double>(columns()) : 0.) +
+          (hub_fillet_radius > 0. ? fillet_rows * groups : 0.);
+        n += web_layers * (groups * (web_rows + (coarsens() ? 3. : 0.)) + fillets);
+        n += hub_rows * (2. * hub_side_cells + web_layers) * groups;
+      }
+    return teeth * n * std::pow(8., refinements);
+  }
+
   GearBodyOptions GearBodyOptions::with_counts_of_size(const GearGeometry &gear) const
   {
     GearBodyOptions sized = *this;

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/mesh/mesh_size.h>
 #include <vfife/mesh/primitives/primitive_options.h>
 #include <vfife/mesh/primitives/primitives.h>
 
@@ -27,6 +28,25 @@ namespace vfife
       bool         even;
     };
 
+    /** Cells of a grid of the three counts. */
+    double cells_of_grid(const Counts &n)
+    {
+      return static_cast<double>(n[0]) * n[1] * n[2];
+    }
+
+    /** Cells of a disc's core of n x n, and of rows around it with a cell at each of its 4 n border
+     * sides, in all layers. */
+    double cells_of_disc(const Counts &n)
+    {
+      return static_cast<double>(n[0]) * (n[0] + 4. * n[1]) * n[2];
+    }
+
+    /** The same of a ball: a core of n^3, and rows around its six sides. */
+    double cells_of_ball(const Counts &n)
+    {
+      return static_cast<double>(n[0]) * n[0] * (n[0] + 6. * n[1]);
+    }
+
     constexpr char across_core[] = "Cells across the core, an even number";
     constexpr char around_core[] = "Rows of cells between core and outer surface";
   } // namespace
@@ -36,7 +56,8 @@ namespace vfife
     const char             *name;
     std::vector<SizeEntry>  sizes;
     std::vector<CountEntry> counts;
-    bool                    rising; ///< the second size must be larger than the first
+    double (*n_cells)(const Counts &);
+    bool rising; ///< the second size must be larger than the first
     std::unique_ptr<BodyMesh> (*make)(const Sizes &, const Counts &);
   };
 
@@ -53,6 +74,7 @@ namespace vfife
          {{"cells x", "Cells along x", 4, 1, false},
           {"cells y", "Cells along y", 4, 1, false},
           {"cells z", "Cells along z", 4, 1, false}},
+         &cells_of_grid,
          false,
          [](const Sizes &s, const Counts &n) {
            return make_block({s[0], s[1], s[2]}, n);
@@ -64,6 +86,7 @@ namespace vfife
          {{"cells along length", "Cells along x", 20, 1, false},
           {"cells across width", "Cells along y", 2, 1, false},
           {"cells over height", "Cells along z", 2, 1, false}},
+         &cells_of_grid,
          false,
          [](const Sizes &s, const Counts &n) {
            return make_beam({s[0], s[1], s[2]}, n);
@@ -75,6 +98,7 @@ namespace vfife
          {{"radial cells", "Cells from inner to outer radius", 4, 1, false},
           {"cells around", "Cells around the axis", 36, 3, false},
           {"axial cells", "Cells along z", 4, 1, false}},
+         &cells_of_grid,
          true,
          [](const Sizes &s, const Counts &n) { return make_ring(s[0], s[1], s[2], n); }},
         {"cylinder",
@@ -82,6 +106,7 @@ namespace vfife
          {{"core cells", across_core, 4, 2, true},
           {"radial cells", around_core, 3, 1, false},
           {"axial cells", "Cells along z", 8, 1, false}},
+         &cells_of_disc,
          false,
          [](const Sizes &s, const Counts &n) { return make_cylinder(s[0], s[1], n); }},
         {"disc",
@@ -89,11 +114,13 @@ namespace vfife
          {{"core cells", across_core, 8, 2, true},
           {"radial cells", around_core, 8, 1, false},
           {"axial cells", "Cells through the thickness", 2, 1, false}},
+         &cells_of_disc,
          false,
          [](const Sizes &s, const Counts &n) { return make_disc(s[0], s[1], n); }},
         {"sphere",
          {{"radius", "About the origin", 10.}},
          {{"core cells", across_core, 4, 2, true}, {"radial cells", around_core, 4, 1, false}},
+         &cells_of_ball,
          false,
          [](const Sizes &s, const Counts &n) {
            return make_sphere(s[0], {{n[0], n[1]}});
@@ -153,6 +180,7 @@ namespace vfife
         throw InputError(section + "/" + shape_->counts[i].name,
                          std::to_string(counts[i]) + " is odd, an even number is needed");
     // Bounds of single entries are checked when they are read; here what ties two of them.
+    check_mesh_size(section, shape_->n_cells(counts));
     if (shape_->rising && !(sizes[0] < sizes[1]))
       throw InputError(section + "/" + shape_->sizes[0].name,
                        std::string("must be smaller than the ") + shape_->sizes[1].name);

@@ -125,6 +125,11 @@ namespace vfife
     };
   } // namespace
 
+  std::string data_of(const Checkpoint &checkpoint)
+  {
+    return "the data in \"" + checkpoint.file + "\"";
+  }
+
   void write_checkpoint(const OutputFolder &folder,
                         const std::string  &common,
                         const std::string  &own,
@@ -190,9 +195,10 @@ namespace vfife
       throw InputError(complaint);
     // The bytes go to all ranks, each of which takes its own part later.
     Checkpoint checkpoint;
-    ByteStream stream(communicator.broadcast(bytes));
-    serialize(stream, checkpoint);
     checkpoint.file = communicator.broadcast(file);
+    ByteStream stream(communicator.broadcast(bytes), data_of(checkpoint));
+    serialize(stream, checkpoint);
+    stream.finish();
     return checkpoint;
   }
 
@@ -218,6 +224,10 @@ namespace vfife
         "of the run that wrote it");
     // Probes "that pass the mesh at 75 % of the run" depend on its length, which may have changed.
     for (Probe &probe : model.probes)
-      stream.pass(probe.node);
+      {
+        stream.pass(probe.node);
+        stream.require(probe.node < model.bodies[probe.body].n_nodes(),
+                       "a probe at a node that the body has not");
+      }
   }
 } // namespace vfife

@@ -137,8 +137,17 @@ namespace vfife
     {
       // What the disk does not take shows when the file is closed, at the latest.
       std::ofstream out(temporary, std::ios::binary);
-      if (out)
-        write(out);
+      try
+        {
+          if (out)
+            write(out);
+        }
+      catch (...)
+        {
+          // deal.II's writers throw when the stream fails, and do not know the file.
+          if (out)
+            throw;
+        }
       out.close();
       if (!out)
         refuse(path);
@@ -178,8 +187,9 @@ namespace vfife
     write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });
     Json entries = Json::object();
     add_entries(declared, "", entries);
-    write_file("parameters.json",
-               [&entries](std::ostream &out) { out << entries.dump(2) << '\n'; });
+    write_file("parameters.json", [&entries](std::ostream &out) {
+      out << entries.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    });
   }
 
   void OutputFolder::attach_log(Log &log, const std::optional<std::size_t> kept)

@@ -1,5 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/text/csv_text.h>
+#include <vfife/base/text/shown_text.h>
 #include <vfife/output/files/table_reader.h>
 
 #include <cstdlib>
@@ -10,14 +12,21 @@ namespace vfife
 {
   namespace
   {
-    Table::Cell make_cell(const std::string &text, const bool is_text)
+    /** A cell of the row at @p place. */
+    Table::Cell
+    make_cell(const std::string &place, const CsvText::Heading &heading, const std::string &text)
     {
-      if (is_text)
+      if (!heading.unit)
         return text;
       // Also "nan" and "inf"; an empty cell is no number.
+      if (text.empty())
+        return std::numeric_limits<double>::quiet_NaN();
       char        *end   = nullptr;
       const double value = std::strtod(text.c_str(), &end);
-      return end == text.c_str() ? std::numeric_limits<double>::quiet_NaN() : value;
+      if (end != text.c_str() + text.size())
+        throw InputError(place + ": \"" + shown(text) + "\" in column \"" + shown(heading.name) +
+                         "\" is no number");
+      return value;
     }
   } // namespace
 
@@ -37,7 +46,7 @@ namespace vfife
       {
         std::vector<Table::Cell> cells;
         for (std::size_t i = 0; i < row.cells.size(); ++i)
-          cells.push_back(make_cell(row.cells[i], !text.headings[i].unit));
+          cells.push_back(make_cell(row.place, text.headings[i], row.cells[i]));
         table.add_row(cells);
       }
     return table;

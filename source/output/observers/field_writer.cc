@@ -239,7 +239,10 @@ namespace vfife
     // the checkpoint.
     stream.pass(instants_);
     if (stream.reads() && !instants_.empty())
-      write_pvd();
+      {
+        folder_.make_subfolder("fields"); // it may have been removed
+        write_pvd();
+      }
   }
 
   void FieldWriter::write_pvd() const

@@ -128,7 +128,7 @@ namespace vfife
         // Each rank has seen its own nodes only.
         if (!stream.reads())
           folder_.communicator().max(largest);
-        stream.pass(largest);
+        stream.pass_known(largest);
         // A run that is made longer has another last tooth mesh.
         if (stream.reads() && start == start_)
           flank.largest_pressure = largest;

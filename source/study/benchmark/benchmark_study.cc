@@ -3,6 +3,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/mesh_size.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
@@ -119,6 +120,7 @@ namespace vfife
   void BenchmarkStudy::check() const
   {
     gear_case_.check_bodies();
+    check_mesh_size("Benchmark/cells", std::pow(benchmark_.cells, 3.));
   }
 
   void BenchmarkStudy::inspect(Communicator &, Log &log)

@@ -224,6 +224,11 @@ namespace vfife
         {
           failure = error.what();
         }
+      catch (const std::logic_error &error)
+        {
+          // Columns that the tables of these kinds of studies have, but not these files.
+          failure = std::string("the results of a case are damaged: ") + error.what();
+        }
     const std::string message = folder.communicator().broadcast(failure.value_or(""));
     if (!message.empty())
       throw InputError("Compare/cases", message);

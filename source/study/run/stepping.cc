@@ -84,6 +84,7 @@ namespace vfife
       // The wall time so far goes on counting after a restart.
       double time = run_time();
       part.pass(time);
+      part.require(time >= 0 && std::isfinite(time), "a run time that is none");
       earlier_time_ = part.reads() ? time : earlier_time_;
     });
     common.pass_required_part("solver",
@@ -121,12 +122,14 @@ namespace vfife
 
   void Stepping::restore(const Checkpoint &checkpoint)
   {
-    ByteStream common(checkpoint.common);
+    ByteStream common(checkpoint.common, data_of(checkpoint));
     // With as many ranks as before each goes on with its own part, bit by bit; otherwise the state
     // is divided anew and sums have another order.
     const bool same_ranks = checkpoint.own.size() == communicator_.size();
-    ByteStream own(same_ranks ? checkpoint.own[communicator_.rank()] : "");
+    ByteStream own(same_ranks ? checkpoint.own[communicator_.rank()] : "", data_of(checkpoint));
     serialize(common, same_ranks ? &own : nullptr);
+    common.finish();
+    own.finish();
     has_checkpoint_ = true;
     log_.line("goes on from \"",
               checkpoint.file,

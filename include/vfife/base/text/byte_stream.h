@@ -23,8 +23,8 @@ namespace vfife
     /** Collects. */
     ByteStream() = default;
 
-    /** Gives back what was collected as bytes(). */
-    explicit ByteStream(std::string bytes);
+    /** Gives back what was collected as bytes(); messages call them @p name. */
+    explicit ByteStream(std::string bytes, std::string name = "stored data");
 
     /** Whether pass() sets the values. */
     bool reads() const
@@ -70,6 +70,7 @@ namespace vfife
       pass(value.first, value.second);
     }
 
+    void pass(bool &value);
     void pass(std::string &value);
 
     template <typename Value>
@@ -112,8 +113,9 @@ namespace vfife
           std::string bytes;
           if (!find_part(name, bytes))
             return false;
-          ByteStream part(std::move(bytes));
+          ByteStream part(std::move(bytes), name_);
           pass(part);
+          part.finish();
           return true;
         }
       ByteStream part;
@@ -129,6 +131,24 @@ namespace vfife
       if (!pass_part(name, pass))
         refuse_without(name);
     }
+
+    /** Passes values whose number is known when reading too: throws InputError for another one. */
+    template <typename Value>
+    void pass_known(std::vector<Value> &values)
+    {
+      std::size_t n = values.size();
+      pass(n);
+      require(n == values.size(),
+              std::to_string(n) + " values where " + std::to_string(values.size()) + " belong");
+      for (Value &value : values)
+        pass(value);
+    }
+
+    /** When reading, throws InputError unless @p condition; @p wrong: what stands there instead. */
+    void require(bool condition, const std::string &wrong) const;
+
+    /** Throws InputError unless all values have been given back; parts may be left over. */
+    void finish() const;
 
   private:
     bool              find_part(const std::string &name, std::string &bytes) const;
@@ -152,9 +172,10 @@ namespace vfife
     void pass_bytes(void *value, std::size_t n);
     void check_room(std::size_t n, std::size_t least) const;
 
-    bool        reads_ = false;
-    std::string bytes_;
-    std::size_t next_ = 0; ///< when reading
+    bool         reads_ = false;
+    std::string  bytes_, name_;
+    std::size_t  next_      = 0;     ///< when reading
+    mutable bool has_parts_ = false; ///< when reading
   };
 } // namespace vfife
 

@@ -70,6 +70,8 @@ namespace vfife
     {
       return cells_across + 4;
     }
+    /** Hexahedra of a body with this many teeth, once the counts are known. */
+    double n_cells(unsigned int teeth) const;
     /** Whether the web's first row joins three columns into one (needs a multiple of three). */
     bool coarsens() const
     {

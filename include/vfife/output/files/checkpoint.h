@@ -36,6 +36,9 @@ namespace vfife
                         const std::string  &own,
                         bool                keeps_previous);
 
+  /** What messages call the data of a checkpoint. */
+  std::string data_of(const Checkpoint &checkpoint);
+
   /**
    * The last checkpoint in @p folder; the one before where the last is missing or damaged, with a
    * line of @p log. Throws InputError on all ranks when there is none that can be used. Collective.

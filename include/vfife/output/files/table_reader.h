@@ -10,8 +10,9 @@ namespace vfife
 {
   /**
    * Reads a .csv file of results, as Table::write_csv() has written it: columns with a unit are
-   * numbers (not a number where a cell is empty or none), the others texts.
-   * @throws InputError where the file cannot be read or rows have other numbers of cells.
+   * numbers (not a number where a cell is empty), the others texts.
+   * @throws InputError where the file cannot be read, rows have other numbers of cells, or a cell
+   * is no number.
    */
   Table read_result_table(const std::string &path);
 } // namespace vfife
