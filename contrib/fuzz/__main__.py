@@ -83,7 +83,11 @@ class Fuzzer:
 
     def __init__(self, asked, folder):
         self.asked, self.folder = asked, folder
-        self.order = turns(asked.kind or list(KINDS))
+        kinds = asked.kind or list(KINDS)
+        if "report" in kinds and not reports.has_libraries(asked.python):
+            print(f"without report: {asked.python} has not its libraries")
+            kinds = [kind for kind in kinds if kind != "report"]
+        self.order = turns(kinds)
         self.lock = threading.Lock()
         runner = Runner(asked)
         self.seeds = {kind: KINDS[kind][0].Seeds(runner, folder / f"seeds_{kind}") for kind in sorted(set(self.order))}

@@ -16,6 +16,11 @@ write_run(Path({folder!r}))
 """
 
 
+def has_libraries(python):
+    return subprocess.run([python, "-c", "import numpy, matplotlib, jinja2, meshio"], capture_output=True,
+                          check=False).returncode == 0
+
+
 def spoil_json(rng, value):
     """The same with one value replaced, missing, or of another kind."""
     places = []

@@ -55,8 +55,7 @@ namespace vfife
     if (!*file_)
       {
         file_ = nullptr;
-        throw std::runtime_error(std::string("cannot write run.log: ") +
-                                 std::strerror(errno));
+        throw std::runtime_error(std::string("cannot write run.log: ") + std::strerror(errno));
       }
   }
 
