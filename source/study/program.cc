@@ -13,6 +13,12 @@ namespace vfife
   void run_program(const int argc, const char *const *argv, Communicator &communicator)
   {
     const CommandLine line = parse_command_line(argc, argv);
+    if (line.help || line.version)
+      {
+        if (communicator.is_root())
+          print_requested_text(line, std::cout);
+        return;
+      }
     if (line.parameter_reference)
       {
         if (communicator.is_root())
