@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What nodes take of a load, moments shared over a face; the numbers of a pair: ratio, angles'
 // rates, torque of a tooth; the ledger of energies.
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -23,15 +24,7 @@ namespace
 
   void refuse(const Load &load, const Body &body)
   {
-    try
-      {
-        compute_load_shares(load, body);
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { compute_load_shares(load, body); });
   }
 
   constexpr double width = 6, height = 9;
@@ -135,15 +128,7 @@ namespace
     MomentSums line;
     for (unsigned int i = 0; i < 4; ++i)
       line.add(1., Vector3(i, 2. * i, 1.));
-    try
-      {
-        line.solve(moment, "bend");
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { line.solve(moment, "bend"); });
   }
 
   void transmission()

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What a user reads whose parameter file is wrong: file, line, what is wrong, and what may be
 // meant.
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -40,15 +41,7 @@ namespace
     line.check          = true;
     std::ostringstream nothing;
     Log                log(nothing, true, Verbosity::quiet);
-    try
-      {
-        run_study(line, communicator, log);
-        std::cout << "FAILED: accepted" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { run_study(line, communicator, log); });
   }
 
   std::string gear_body(const std::string &entry)

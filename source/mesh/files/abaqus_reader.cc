@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/mesh/hexahedron_corners.h>
 
 #include "file_mesh.h"
 
@@ -162,15 +163,13 @@ namespace vfife
 
       void read_hexahedron(const std::vector<std::string> &words)
       {
-        // corners run round the bottom and the top; lexicographic is x fastest
-        constexpr unsigned int place[8] = {0, 1, 3, 2, 4, 5, 7, 6};
         // Its number and eight nodes, which may be divided over lines.
         pending_.insert(pending_.end(), words.begin(), words.end());
         if (pending_.size() < 9)
           return; // goes on in the next line
         CellNodes nodes;
         for (unsigned int k = 0; k < 8; ++k)
-          nodes[place[k]] = node(pending_[k + 1]);
+          nodes[corner_of_files[k]] = node(pending_[k + 1]);
         element_index_[label(pending_[0])] = mesh_.elements.size();
         element_sets_[options_["ELSET"]].push_back(mesh_.elements.size());
         mesh_.elements.push_back(nodes);
