@@ -38,6 +38,11 @@ namespace vfife
     return cone_direction(r_z - origin);
   }
 
+  Vector2 BlankOutline::coordinates_of(const Vector3 &position) const
+  {
+    return cone_coordinates({std::hypot(position[0], position[1]), position[2]});
+  }
+
   Vector2 BlankOutline::meridian_point(const Vector2 &L_h) const
   {
     return origin + meridian_direction(L_h);

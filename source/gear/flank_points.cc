@@ -26,7 +26,7 @@ namespace vfife
           const double L = blank.inner_cone_distance() + blank.face_width * i / (lengthwise - 1);
           // even steps of h between the end of the fillet and the tip
           const Vector3 start = gear.fillet_point(side, L, gear.fillet_end(side)).position;
-          const double  low = blank.cone_coordinates({std::hypot(start[0], start[1]), start[2]})[1];
+          const double  low   = blank.coordinates_of(start)[1];
           for (unsigned j = 0; j < profile; ++j)
             {
               const double       h = low + (blank.addendum(L) - low) * j / (profile - 1);

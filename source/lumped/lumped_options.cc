@@ -4,6 +4,7 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/lumped/lumped_options.h>
 
@@ -174,16 +175,12 @@ namespace vfife
 
   void LumpedOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    {
-      // The names of the supports decide which subsections there are: they are read first,
-      // everything else ignored.
-      dealii::ParameterHandler first;
-      {
-        Subsection section(first, "Lumped");
-        declare_pair(first);
-      }
-      file.read_known(first);
-    }
+    // The names of the supports decide which subsections there are: they are read first,
+    // everything else ignored.
+    file.read_known([this](dealii::ParameterHandler &first) {
+      Subsection section(first, "Lumped");
+      declare_pair(first);
+    });
     supports.assign(support_names.size(), SupportOptions());
     Subsection section(prm, "Lumped");
     declare_mesh(prm);
@@ -191,8 +188,7 @@ namespace vfife
     for (std::size_t i = 0; i < supports.size(); ++i)
       {
         supports[i].name = support_names[i];
-        Subsection support(prm, "Support " + support_names[i]);
-        supports[i].declare(prm);
+        declare_section(prm, "Support " + support_names[i], supports[i]);
       }
   }
 

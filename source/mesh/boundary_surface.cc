@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/mesh/boundary_surface.h>
+#include <vfife/mesh/hexahedron_corners.h>
 
 #include <algorithm>
 #include <map>
@@ -12,10 +13,6 @@ namespace vfife
     using FaceNodes = std::array<unsigned int, 4>;
     using FaceTest  = std::function<
       bool(dealii::types::boundary_id, const FaceNodes &, const std::array<Vector3, 4> &)>;
-
-    /** Corners of the faces of a right-handed hexahedron, counter-clockwise seen from outside. */
-    constexpr unsigned int outward_faces[6][4] = {
-      {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
     /** Twice the area vector of a quadrilateral. */
     Vector3 area_vector(const std::array<Vector3, 4> &x)

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
@@ -49,18 +50,11 @@ namespace vfife
 
   std::string word_for(const Outcome outcome)
   {
-    switch (outcome)
-      {
-      case Outcome::waits:
-        return "waits";
-      case Outcome::finished:
-        return "finished";
-      case Outcome::failed:
-        return "failed";
-      case Outcome::interrupted:
-        return "interrupted";
-      }
-    return "";
+    static const Choices<Outcome> words = {{"waits", Outcome::waits},
+                                           {"finished", Outcome::finished},
+                                           {"failed", Outcome::failed},
+                                           {"interrupted", Outcome::interrupted}};
+    return word_of(outcome, words);
   }
 
   std::string CaseReport::describe() const

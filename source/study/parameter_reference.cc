@@ -102,12 +102,11 @@ namespace vfife
     {
       // The two passes of every study (study.cc), on a file that says nothing but the statements.
       const ParameterFile      file("/dev/null", statements);
-      dealii::ParameterHandler first, prm;
+      dealii::ParameterHandler prm;
       StudyOptions             options;
-      options.declare(first);
-      file.read_known(first);
+      file.read_known([&](dealii::ParameterHandler &first) { options.declare(first); });
       const auto runner = make_case_runner();
-      const auto study  = options.kind(*runner);
+      const auto study  = options.kind.make(*runner);
       options.declare(prm);
       study->declare(prm, file);
       std::ostringstream text;

@@ -30,15 +30,11 @@ namespace vfife
 
       ReadStudy(const ParameterFile &file, const CaseRunner &runner)
       {
-        {
-          // The kind decides what else may stand in the file.
-          dealii::ParameterHandler first;
-          options.declare(first);
-          file.read_known(first);
-        }
+        // The kind decides what else may stand in the file.
+        file.read_known([this](dealii::ParameterHandler &first) { options.declare(first); });
         // Then everything is declared and read strictly: an entry that is not known now is an
         // error. Entries are bound by address to the study and its options, which stay.
-        study = options.kind(runner);
+        study = options.kind.make(runner);
         options.declare(prm);
         study->declare(prm, file);
         file.read(prm);
@@ -99,7 +95,7 @@ namespace vfife
             ReadStudy parsed(file, *this);
             parsed.study->check();
             const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
-            return {find_declared(parsed.prm).list_values(), parsed.study->last_file()};
+            return {find_declared(parsed.prm).list_values(), parsed.options.kind.last_file};
           }
         catch (const InputError &error)
           {

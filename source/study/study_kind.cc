@@ -10,9 +10,4 @@ namespace vfife
     throw InputError("Study/kind",
                      "--restart is for kinds run, sweep and compare: this one has no checkpoints");
   }
-
-  std::string StudyKind::last_file() const
-  {
-    return "summary.json";
-  }
 } // namespace vfife

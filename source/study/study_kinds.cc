@@ -19,35 +19,29 @@ namespace vfife
   namespace
   {
     /** A study that needs no others. */
-    template <typename Kind>
-    std::unique_ptr<StudyKind> make(const CaseRunner &)
+    template <std::unique_ptr<StudyKind> (*make)()>
+    std::unique_ptr<StudyKind> alone(const CaseRunner &)
     {
-      return std::make_unique<Kind>();
-    }
-
-    /** A study that is made of cases. */
-    template <typename Kind>
-    std::unique_ptr<StudyKind> make_of_cases(const CaseRunner &runner)
-    {
-      return std::make_unique<Kind>(runner);
+      return make();
     }
   } // namespace
 
-  const Choices<MakeStudy> &study_kinds()
+  const Choices<KnownStudy> &study_kinds()
   {
-    // A new kind of study is a row here.
-    static const Choices<MakeStudy> kinds = {
-      {"run", &make<RunStudy>},
-      {"static", &make<StaticStudy>},
-      {"tooth contact analysis", &make<ToothContactStudy>},
-      {"mesh", &make<MeshStudy>},
-      {"modal", &make<ModalStudy>},
-      {"linear static", &make<LinearStaticStudy>},
-      {"loaded tooth contact analysis", &make<LoadedContactStudy>},
-      {"lumped", &make<LumpedStudy>},
-      {"benchmark", &make<BenchmarkStudy>},
-      {"sweep", &make_of_cases<SweepStudy>},
-      {"compare", &make_of_cases<CompareStudy>},
+    // A new kind of study is a row here: the word, how it is made, the file that it writes last.
+    static const Choices<KnownStudy> kinds = {
+      {"run", {&alone<make_run_study>, "summary.json"}},
+      {"static", {&alone<make_static_study>, "summary.json"}},
+      {"tooth contact analysis", {&alone<make_tooth_contact_study>, "tca.json"}},
+      {"mesh", {&alone<make_mesh_study>, "mesh.json"}},
+      {"modal", {&alone<make_modal_study>, "modes.json"}},
+      {"linear static", {&alone<make_linear_static_study>, "summary.json"}},
+      {"loaded tooth contact analysis", {&alone<make_loaded_contact_study>, "loaded_contact.json"}},
+      {"lumped", {&alone<make_lumped_study>, "lumped.json"}},
+      {"benchmark", {&alone<make_benchmark_study>, "contact_cost.json"}},
+      // its tables are written anew after every run
+      {"sweep", {&make_sweep_study, ""}},
+      {"compare", {&make_compare_study, "comparison.json"}},
     };
     return kinds;
   }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Values of all kinds come back from bytes; too few bytes are refused.
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -29,15 +30,7 @@ namespace
   template <typename Function>
   void refuse(const Function &function)
   {
-    try
-      {
-        function();
-        std::cout << "FAILED: accepted" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { function(); });
   }
   struct Record
   {

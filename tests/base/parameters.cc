@@ -8,6 +8,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <fstream>
@@ -227,14 +228,7 @@ void check_wrong_structure()
   refuse("\ninclude case.prm\n");
   refuse("", {"Study/bodies"});
   refuse("", {"Study//bodies=3"});
-  try
-    {
-      ParameterFile("nothing.prm");
-    }
-  catch (const InputError &error)
-    {
-      std::cout << error.what() << std::endl;
-    }
+  print_refusal([] { ParameterFile("nothing.prm"); });
 }
 
 int main()

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <new>
@@ -23,15 +24,7 @@ CommandLine parse(std::vector<const char *> arguments)
 
 void refuse(const std::vector<const char *> &arguments)
 {
-  try
-    {
-      parse(arguments);
-      std::cout << "FAILED: accepted" << std::endl;
-    }
-  catch (const InputError &error)
-    {
-      std::cout << error.what() << std::endl;
-    }
+  print_refusal([&] { parse(arguments); });
 }
 
 void check_command_line()

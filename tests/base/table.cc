@@ -9,6 +9,7 @@
 #include <vfife/base/text/csv_text.h>
 #include <vfife/base/text/table.h>
 
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <limits>
@@ -72,16 +73,10 @@ void check_csv_text()
           text.rows[1].cells == std::vector<std::string>({"1", "", ""}) &&
           text.rows[1].place == "the table, line 4");
   for (const char *wrong : {"", "a,b\n1,2\n3\n"})
-    try
-      {
-        std::istringstream in(wrong);
-        read_csv(in, "the table");
-        check("accepted", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] {
+      std::istringstream in(wrong);
+      read_csv(in, "the table");
+    });
 }
 
 void check_log()
@@ -153,15 +148,7 @@ void check_neighbours()
           surface.facets[1] = {{1, 2, 5, 4}};
           surface.facets.push_back(wrong);
         }
-      try
-        {
-          find_neighbours(surface);
-          std::cout << "FAILED: accepted" << std::endl;
-        }
-      catch (const InputError &error)
-        {
-          std::cout << error.what() << std::endl;
-        }
+      print_refusal([&] { find_neighbours(surface); });
     }
 }
 

@@ -136,46 +136,46 @@ namespace
     }
   };
 
-  ElasticBlock sphere(const double into, const double cell)
+  /** A body of this radius of curvature, symmetric about the middle or an extruded section, with
+   * cells that grow from the middle on up to @p width and @p growth. */
+  ElasticBlock round_body(const bool   is_cylinder,
+                          const double curvature_radius,
+                          const double into,
+                          const double cell,
+                          const double width,
+                          const double growth)
   {
     ElasticBlock block;
-    block.x            = graded(cell, 1.5, 8., 1.5);
-    block.y            = block.x;
-    block.depth        = graded(cell, 1., 8., 1.5);
-    block.radius       = radius;
+    block.x            = graded(cell, 1.5, width, growth);
+    block.y            = is_cylinder ? std::vector<double>{0., 0.25} : block.x;
+    block.depth        = graded(cell, 1., width, growth);
+    block.radius       = curvature_radius;
     block.into         = into;
-    block.reach        = 1.6;
-    block.plane_strain = false;
+    block.reach        = is_cylinder ? 1.9 : 1.6;
+    block.plane_strain = is_cylinder;
     block.material     = soft_material();
     block.build();
     return block;
   }
 
+  ElasticBlock sphere(const double into, const double cell)
+  {
+    return round_body(false, radius, into, cell, 8., 1.5);
+  }
+
   ElasticBlock cylinder(const double into, const double cell, const double curvature_radius)
   {
-    ElasticBlock block;
-    block.x            = graded(cell, 1.5, 20., 1.25);
-    block.y            = {0., 0.25};
-    block.depth        = graded(cell, 1., 20., 1.25);
-    block.radius       = curvature_radius;
-    block.into         = into;
-    block.reach        = 1.9;
-    block.plane_strain = true;
-    block.material     = soft_material();
-    block.build();
-    return block;
+    return round_body(true, curvature_radius, into, cell, 20., 1.25);
   }
 
   ContactOptions options_for(const ContactDiscretization discretization,
                              const ContactSurfaceKind    surface,
                              const double                penalty)
   {
-    ContactOptions options;
-    options.discretization    = discretization;
-    options.surface           = surface;
-    options.penalty.from_step = false;
-    options.penalty.value     = penalty;
-    options.edge_fading       = 0.; // planes of symmetry are no edges
+    ContactOptions options = with_penalty(penalty);
+    options.discretization = discretization;
+    options.surface        = surface;
+    options.edge_fading    = 0.; // planes of symmetry are no edges
     return options;
   }
 

@@ -56,11 +56,9 @@ namespace
 
   ContactOptions exponential_options()
   {
-    ContactOptions options;
-    options.penalty.from_step = false;
-    options.penalty.value     = penalty;
-    options.penalty.law       = &make_contact_law<ExponentialLaw>;
-    options.depth_limit       = 0.5;
+    ContactOptions options = with_penalty(penalty);
+    options.penalty.law    = &make_contact_law<ExponentialLaw>;
+    options.depth_limit    = 0.5;
     return options;
   }
 
@@ -88,35 +86,14 @@ namespace
 
   /** Work of the contact forces along a closed path against the energy: the force is its slope. */
   void check_path(const std::string                              &name,
-                  const FacetSurface                             &slave_surface,
-                  const FacetSurface                             &master_surface,
+                  const FacetSurface                             &slave,
+                  const FacetSurface                             &master,
                   const std::function<RigidMotion(double angle)> &path,
                   const double                                    bound)
   {
-    MovingSurface       slave(slave_surface), master(master_surface);
-    Contact             contact(slave.surface, master.surface, exponential_options());
-    const unsigned int  n_positions = 8000;
-    double              work = 0., most = 0., residual = 0., first = 0.;
-    std::vector<double> positions, forces;
-    for (unsigned int i = 0; i <= n_positions; ++i)
-      {
-        slave.place(path(2. * pi * i / n_positions));
-        if (i % 50 == 0)
-          contact.find_candidates(slave.body, master.body, 3.);
-        slave.clear_forces();
-        add_forces(contact, slave, master);
-        const double energy = contact.results().at(0).energy;
-        // trapezoidal rule: force and motion of each node
-        for (unsigned int k = 0; i > 0 && k < slave.forces.size(); ++k)
-          work += 0.5 * (slave.forces[k] + forces[k]) * (slave.positions[k] - positions[k]);
-        if (i == 0)
-          first = energy;
-        most      = std::max(most, energy);
-        residual  = std::max(residual, std::abs(work + energy - first));
-        positions = slave.positions;
-        forces    = slave.forces;
-      }
-    check_below(name + ": work against the change of energy", residual / most, bound);
+    check_below(name + ": work against the change of energy",
+                find_energy_residual(slave, master, exponential_options(), path, 50),
+                bound);
   }
 } // namespace
 

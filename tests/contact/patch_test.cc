@@ -229,12 +229,10 @@ namespace
 
   ContactOptions options_for(const ContactDiscretization discretization, const unsigned int points)
   {
-    ContactOptions options;
-    options.penalty.from_step = false;
-    options.penalty.value     = penalty;
-    options.discretization    = discretization;
-    options.points_per_facet  = points;
-    options.edge_fading       = 0.;
+    ContactOptions options   = with_penalty(penalty);
+    options.discretization   = discretization;
+    options.points_per_facet = points;
+    options.edge_fading      = 0.;
     return options;
   }
 

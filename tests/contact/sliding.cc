@@ -13,12 +13,10 @@ namespace
 
   ContactOptions options_for(const ContactSurfaceKind kind, const unsigned int points)
   {
-    ContactOptions options;
-    options.penalty.from_step = false;
-    options.penalty.value     = penalty;
-    options.surface           = kind;
-    options.points_per_facet  = points;
-    options.depth_limit       = 0.5; // the slider of one point is smaller than its depth
+    ContactOptions options   = with_penalty(penalty);
+    options.surface          = kind;
+    options.points_per_facet = points;
+    options.depth_limit      = 0.5; // the slider of one point is smaller than its depth
     return options;
   }
 
@@ -124,34 +122,17 @@ namespace
   /** Work along a closed path against the energy, and fading at the border. */
   void check_energy(const std::string &name, const ContactSurfaceKind kind, const double bound)
   {
-    MovingSurface slave(sphere_patch_down(30., 0.1, 10)), master(sphere_patch(radius, 0.25, 10));
-    Contact       contact(slave.surface, master.surface, options_for(kind, 3));
-    double        work = 0., most = 0., residual = 0., first = 0.;
-    std::vector<double> positions, forces;
-    for (unsigned int i = 0; i <= 8000; ++i)
-      {
-        const double t = 2. * pi * i / 8000.;
-        slave.place(over(0.05 * std::sin(t),
-                         0.04 * std::sin(2. * t),
-                         radius + 30. - 0.06 - 0.02 * std::cos(3. * t)));
-        if (i % 100 == 0)
-          contact.find_candidates(slave.body, master.body, 3.);
-        slave.clear_forces();
-        master.clear_forces();
-        add_forces(contact, slave, master);
-        const double energy = contact.results().at(0).energy;
-        // trapezoidal rule: force and motion of each node
-        for (unsigned int k = 0; i > 0 && k < slave.forces.size(); ++k)
-          work += 0.5 * (slave.forces[k] + forces[k]) * (slave.positions[k] - positions[k]);
-        if (i == 0)
-          first = energy;
-        most      = std::max(most, energy);
-        residual  = std::max(residual, std::abs(work + energy - first));
-        positions = slave.positions;
-        forces    = slave.forces;
-      }
+    const auto path = [](const double t) {
+      return over(0.05 * std::sin(t),
+                  0.04 * std::sin(2. * t),
+                  radius + 30. - 0.06 - 0.02 * std::cos(3. * t));
+    };
     check_below(name + ": work of the contact force against the change of energy",
-                residual / most,
+                find_energy_residual(sphere_patch_down(30., 0.1, 10),
+                                     sphere_patch(radius, 0.25, 10),
+                                     options_for(kind, 3),
+                                     path,
+                                     100),
                 bound);
   }
 

@@ -212,6 +212,52 @@ namespace test_surfaces
                        slave.forces.data(),
                        master.forces.data());
   }
+
+  /** A penalty [N/mm^3] that is given, not from the step. */
+  inline ContactOptions with_penalty(const double penalty)
+  {
+    ContactOptions options;
+    options.penalty.from_step = false;
+    options.penalty.value     = penalty;
+    return options;
+  }
+
+  /**
+   * The slave goes a closed path, an angle from 0 to 2 pi, in 8000 positions: largest difference of
+   * the work of the contact's forces (trapezoidal rule) and the change of its energy, over the
+   * largest energy. Candidates are found anew every so many positions.
+   */
+  inline double find_energy_residual(const FacetSurface                             &slave_surface,
+                                     const FacetSurface                             &master_surface,
+                                     const ContactOptions                           &options,
+                                     const std::function<RigidMotion(double angle)> &path,
+                                     const unsigned int                              search_every)
+  {
+    MovingSurface       slave(slave_surface), master(master_surface);
+    Contact             contact(slave.surface, master.surface, options);
+    const unsigned int  n_positions = 8000;
+    double              work = 0., most = 0., residual = 0., first = 0.;
+    std::vector<double> positions, forces;
+    for (unsigned int i = 0; i <= n_positions; ++i)
+      {
+        slave.place(path(2. * pi * i / n_positions));
+        if (i % search_every == 0)
+          contact.find_candidates(slave.body, master.body, 3.);
+        slave.clear_forces();
+        add_forces(contact, slave, master);
+        const double energy = contact.results().at(0).energy;
+        // force and motion of each node
+        for (unsigned int k = 0; i > 0 && k < slave.forces.size(); ++k)
+          work += 0.5 * (slave.forces[k] + forces[k]) * (slave.positions[k] - positions[k]);
+        if (i == 0)
+          first = energy;
+        most      = std::max(most, energy);
+        residual  = std::max(residual, std::abs(work + energy - first));
+        positions = slave.positions;
+        forces    = slave.forces;
+      }
+    return residual / most;
+  }
 } // namespace test_surfaces
 
 #endif

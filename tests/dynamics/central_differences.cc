@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Explicit dynamics of blocks against what mechanics knows exactly: conservation in free tumbling,
 // axial frequency of a free bar, bending frequency of a cantilever.
+#include "../parts.h"
 #include "../tests.h"
 #include "one_solver.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 
 using namespace vfife;
@@ -264,8 +264,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  tumble();
-  free_bar();
-  cantilever();
+  run_parts(argc, argv, {tumble, free_bar, cantilever});
 }

@@ -34,23 +34,10 @@ namespace
   /** A block whose inner and outer nodes are moved by up to a tenth of a cell. */
   std::unique_ptr<BodyMesh> make_distorted_block(const std::array<unsigned int, 3> &counts)
   {
-    const auto             block = make_block(Vector3(counts[0], counts[1], counts[2]), counts);
-    std::vector<Vector3>   nodes;
-    std::vector<CellNodes> cells;
-    for (const auto &v : block->triangulation.get_vertices())
-      nodes.push_back(Vector3(v[0], v[1], v[2]) + 0.1 * random_vector());
-    for (const auto &cell : block->triangulation.active_cell_iterators())
-      {
-        CellNodes corners;
-        for (unsigned int i = 0; i < 8; ++i)
-          corners[i] = cell->vertex_index(i);
-        cells.push_back(corners);
-      }
-    auto mesh  = std::make_unique<BodyMesh>();
-    mesh->name = "distorted block";
-    create_triangulation(*mesh, nodes, cells);
-    mesh->sector.assign(cells.size(), 0);
-    return mesh;
+    const auto block = make_block(Vector3(counts[0], counts[1], counts[2]), counts);
+    return make_moved(*block, "distorted block", [](const Vector3 &x) -> Vector3 {
+      return x + 0.1 * random_vector();
+    });
   }
 
   std::size_t n_classes(const Body &body)

@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs that must not go on: an inverted element, a surface that sinks into another; and one that
 // must: rigid flight.
+#include "../parts.h"
 #include "../tests.h"
 #include "one_solver.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <limits>
@@ -66,13 +66,8 @@ namespace
         block.velocity[2]              = b == 0 ? -1e5 : 0;
         model.add_body(std::move(block));
       }
-    ContactPair pair;
-    pair.side                      = "faces";
-    pair.slave_surface             = "z-";
-    pair.master_body               = 1;
-    pair.master_surface            = "z+";
-    pair.options.surface           = ContactSurfaceKind::flat_facets;
-    pair.options.edge_fading       = 0;
+    ContactPair pair         = contact_of("faces", "z-", "z+", ContactSurfaceKind::flat_facets);
+    pair.options.edge_fading = 0;
     pair.options.penalty.from_step = false;
     pair.options.penalty.value     = 1;
     pair.options.depth_limit       = 1;
@@ -110,8 +105,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  invert();
-  sink();
-  fly();
+  run_parts(argc, argv, {invert, sink, fly});
 }

@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Nodal forces of loads, torques, springs and walls on a body that is moved and strained: their
 // resultants and moments against closed forms, energies, powers, steps.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/dynamics/loads/nodal_loads.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/loads/torque_loads.h>
@@ -325,11 +325,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  torque();
-  loads();
-  pressure();
-  springs();
-  springs_side_by_side();
-  wall();
+  run_parts(argc, argv, {torque, loads, pressure, springs, springs_side_by_side, wall});
 }

@@ -32,6 +32,21 @@ struct OneSolver
   }
 };
 
+/** Contact of a surface of body 0 with one of body 1. */
+inline vfife::ContactPair contact_of(const std::string              &side,
+                                     const std::string              &slave_surface,
+                                     const std::string              &master_surface,
+                                     const vfife::ContactSurfaceKind kind)
+{
+  vfife::ContactPair pair;
+  pair.side            = side;
+  pair.slave_surface   = slave_surface;
+  pair.master_body     = 1;
+  pair.master_surface  = master_surface;
+  pair.options.surface = kind;
+  return pair;
+}
+
 inline vfife::DynamicsOptions undamped()
 {
   vfife::DynamicsOptions options;

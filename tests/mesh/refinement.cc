@@ -4,6 +4,7 @@
 
 #include "../tests.h"
 
+#include "coarsest.h"
 #include "paper_members.h"
 
 #include <vfife/mesh/gear/gear_body.h>
@@ -21,36 +22,27 @@ using namespace vfife;
 
 namespace
 {
-  Vector3 vector_of(const dealii::Point<3> &x)
-  {
-    return {x[0], x[1], x[2]};
-  }
-
-  Vector2 cone_coordinates(const GearMember &member, const Vector3 &x)
-  {
-    return member.blank().cone_coordinates({std::hypot(x[0], x[1]), x[2]});
-  }
-
   /** Distance to the nearest tooth's copy of a point of tooth 0 that has the same L and h. */
   double distance_to_copy(const GearMember &member, const Vector3 &x, const Vector3 &of_tooth_0)
   {
     const double angle =
       std::remainder(std::atan2(x[1], x[0]) - std::atan2(of_tooth_0[1], of_tooth_0[0]),
                      member.pitch());
-    return std::hypot(std::hypot(x[0], x[1]) * angle,
-                      (cone_coordinates(member, x) - cone_coordinates(member, of_tooth_0)).norm());
+    return std::hypot(
+      std::hypot(x[0], x[1]) * angle,
+      (member.blank().coordinates_of(x) - member.blank().coordinates_of(of_tooth_0)).norm());
   }
 
   double distance_to_flank(const GearMember &member, const FlankSide side, const Vector3 &x)
   {
-    const Vector2 L_h = cone_coordinates(member, x);
+    const Vector2 L_h = member.blank().coordinates_of(x);
     return distance_to_copy(member, x, member.flank_point(side, L_h[0], L_h[1]).position);
   }
 
   /** By bisection of the interval (golden section), without derivatives. */
   double distance_to_fillet(const GearMember &member, const FlankSide side, const Vector3 &x)
   {
-    const double L        = cone_coordinates(member, x)[0];
+    const double L        = member.blank().coordinates_of(x)[0];
     const auto   distance = [&](const double lambda) {
       return distance_to_copy(member, x, member.fillet_point(side, L, lambda).position);
     };
@@ -87,7 +79,7 @@ namespace
       for (const auto &node : surface.second)
         {
           const Vector3 &x    = node.second;
-          const Vector2  L_h  = cone_coordinates(member, x);
+          const Vector2  L_h  = member.blank().coordinates_of(x);
           const auto    &name = surface.first;
           double         off  = 0.;
           if (name == surface_name::concave || name == surface_name::convex)
@@ -202,12 +194,8 @@ int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  GearBodyOptions gear = coarse(GearBodyOptions()), pinion = coarse(pinion_body_defaults());
-  gear.flank_rows = pinion.flank_rows = 2;
-  gear.cells_lengthwise = pinion.cells_lengthwise = 3;
-  gear.web_rows                                   = 3;
-  check_p4est(paper::gear(), gear);
-  check_p4est(paper::pinion(), pinion);
-  check_refined_body(paper::gear(), gear);
-  check_refined_body(paper::pinion(), pinion);
+  check_p4est(paper::gear(), coarsest({}));
+  check_p4est(paper::pinion(), coarsest(pinion_body_defaults()));
+  check_refined_body(paper::gear(), coarsest({}));
+  check_refined_body(paper::pinion(), coarsest(pinion_body_defaults()));
 }

@@ -4,6 +4,7 @@
 
 #include "../tests.h"
 
+#include "coarsest.h"
 #include "paper_members.h"
 
 #include <vfife/mesh/gear/gear_body.h>
@@ -18,11 +19,6 @@ using namespace vfife;
 namespace
 {
   using Distributed = dealii::parallel::distributed::Triangulation<3>;
-
-  Vector3 vector_of(const dealii::Point<3> &x)
-  {
-    return {x[0], x[1], x[2]};
-  }
 
   double volume_of_owned(const Distributed &triangulation)
   {
@@ -52,7 +48,7 @@ namespace
               {
                 const Vector3 x     = vector_of(face->vertex(v));
                 const double  r     = std::hypot(x[0], x[1]);
-                const Vector2 L_h   = member.blank().cone_coordinates({r, x[2]});
+                const Vector2 L_h   = member.blank().coordinates_of(x);
                 const Vector3 flank = member.flank_point(side, L_h[0], L_h[1]).position;
                 const double  angle = std::atan2(x[1], x[0]) - std::atan2(flank[1], flank[0]);
                 worst = std::max(worst, std::abs(r * std::remainder(angle, member.pitch())));
@@ -105,10 +101,6 @@ int main(int argc, char **argv)
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     std::cout.setstate(std::ios::failbit); // rank 0 speaks
 
-  GearBodyOptions gear = coarse(GearBodyOptions()), pinion = coarse(pinion_body_defaults());
-  gear.flank_rows = pinion.flank_rows = 2;
-  gear.cells_lengthwise = pinion.cells_lengthwise = 3;
-  gear.web_rows                                   = 3;
-  check_member(paper::gear(), gear);
-  check_member(paper::pinion(), pinion);
+  check_member(paper::gear(), coarsest({}));
+  check_member(paper::pinion(), coarsest(pinion_body_defaults()));
 }

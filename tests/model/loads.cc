@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What nodes take of a load, moments shared over a face; the numbers of a pair: ratio, angles'
 // rates, torque of a tooth; the ledger of energies.
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -23,15 +24,7 @@ namespace
 
   void refuse(const Load &load, const Body &body)
   {
-    try
-      {
-        compute_load_shares(load, body);
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { compute_load_shares(load, body); });
   }
 
   constexpr double width = 6, height = 9;
@@ -151,15 +144,7 @@ namespace
     std::vector<Vector3> line;
     for (unsigned int i = 0; i < 4; ++i)
       line.emplace_back(i, 2. * i, 1.);
-    try
-      {
-        MomentTraction({1., 1., 1., 1.}, line, "bend");
-        check("refused", false);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { MomentTraction({1., 1., 1., 1.}, line, "bend"); });
   }
 
   /** A deformed end face that deforms further: the power of the forces is the moment times the

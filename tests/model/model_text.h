@@ -2,6 +2,8 @@
 #ifndef vfife_tests_model_model_text_h
 #define vfife_tests_model_model_text_h
 
+#include "../model_sections.h"
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/parameters/parameter_file.h>
@@ -34,44 +36,20 @@ inline vfife::Model make_model(const std::string &text)
 /** Prints what a user reads. */
 inline void refuse(const std::string &text)
 {
-  try
-    {
-      make_model(text);
-      check("refused", false);
-    }
-  catch (const vfife::InputError &error)
-    {
-      std::cout << error.what() << std::endl;
-    }
+  print_refusal([&] { make_model(text); });
 }
 
 /** A section Model of a bar of 10 x 4 x 2 cells of 1 mm and a ring in a bearing, with @p parts (one
  * a line: "constraints foot") named and their sections behind. */
 inline std::string bar_and_ring(const std::string &names, const std::string &sections)
 {
-  return "subsection Model\n  set bodies = bar, ring\n" + names + R"(
-  subsection Body bar
-    set mesh    = block
-    set size x  = 10 mm
-    set size y  = 4 mm
-    set size z  = 2 mm
-    set cells x = 10
-    set cells y = 4
-    set cells z = 2
-  end
-  subsection Body ring
-    set mesh         = ring
-    set inner radius = 20 mm
-    set outer radius = 30 mm
-    set height       = 5 mm
-    set radial cells = 2
-    set cells around = 24
-    set axial cells  = 1
-    set bearing      = yes
-    set speed        = 100 rad/s
-  end
-)" + sections +
-         "end\n";
+  return "subsection Model\n  set bodies = bar, ring\n" + names + "\n" +
+         model_text::block("bar", {{10, 4, 2}}, {{10, 4, 2}}) +
+         model_text::ring("ring",
+                          {{20, 30, 5}},
+                          {{2, 24, 1}},
+                          "set bearing = yes\nset speed = 100 rad/s\n") +
+         sections + "end\n";
 }
 
 #endif

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// doc/columns.json is what the program writes: columns of the tables and places of summary.json.
+// doc/columns.json is what the program writes: columns of the tables and places of summary.json and lumped.json.
 // The pages are compared with it by contrib/check_pages, the report's scripts by their tests.
 // After a change: build/release/tests/output/columns.release/columns.release --list >
 // doc/columns.json
@@ -13,6 +13,7 @@
 #include <vfife/contact/law/hertz.h>
 #include <vfife/fem/modes/campbell.h>
 #include <vfife/fem/pair/coupled_modes.h>
+#include <vfife/gear/flank_points.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/tooth_form.h>
 #include <vfife/lumped/speed_sweep.h>
@@ -21,6 +22,7 @@
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
+#include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/output/files/table_writer.h>
@@ -29,10 +31,15 @@
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/output/observers/rim_writer.h>
 #include <vfife/output/observers/teeth_writer.h>
+#include <vfife/study/benchmark/contact_benchmark.h>
+#include <vfife/study/benchmark/operator_benchmark.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/compare/comparison.h>
+#include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_probes.h>
+#include <vfife/study/gear/lumped_study.h>
+#include <vfife/study/sweep/sweep_study.h>
 
 #include <nlohmann/json.hpp>
 
@@ -100,6 +107,7 @@ namespace
     add("loaded_teeth.csv", loaded, make_loaded_teeth_table());
     add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0), 0).table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());
+    add("reactions.csv", "linear static", make_reaction_table());
     add("modes.csv", modal, make_mode_table());
     add("campbell.csv", modal, make_campbell_table());
     add("resonances.csv", modal, make_resonance_table());
@@ -113,7 +121,15 @@ namespace
     add("path.csv", unloaded, path_table(gears, {}));
     add("transmission.csv", unloaded, transmission_table(gears, ContactAnalysisOptions()));
     add("ease_off.csv", unloaded, ease_off_table(gears));
+    add("flank_points_BODY.csv", "mesh", compute_flank_points(gears.gear(), 2, 2));
     add("comparison.csv", "compare", comparison_table({}));
+    add("benchmark.csv", "benchmark", make_operator_table());
+    add("contact_cost.csv", "benchmark", make_contact_cost_table());
+    // A run that does not exist has the same figures as any other.
+    NamedFigures figures = read_run_figures("").figures;
+    for (const char *of_histories : {"FIGURE", "FIGURE error", "FIGURE order"})
+      figures.push_back({of_histories, {0., "-"}});
+    add("sweep.csv", "sweep", make_sweep_table({"PARAMETER"}, figures));
     return tables;
   }
 
@@ -138,10 +154,22 @@ namespace
     summary.steady = SteadyPart();
     summary.steady->columns.push_back({"COLUMN", "UNIT"});
     summary.energy         = EnergyLedger();
+    summary.energy->scale  = 1.;
     summary.damping        = {{"pinion"}};
     summary.contact_losses = {1, 1., 1.};
     summary.contradictions = summary.warnings = {"a text"};
     return summary;
+  }
+
+  /** Of a study that has lost contact on its sweep. */
+  Json make_lumped_results()
+  {
+    const LumpedModel model(linear_pair());
+    LumpedResponse    apart;
+    apart.time_apart = 1.;
+    Table resonance  = make_resonance_response_table();
+    add_response(model, "up", 1., apart, resonance);
+    return make_lumped_json(model, apart, 1., resonance);
   }
 
   /** Adds the places at and below @p place; of lists their first member stands for all. */
@@ -165,7 +193,9 @@ namespace
       out << (i == 0 ? "" : ",") << "\n" << indent << list[i].dump();
   }
 
-  std::string make_text(const std::vector<ListedTable> &tables, const Json &summary)
+  /** Tables, then the places of .json files by their names. */
+  std::string make_text(const std::vector<ListedTable>                  &tables,
+                        const std::vector<std::pair<std::string, Json>> &files)
   {
     std::ostringstream text;
     text << "{\"tables\": [";
@@ -176,10 +206,13 @@ namespace
         write_list(text, tables[i].table.json()["columns"], "    ");
         text << "]}";
       }
-    Json places = Json::array();
-    add_places(summary, "", places);
-    text << "],\n\"summary.json\": [";
-    write_list(text, places, "  ");
+    for (const auto &[name, json] : files)
+      {
+        Json places = Json::array();
+        add_places(json, "", places);
+        text << "],\n" << Json(name) << ": [";
+        write_list(text, places, "  ");
+      }
     text << "]}\n";
     return text.str();
   }
@@ -214,6 +247,33 @@ namespace
     std::ifstream file(folder.file("times.json"));
     check("its json", Json::parse(file) == table.json());
   }
+
+  void check_places(const OutputFolder &folder)
+  {
+    RunSummary summary = make_summary();
+    summary.time       = .25;
+    for (const char *name :
+         {column::contact_force_total, column::dte, column::rim_dte, "beam/end displacement x"})
+      summary.steady->columns.push_back({name, "mm", 3., 2., 1.});
+    summary.steady->found = true;
+    write_summary(folder, summary);
+    const std::string path = folder.file("summary.json");
+    check("a figure, a number and a switch are read back",
+          read_figure(path, summary_place::time) == .25 &&
+            read_figure(path, summary_place::n_contact_losses) == 1 &&
+            read_figure(path, summary_place::is_steady) == 1 &&
+            read_figure(path, summary_place::figure(figure_name::swing_frequency)) == 1);
+    check("a column of any name",
+          read_figure(path, summary_place::steady_mean("beam/end displacement x")) == 3 &&
+            read_figure(path, summary_place::steady_peak_to_peak("beam/end displacement x")) == 2);
+    check("nothing at other places",
+          std::isnan(read_figure(path, summary_place::steady_mean("no column"))) &&
+            std::isnan(read_figure(path, summary_place::figures)));
+    bool all_known = true;
+    for (const auto &figure : read_run_figures(folder.path()).figures)
+      all_known = all_known && std::isfinite(figure.second.value);
+    check("all columns of a table of runs", all_known);
+  }
 } // namespace
 
 int main(int argc, char **argv)
@@ -222,10 +282,13 @@ int main(int argc, char **argv)
   std::filesystem::remove_all("columns_results");
   const OutputFolder folder("columns_results", session.world());
   const std::string  written =
-    make_text(list_tables(folder), Json::parse(make_summary_text(make_summary())));
+    make_text(list_tables(folder),
+              {{"summary.json", Json::parse(make_summary_text(make_summary()))},
+               {"lumped.json", make_lumped_results()}});
   if (argc > 1 && std::string(argv[1]) == "--list")
     {
       std::cout << written;
+      std::filesystem::remove_all(folder.path());
       return 0;
     }
   std::ifstream     file(SOURCE_DIR "/../../doc/columns.json");
@@ -236,4 +299,5 @@ int main(int argc, char **argv)
     std::cerr << difference << std::endl;
   check("doc/columns.json is what is written", difference.empty());
   check_table_files(folder);
+  check_places(folder);
 }

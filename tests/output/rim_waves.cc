@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // rim.csv of a turning ring with waves of known amplitudes, about an axis askew.
 #include "../tests.h"
+#include "ring_askew.h"
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
@@ -20,16 +21,9 @@ namespace
   /** The driven gear is a ring of 24 sectors that has turned by 2.5 rad, all of it the rim. */
   Model make_model()
   {
-    Model model;
-    Body  ring("gear", make_ring(20, 30, 5, {{2, 24, 2}}), Material());
-    ring.axis.point     = Vector3(1, 2, 3);
-    ring.axis.direction = Vector3(1, 2, 2) / 3.;
-    ring.placement.rotation =
-      Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), ring.axis.direction).toRotationMatrix();
-    ring.placement.translation = ring.axis.point;
-    ring.turns_on_axis         = true;
+    Model        model;
     Transmission pair;
-    pair.driven       = model.add_body(std::move(ring));
+    pair.driven       = model.add_body(ring_askew("gear", Material()));
     pair.driven_teeth = 24;
     pair.driven_rim.resize(model.bodies[0].n_nodes());
     std::iota(pair.driven_rim.begin(), pair.driven_rim.end(), 0u);

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Study kind compare: a coarse pair beside finite elements and the lumped model, a ring-down beside
 // modes, and the spectrum that both are read from.
+#include "../refusal.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
@@ -202,14 +203,7 @@ namespace
                                        << "subsection Compare\n set cases = a, b\n"
                                        << " subsection Case a\n  set base = compare_run.prm\n"
                                        << "  set entries = Operation/sped = 1 rpm\n end\nend\n";
-    try
-      {
-        run_pair("compare_wrong.prm", "unused", world);
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] { run_pair("compare_wrong.prm", "unused", world); });
   }
 } // namespace
 

@@ -42,6 +42,19 @@ namespace
     return "missing";
   }
 
+  using Compare = ComparisonRows (*)(const ComparedCases &, const ComparisonTolerances &);
+
+  /** Prints the verdict on a quantity with each of some entries of section Compare. */
+  void judge(const Compare                            compare,
+             const ComparedCases                     &cases,
+             const std::string                       &quantity,
+             const std::initializer_list<std::string> entries)
+  {
+    for (const std::string &lines : entries)
+      std::cout << lines.substr(0, lines.find('\n')) << ": "
+                << verdict(compare(cases, tolerances(lines)), quantity) << std::endl;
+  }
+
   /** A slow pair with a mean transmission error 1 % and a mean force 0.4 % off. */
   void pair()
   {
@@ -58,18 +71,21 @@ namespace
     const ComparedCases cases = {
       {"run", "tolerances_run", "run", true},
       {"loaded", "tolerances_loaded", "loaded tooth contact analysis", true}};
-    const auto judge = [&](const std::string &lines, const std::string &quantity) {
-      std::cout << lines.substr(0, lines.find('\n')) << ": "
-                << verdict(compare_pair(cases, tolerances(lines)), quantity) << std::endl;
-    };
-    judge("set transmission error tolerance = 0.011\n", "mean dte");
-    judge("set transmission error tolerance = 0.009\n", "mean dte");
-    judge("set slow = 499 rpm\nset transmission error tolerance = 0.011\n", "mean dte");
-    judge("set slow = 501 rpm\nset transmission error tolerance = 0.011\n", "mean dte");
-    judge("set force tolerance = 0.0041\n", "mean contact force");
-    judge("set force tolerance = 0.0039\n", "mean contact force");
-    judge("set force tolerance = 0.0011\n", "mean contact torque on the gear");
-    judge("set force tolerance = 0.0009\n", "mean contact torque on the gear");
+    judge(&compare_pair,
+          cases,
+          "mean dte",
+          {"set transmission error tolerance = 0.011\n",
+           "set transmission error tolerance = 0.009\n",
+           "set slow = 499 rpm\nset transmission error tolerance = 0.011\n",
+           "set slow = 501 rpm\nset transmission error tolerance = 0.011\n"});
+    judge(&compare_pair,
+          cases,
+          "mean contact force",
+          {"set force tolerance = 0.0041\n", "set force tolerance = 0.0039\n"});
+    judge(&compare_pair,
+          cases,
+          "mean contact torque on the gear",
+          {"set force tolerance = 0.0011\n", "set force tolerance = 0.0009\n"});
   }
 
   std::string probe_header()
@@ -89,15 +105,15 @@ namespace
     write("tolerances_linear/history.csv", probe_header() + "1,0,0,1,100,0,0,0,0,0,100\n");
     const ComparedCases cases = {{"rest", "tolerances_rest", "static", false},
                                  {"linear", "tolerances_linear", "linear static", false}};
-    const auto          judge = [&](const std::string &lines, const std::string &quantity) {
-      std::cout << lines.substr(0, lines.find('\n')) << ": "
-                << verdict(compare_models(cases, tolerances(lines)), quantity) << std::endl;
-    };
-    judge("set displacement tolerance = 0.0031\n", "tip displacement z, static");
-    judge("set displacement tolerance = 0.0029\n", "tip displacement z, static");
-    judge("set stress tolerance = 2.1e-2\n", "tip stress x, static");
-    judge("set stress tolerance = 1.9e-2\n", "tip stress x, static");
-    judge("set stress tolerance = 1.9e-2\n", "tip von mises, static");
+    judge(&compare_models,
+          cases,
+          "tip displacement z, static",
+          {"set displacement tolerance = 0.0031\n", "set displacement tolerance = 0.0029\n"});
+    judge(&compare_models,
+          cases,
+          "tip stress x, static",
+          {"set stress tolerance = 2.1e-2\n", "set stress tolerance = 1.9e-2\n"});
+    judge(&compare_models, cases, "tip von mises, static", {"set stress tolerance = 1.9e-2\n"});
   }
 
   /** A line of 1010 Hz beside a mode of 1000 Hz, in a record of 100 ms. */
@@ -111,13 +127,10 @@ namespace
     write("tolerances_modes/modes.csv", "speed [rpm],frequency [Hz]\n0,0\n0,1000\n0,3000\n");
     const ComparedCases cases = {{"ringing", "tolerances_ringing", "run", false},
                                  {"modes", "tolerances_modes", "modal", false}};
-    for (const char *tolerance : {"0.011", "0.009"})
-      std::cout << "set frequency tolerance = " << tolerance << ": "
-                << verdict(compare_models(cases,
-                                          tolerances(std::string("set frequency tolerance = ") +
-                                                     tolerance + "\n")),
-                           "tip displacement z, line of the spectrum")
-                << std::endl;
+    judge(&compare_models,
+          cases,
+          "tip displacement z, line of the spectrum",
+          {"set frequency tolerance = 0.011\n", "set frequency tolerance = 0.009\n"});
   }
 } // namespace
 

@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Vibrations of a pair in contact: stiff bodies against one spring and one inertia; shapes that
 // stand in space against waves of the turning gear; tangent stiffness; the study writes them.
+#include "../parts.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/pair/coupled_modes.h>
 #include <vfife/study/cases/gear_case.h>
@@ -77,11 +77,7 @@ namespace
 
   void standing_waves(Communicator &world)
   {
-    const Model     model = make_model("set web = conical",
-                                   "set rim rows = 3\nset web layers = 1\nset web rows = 3\nset "
-                                       "hub rows = 1\nset hub side cells = 1",
-                                   "",
-                                   world);
+    const Model     model = make_model("set web = conical", coarse_web, "", world);
     FemOptions      fem   = lumped_masses();
     Compliance      compliance(model, fem, true, world);
     PairEquilibrium equilibrium(model, compliance, {6e5, 6e5}, {0.});
@@ -135,8 +131,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  stiff_bodies(session.world());
-  standing_waves(session.world());
-  study(session.world());
+  run_parts(argc, argv, {stiff_bodies, standing_waves, study});
 }

@@ -1,10 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of sections Fem and Linear static that files hardly ever set, in models of a few
 // elements.
+#include "../model_sections.h"
+#include "../parts.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
 #include <algorithm>
@@ -27,19 +28,16 @@ namespace
     return read_result_table("modes/modes.csv");
   }
 
-  const std::string cantilever = R"(
-  set bodies      = beam
-  set constraints = clamp
-  subsection Body beam
-    set mesh               = beam
-    set width              = 5 mm
-    set cells along length = 20
-    set cells across width = 1
-  end
-  subsection Constraint clamp
-    set nodes = x-
-  end
-)";
+  /** A beam of 5 mm width, clamped at x-, with entries of its mesh. */
+  std::string clamped_beam(const std::string &cells)
+  {
+    return "set bodies = beam\nset constraints = clamp\n" +
+           model_text::section("Body beam", "set mesh = beam\nset width = 5 mm\n" + cells) +
+           model_text::section("Constraint clamp", "set nodes = x-\n");
+  }
+
+  const std::string cantilever =
+    clamped_beam("set cells along length = 20\nset cells across width = 1\n");
 
   void solvers(Communicator &world)
   {
@@ -85,23 +83,10 @@ namespace
   /** A wheel whose hub turns freely or is held: its torsion, J1(ka) Y2(kb) = Y1(ka) J2(kb). */
   void hubs(Communicator &world)
   {
-    const std::string wheel = R"(
-  set bodies      = wheel
-  set constraints = hub
-  subsection Body wheel
-    set mesh         = ring
-    set inner radius = 20
-    set outer radius = 40
-    set height       = 30
-    set radial cells = 8
-    set cells around = 96
-    set axial cells  = 2
-  end
-  subsection Constraint hub
-    set kind  = free rotation
-    set nodes = inner
-  end
-)";
+    const std::string wheel =
+      "set bodies = wheel\nset constraints = hub\n" +
+      model_text::ring("wheel", {{20, 40, 30}}, {{8, 96, 2}}) +
+      model_text::section("Constraint hub", "set kind = free rotation\nset nodes = inner\n");
     const std::string umbrella =
       "  set modes = 3\n  set cyclic symmetry = yes\n  set largest nodal diameter = 0\n";
     const double a = 20, b = 40, shear_speed = std::sqrt(206000 / (2 * 1.29) / 7.85e-9);
@@ -128,18 +113,8 @@ namespace
   /** Waves of a ring split by 4 n/(n^2 + 1) Omega (Bryan 1890). */
   void coriolis(Communicator &world)
   {
-    const std::string ring = R"(
-  set bodies = ring
-  subsection Body ring
-    set mesh         = ring
-    set inner radius = 49.5
-    set outer radius = 50.5
-    set height       = 4
-    set radial cells = 1
-    set cells around = 72
-    set axial cells  = 1
-  end
-)";
+    const std::string ring =
+      "set bodies = ring\n" + model_text::ring("ring", {{49.5, 50.5, 4}}, {{1, 72, 1}});
     for (const bool is_on : {false, true})
       {
         const Table modes =
@@ -163,30 +138,13 @@ namespace
   /** 1000 N pull a bar, whose 9,471 displacements multigrid does not solve at once. */
   void linear_solver(Communicator &world)
   {
-    const std::string pulled = R"(
-  set bodies      = bar
-  set constraints = foot
-  set loads       = pull
-  set probes      = tip
-  subsection Body bar
-    set mesh               = beam
-    set width              = 5 mm
-    set cells along length = 40
-    set cells across width = 6
-    set cells over height  = 10
-  end
-  subsection Constraint foot
-    set nodes = x-
-  end
-  subsection Load pull
-    set nodes = x+
-    set force = 1000, 0, 0
-  end
-  subsection Probe tip
-    set point = 100, 0, 0
-  end
-)";
-    const auto        solve  = [&](const std::string &solver) {
+    const std::string pulled =
+      clamped_beam(
+        "set cells along length = 40\nset cells across width = 6\nset cells over height = 10\n") +
+      "set loads = pull\nset probes = tip\n" +
+      model_text::section("Load pull", "set nodes = x+\nset force = 1000, 0, 0\n") +
+      model_text::probe("tip", "100, 0, 0");
+    const auto solve = [&](const std::string &solver) {
       return run_text("pulled",
                       study("linear static", pulled, "  set linear solver = " + solver) +
                         "subsection Output\n  set pictures = no\n  set fields every = 0\nend\n",
@@ -204,31 +162,16 @@ namespace
   /** A thin ring that turns grows by rho omega^2 r^3/E. */
   void centrifugal(Communicator &world)
   {
-    const std::string spun = R"(
-  set bodies      = ring
-  set constraints = guide
-  set probes      = rim
-  subsection Body ring
-    set mesh         = ring
-    set inner radius = 99.5
-    set outer radius = 100.5
-    set height       = 2
-    set radial cells = 1
-    set cells around = 90
-    set axial cells  = 1
-    set bearing      = yes
-    set speed        = 100 rad/s
-  end
-  subsection Constraint guide
-    set kind       = displacement
-    set directions = theta, z
-    set nodes      = all
-  end
-  subsection Probe rim
-    set point = 100.5, 0, 0
-    set axes  = r, theta, z
-  end
-)";
+    const std::string spun =
+      "set bodies = ring\nset constraints = guide\nset probes = rim\n" +
+      model_text::ring("ring",
+                       {{99.5, 100.5, 2}},
+                       {{1, 90, 1}},
+                       "set bearing = yes\nset speed = 100 rad/s\n") +
+      model_text::section("Constraint guide",
+                          "set kind = displacement\nset directions = theta, z\n"
+                          "set nodes = all\n") +
+      model_text::probe("rim", "100.5, 0, 0", "r, theta, z");
     for (const bool is_on : {true, false})
       check_close(is_on ? "centrifugal: growth of a ring over that of a thin one"
                         : "not centrifugal: none",
@@ -248,10 +191,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  solvers(session.world());
-  hubs(session.world());
-  coriolis(session.world());
-  linear_solver(session.world());
-  centrifugal(session.world());
+  run_parts(argc, argv, {solvers, hubs, coriolis, linear_solver, centrifugal});
 }

@@ -18,10 +18,7 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   std::filesystem::remove_all("gear_pair_results");
   std::ofstream("gear_pair.prm") << quick_pair(
-    "set web = conical\nset web thickness = 5 mm\nset web angle = 70 deg",
-    "set rim rows = 3\nset web layers = 1\nset web rows = 3\nset hub rows = 1\nset hub side cells "
-    "= 1",
-    "1e-5");
+    "set web = conical\nset web thickness = 5 mm\nset web angle = 70 deg", coarse_web, "1e-5");
   run_pair("gear_pair.prm", "gear_pair_results", session.world());
 
   for (const char *file : {"parameters.prm", "run.log", "history.csv", "teeth.csv", "summary.json"})

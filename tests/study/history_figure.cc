@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Numbers taken of made-up histories, their errors and orders of convergence.
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -79,16 +80,10 @@ namespace
 
   void show_error(const HistoryFigure &figure)
   {
-    try
-      {
-        figure.check("Sweep/Figure end");
-        figure.compute(make_history());
-        std::cout << "FAILED: accepted" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << std::endl;
-      }
+    print_refusal([&] {
+      figure.check("Sweep/Figure end");
+      figure.compute(make_history());
+    });
   }
 } // namespace
 

@@ -1,11 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of sections Contact and Dynamics that files hardly ever set: each in a model of a few
 // elements, of which a step or two are enough to see what the entry says.
+#include "../model_sections.h"
+#include "../parts.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/body.h>
 
@@ -210,6 +211,14 @@ end
     check_close("virtual damping: steps over those of half of it", stronger / strong, 2., .05);
   }
 
+  const std::string every_sample = R"(
+subsection Output
+  set history every    = 1
+  set pictures         = no
+  set checkpoint every = 0
+end
+)";
+
   /** A ring of one row that turns in a bearing, with v = omega r + c r^3 at its start. */
   void damping_rate(Communicator &world)
   {
@@ -224,20 +233,13 @@ end
     for (const bool is_mean : {false, true})
       {
         run_text("damped",
-                 R"(
-subsection Model
-  set bodies = ring
-  subsection Body ring
-    set mesh         = ring
-    set height       = 5
-    set radial cells = 1
-    set cells around = 24
-    set axial cells  = 1
+                 "subsection Model\n  set bodies = ring\n" +
+                   model_text::ring("ring", {{20, 30, 5}}, {{1, 24, 1}}, R"(
     set bearing      = yes
     set speed        = 100 rad/s
     set initial velocity x = -0.1*y*(x^2 + y^2)
     set initial velocity y = 0.1*x*(x^2 + y^2)
-  end
+)") + R"(
 end
 subsection Dynamics
   set damping                 = 2000
@@ -245,14 +247,7 @@ subsection Dynamics
   set largest number of steps = 1
   set safety                  = 0.01
   set damping rate            = )" +
-                   std::string(is_mean ? "mean speed" : "momentum") + R"(
-end
-subsection Output
-  set history every    = 1
-  set pictures         = no
-  set checkpoint every = 0
-end
-)",
+                   (is_mean ? "mean speed" : "momentum") + "\nend\n" + every_sample,
                  world);
         const nlohmann::json audit = read_summary("damped").at("damping audit")[0];
         const std::string    name  = is_mean ? "mean speed: " : "momentum: ";
@@ -286,14 +281,7 @@ end
 subsection Dynamics
   set end time = 10 us
 )" + dynamics +
-           R"(
-end
-subsection Output
-  set history every    = 1
-  set pictures         = no
-  set checkpoint every = 0
-end
-)";
+           "end\n" + every_sample;
   }
 
   void unequal_elements(Communicator &world)
@@ -323,10 +311,5 @@ end
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  contact(session.world());
-  step(session.world());
-  relaxation(session.world());
-  damping_rate(session.world());
-  unequal_elements(session.world());
+  run_parts(argc, argv, {contact, step, relaxation, damping_rate, unequal_elements});
 }

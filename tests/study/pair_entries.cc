@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Entries of a pair that files hardly ever set (material, export, spin of a loaded contact, the
 // benchmark), and the numbers that a run writes of itself, on meshes as coarse as they go.
+#include "../parts.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
 #include <nlohmann/json.hpp>
@@ -241,9 +241,5 @@ subsection Benchmark
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  meshes(session.world());
-  spin(session.world());
-  benchmark(session.world());
-  figures(session.world());
+  run_parts(argc, argv, {meshes, spin, benchmark, figures});
 }

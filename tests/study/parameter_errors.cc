@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What a user reads whose parameter file is wrong: file, line, what is wrong, and what may be
 // meant.
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>

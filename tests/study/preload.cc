@@ -19,8 +19,7 @@ namespace
         std::filesystem::remove_all(folder);
         std::ofstream(folder + ".prm")
           << quick_pair("set web = conical\nset web thickness = 5 mm\nset web angle = 70 deg",
-                        "set rim rows = 3\nset web layers = 1\nset web rows = 3\nset hub rows = "
-                        "1\nset hub side cells = 1",
+                        coarse_web,
                         "1e-6")
           << "subsection Dynamics\n  set largest number of steps = 1\n  set start solver = "
           << solver << "\nend\n";

@@ -2,49 +2,30 @@
 #ifndef vfife_tests_study_prescribed_ring_h
 #define vfife_tests_study_prescribed_ring_h
 
-#include <string>
+#include "../model_sections.h"
 
 /** Section Model: a thin ring, widened by 0.01 mm and turned by half a degree at its inner radius.
  */
 inline std::string prescribed_ring()
 {
-  return R"(
-subsection Model
-  set bodies      = ring
-  set constraints = inside, below
-  set probes      = inner, outer
-  subsection Body ring
-    set mesh         = ring
-    set inner radius = 20 mm
-    set outer radius = 40 mm
-    set height       = 2 mm
-    set radial cells = 10
-    set cells around = 60
-    set axial cells  = 1
-  end
-  subsection Constraint inside
+  return "subsection Model\n"
+         "  set bodies      = ring\n"
+         "  set constraints = inside, below\n"
+         "  set probes      = inner, outer\n" +
+         model_text::ring("ring", {{20, 40, 2}}, {{10, 60, 1}}) +
+         model_text::section("Constraint inside", R"(
     set kind         = displacement
     set nodes        = inner
     set directions   = r, theta
     set displacement = 0.01, 0, 0 mm
     set angle        = 0.5 deg
-  end
-  subsection Constraint below
+)") + model_text::section("Constraint below", R"(
     set kind       = displacement
     set nodes      = bottom
     set where      = x^2 + y^2 > 401
     set directions = z
-  end
-  subsection Probe inner
-    set point = 20, 0, 0 mm
-    set axes  = r, theta, z
-  end
-  subsection Probe outer
-    set point = 40, 0, 0 mm
-    set axes  = r, theta, z
-  end
-end
-)";
+)") + model_text::probe("inner", "20, 0, 0 mm", "r, theta, z") +
+         model_text::probe("outer", "40, 0, 0 mm", "r, theta, z") + "end\n";
 }
 
 #endif

@@ -14,36 +14,32 @@
 #include <string>
 #include <vector>
 
-/** One tooth mesh of the paper's pair on meshes as coarse as they go; @p gear: entries of the
- * gear's body and mesh. */
+/** The paper's pair on meshes as coarse as they go, with entries of the gear's body and mesh. */
+inline std::string coarse_pair(const std::string &gear_body, const std::string &gear_mesh)
+{
+  const std::string mesh = R"(
+    subsection Mesh
+      set cells lengthwise   = 2
+      set cells across tooth = 2
+      set flank rows         = 2
+)";
+  return std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n" +
+         "subsection Gear pair\n  subsection Pinion" + mesh +
+         "      set rim rows           = 2\n    end\n  end\n" +
+         "  subsection Gear\n    subsection Body\n" + gear_body + "\n    end" + mesh + gear_mesh +
+         "\n    end\n  end\nend\n";
+}
+
+/** A conical web in its coarsest mesh: entries for coarse_pair(). */
+constexpr char coarse_web[] = "set rim rows = 3\nset web layers = 1\nset web rows = 3\n"
+                              "set hub rows = 1\nset hub side cells = 1";
+
+/** One tooth mesh of that pair. */
 inline std::string
 quick_pair(const std::string &gear_body, const std::string &gear_mesh, const std::string &tolerance)
 {
-  return std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n" +
+  return coarse_pair(gear_body, gear_mesh) +
          R"(
-subsection Gear pair
-  subsection Pinion
-    subsection Mesh
-      set cells lengthwise   = 2
-      set cells across tooth = 2
-      set flank rows         = 2
-      set rim rows           = 2
-    end
-  end
-  subsection Gear
-    subsection Body
-)" + gear_body +
-         R"(
-    end
-    subsection Mesh
-      set cells lengthwise   = 2
-      set cells across tooth = 2
-      set flank rows         = 2
-)" + gear_mesh +
-         R"(
-    end
-  end
-end
 subsection Operation
   set speed        = 20000 rpm
   set torque       = 800 N m

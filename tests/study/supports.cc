@@ -1,11 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Supports of general models against closed forms: springs to the ground, and radius and angle that
 // are prescribed.
+#include "../model_sections.h"
+#include "../parts.h"
 #include "../tests.h"
 #include "prescribed_ring.h"
 #include "quick_pair.h"
 
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
 #include <algorithm>
@@ -17,36 +18,21 @@ namespace
   /** A bar of 100 x 5 x 5 mm, nu = 0, on springs of 1000 N/mm along each direction. */
   std::string sprung_bar(const std::string &kind, const std::string &rest)
   {
+    const bool runs = kind == "run";
     return "subsection Study\n  set kind = " + kind + R"(
 end
 subsection Model
   set bodies      = bar
   set constraints = springs
   set probes      = foot, tip
-  subsection Body bar
-    set mesh    = block
-    set size x  = 100 mm
-    set size y  = 5 mm
-    set size z  = 5 mm
-    set cells x = 20
-    set cells y = 1
-    set cells z = 1
-)" + (kind == "run" ? "    set velocity = 0, 30, 0 mm/s\n" : "") +
-           R"(  end
-  subsection Constraint springs
-    set kind      = spring
-    set nodes     = )" +
-           (kind == "run" ? "all" : "x-") + R"(
-    set stiffness = 1000, 1000, 1000 N/mm
-  end
-  subsection Probe foot
-    set point = 0, 0, 0 mm
-    set axes  = x, y, z
-  end
-  subsection Probe tip
-    set point = 100, 0, 0 mm
-    set axes  = x, y, z
-  end
+)" +
+           model_text::block("bar",
+                             {{100, 5, 5}},
+                             {{20, 1, 1}},
+                             runs ? "set velocity = 0, 30, 0 mm/s\n" : "") +
+           "  subsection Constraint springs\n    set kind = spring\n    set nodes = " +
+           (runs ? "all" : "x-") + "\n    set stiffness = 1000, 1000, 1000 N/mm\n  end\n" +
+           model_text::probe("foot", "0, 0, 0 mm") + model_text::probe("tip", "100, 0, 0 mm") + R"(
 end
 subsection Material steel
   set Poisson's ratio = 0
@@ -215,8 +201,5 @@ end
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  springs(session.world());
-  preloaded_swing(session.world());
-  led_radius(session.world());
+  run_parts(argc, argv, {springs, preloaded_swing, led_radius});
 }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The cases of prm/verification on coarse meshes against closed forms; doc/verification.md has the
 // fine ones.
+#include "../refusal.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
@@ -202,16 +203,8 @@ namespace
     line.check       = true;
     std::ostringstream nothing;
     Log                log(nothing, true, Verbosity::quiet);
-    try
-      {
-        run_study(line, communicator, log);
-        std::cout << "FAILED: accepted" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        const std::string text = error.what();
-        std::cout << text.substr(text.find("--set")) << std::endl;
-      }
+    const std::string  text = message_of([&] { run_study(line, communicator, log); });
+    std::cout << (text.empty() ? "FAILED: accepted" : text.substr(text.find("--set"))) << std::endl;
   }
 
   /** The message says where the file was looked for: an absolute path, different on each machine.
@@ -221,15 +214,7 @@ namespace
     const CommandLine line = command_line("plate_with_hole", {"Model/Body plate/file=nothing.msh"});
     std::ostringstream nothing;
     Log                log(nothing, true, Verbosity::quiet);
-    std::string        text;
-    try
-      {
-        run_study(line, communicator, log);
-      }
-    catch (const InputError &error)
-      {
-        text = error.what();
-      }
+    const std::string  text = message_of([&] { run_study(line, communicator, log); });
     check("a mesh file that is not there is named",
           text.find("(Model/Body plate/file)") != std::string::npos &&
             text.find("verification/nothing.msh cannot be opened") != std::string::npos);

@@ -60,6 +60,8 @@ namespace vfife
 
     /** (L, h) of a point of the meridian plane (r, z). */
     Vector2 cone_coordinates(const Vector2 &r_z) const;
+    /** (L, h) of a position in the body frame. */
+    Vector2 coordinates_of(const Vector3 &position) const;
     /** (r, z) of a point (L, h). */
     Vector2 meridian_point(const Vector2 &L_h) const;
 

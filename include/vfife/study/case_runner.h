@@ -39,7 +39,7 @@ namespace vfife
   struct CaseFile
   {
     EntryValues entries;   ///< in force
-    std::string last_file; ///< StudyKind::last_file()
+    std::string last_file; ///< KnownStudy::last_file
 
     /** Of an entry by its path; empty where there is none. */
     std::string value(const std::string &entry) const;

@@ -45,10 +45,6 @@ namespace vfife
 
     /** Does it and writes the results. */
     virtual void run(OutputFolder &folder, Log &log) = 0;
-
-    /** The file that run() writes last: where it is, all results are. A summary.json says so
-     * itself, by its status. Empty for kinds of which no file tells. */
-    virtual std::string last_file() const;
   };
 } // namespace vfife
 

@@ -15,13 +15,27 @@ namespace vfife
   /** Makes a study; one that is made of cases does them by the runner, which outlives it. */
   using MakeStudy = std::unique_ptr<StudyKind> (*)(const CaseRunner &);
 
+  /** A kind of study as the table has it. */
+  struct KnownStudy
+  {
+    MakeStudy make = nullptr;
+    /** The file that a study writes last: where it is, all results are. A summary.json says so
+     * itself, by its status. Empty for kinds of which no file tells. */
+    std::string last_file;
+
+    bool operator==(const KnownStudy &other) const
+    {
+      return make == other.make;
+    }
+  };
+
   /** All kinds of studies by their words in `Study/kind`. */
-  const Choices<MakeStudy> &study_kinds();
+  const Choices<KnownStudy> &study_kinds();
 
   /** Section Study. */
   struct StudyOptions
   {
-    MakeStudy   kind          = study_kinds().front().second;
+    KnownStudy  kind          = study_kinds().front().second;
     std::string output_folder = "results";
 
     void declare(dealii::ParameterHandler &prm);

@@ -115,6 +115,14 @@ namespace vfife
       }
   }
 
+  void
+  ParameterFile::read_known(const std::function<void(dealii::ParameterHandler &)> &declare) const
+  {
+    dealii::ParameterHandler prm;
+    declare(prm);
+    read_known(prm);
+  }
+
   void ParameterFile::read(dealii::ParameterHandler &prm) const
   {
     const DeclaredSection top = find_declared(prm);

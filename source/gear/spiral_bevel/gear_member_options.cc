@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/gear/findings.h>
 #include <vfife/gear/spiral_bevel/gear_member_options.h>
 
@@ -73,10 +74,7 @@ namespace vfife
                      "mm",
                      "Sum of the outside and the inside point radius, nominally; 0: not given",
                      Range::not_negative());
-    {
-      Subsection subsection(prm, "Blank");
-      blank.declare(prm);
-    }
+    declare_section(prm, "Blank", blank);
     {
       Subsection subsection(prm, "Both flanks");
       declare_quantity(prm,
@@ -88,14 +86,8 @@ namespace vfife
                        Range::not_negative());
       both.declare_shared(prm);
     }
-    {
-      Subsection subsection(prm, "Concave flank");
-      concave.declare(prm);
-    }
-    {
-      Subsection subsection(prm, "Convex flank");
-      convex.declare(prm);
-    }
+    declare_section(prm, "Concave flank", concave);
+    declare_section(prm, "Convex flank", convex);
   }
 
   const char *section_of(const FlankSide side)

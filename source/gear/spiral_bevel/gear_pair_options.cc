@@ -1,23 +1,15 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 
 namespace vfife
 {
   void GearPairOptions::declare(dealii::ParameterHandler &prm)
   {
-    {
-      Subsection subsection(prm, "Proposal");
-      proposal.declare(prm);
-    }
-    {
-      Subsection subsection(prm, "Pinion");
-      pinion.declare(prm);
-    }
-    {
-      Subsection subsection(prm, "Gear");
-      gear.declare(prm);
-    }
+    declare_section(prm, "Proposal", proposal);
+    declare_section(prm, "Pinion", pinion);
+    declare_section(prm, "Gear", gear);
     {
       Subsection subsection(prm, "Mounting");
       declare_quantity(prm,

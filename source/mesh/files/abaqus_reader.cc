@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/shown_text.h>
+#include <vfife/mesh/hexahedron_corners.h>
 
 #include "file_mesh.h"
 
@@ -159,8 +160,6 @@ namespace vfife
 
       void read_hexahedron(const std::vector<std::string> &words)
       {
-        // corners run round the bottom and the top; lexicographic is x fastest
-        constexpr unsigned int place[8] = {0, 1, 3, 2, 4, 5, 7, 6};
         // Its number and eight nodes, which may be divided over lines.
         pending_.insert(pending_.end(), words.begin(), words.end());
         if (pending_.size() < 9)
@@ -169,7 +168,7 @@ namespace vfife
           refuse("an element needs its number and eight nodes, not more");
         CellNodes nodes;
         for (unsigned int k = 0; k < 8; ++k)
-          nodes[place[k]] = node(pending_[k + 1]);
+          nodes[corner_of_files[k]] = node(pending_[k + 1]);
         if (!element_index_.emplace(label(pending_[0]), mesh_.elements.size()).second)
           refuse("there is a second element " + pending_[0]);
         element_sets_[options_["ELSET"]].push_back(mesh_.elements.size());

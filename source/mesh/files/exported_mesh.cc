@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/mesh/files/exported_mesh.h>
+#include <vfife/mesh/hexahedron_corners.h>
 
 #include <cctype>
 #include <map>
@@ -68,12 +69,9 @@ namespace vfife
 
   std::array<unsigned int, 4> ExportedMesh::face_nodes(const Face &face) const
   {
-    // corners of a lexicographic hexahedron's faces, by deal.II's numbers of faces
-    constexpr unsigned int outward[6][4] = {
-      {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     std::array<unsigned int, 4> result;
     for (unsigned int v = 0; v < 4; ++v)
-      result[v] = elements[face.element][outward[face.face][v]];
+      result[v] = elements[face.element][outward_faces[face.face][v]];
     return result;
   }
 

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_writers.h"
 
+#include <vfife/mesh/hexahedron_corners.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <ostream>

@@ -8,9 +8,6 @@
 
 namespace vfife
 {
-  /** Place in the lexicographic order of the k-th corner in the order of VTK, Gmsh and Abaqus. */
-  constexpr unsigned int corner_of_files[8] = {0, 1, 3, 2, 4, 5, 7, 6};
-
   /** VTK's unstructured grid in text: hexahedra, then faces of the named surfaces; node sets and
    * surfaces as arrays of 0 and 1. */
   void

@@ -27,7 +27,7 @@ namespace vfife
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
         {
           const Vector3      y    = point + delta * direction;
-          const Vector2      L_h  = gear.blank().cone_coordinates({std::hypot(y[0], y[1]), y[2]});
+          const Vector2      L_h  = gear.blank().coordinates_of(y);
           const SurfacePoint x    = gear.flank_point(side, L_h[0], L_h[1]);
           const double       step = (x.position - y).dot(x.normal) / direction.dot(x.normal);
           delta += step;

@@ -28,11 +28,6 @@ namespace vfife
       return {x[0], x[1], x[2]};
     }
 
-    Vector2 cone_coordinates(const GearGeometry &gear, const Vector3 &x)
-    {
-      return gear.blank().cone_coordinates({std::hypot(x[0], x[1]), x[2]});
-    }
-
     /** Rotation from the tooth that has @p here near it on tooth 0 to the tooth of @p there. */
     Matrix3 rotation_between(const GearGeometry &gear, const Vector3 &here, const Vector3 &there)
     {
@@ -65,11 +60,11 @@ namespace vfife
     // there.
     Vector2 mean = Vector2::Zero();
     for (std::size_t i = 0; i < weights.size(); ++i)
-      mean += weights[i] * cone_coordinates(*gear_, vector_of(surrounding_points[i]));
+      mean += weights[i] * gear_->blank().coordinates_of(vector_of(surrounding_points[i]));
 
     // All points are of one tooth: the first one tells which.
     const Vector3 first = vector_of(surrounding_points[0]);
-    const Vector2 L_h   = cone_coordinates(*gear_, first);
+    const Vector2 L_h   = gear_->blank().coordinates_of(first);
     const Matrix3 rotation =
       rotation_between(*gear_, gear_->flank_point(side_, L_h[0], L_h[1]).position, first);
     return turned(rotation, gear_->flank_point(side_, mean[0], mean[1]).position);
@@ -91,7 +86,7 @@ namespace vfife
     // The foot of the point on the profile L = const, by Gauss and Newton's method: at the bottom
     // the height is stationary in lambda, the distance along the profile is not.
     constexpr double difference = 1e-4, tolerance = 1e-11;
-    const double     L   = cone_coordinates(*gear_, position)[0];
+    const double     L   = gear_->blank().coordinates_of(position)[0];
     const double     end = gear_->fillet_end(side_);
     const auto       x   = [&](const double lambda) {
       return gear_->fillet_point(side_, L, lambda).position;
@@ -116,17 +111,20 @@ namespace vfife
                                                  const Weights &weights) const
   {
     // on tooth 0, by the fillet's middle, which is near enough to tell teeth apart
-    const Vector3 first    = vector_of(surrounding_points[0]);
-    const Matrix3 rotation = rotation_between(
-      *gear_,
-      gear_->fillet_point(side_, cone_coordinates(*gear_, first)[0], .5 * gear_->fillet_end(side_))
-        .position,
-      first);
+    const Vector3 first = vector_of(surrounding_points[0]);
+    const Matrix3 rotation =
+      rotation_between(*gear_,
+                       gear_
+                         ->fillet_point(side_,
+                                        gear_->blank().coordinates_of(first)[0],
+                                        .5 * gear_->fillet_end(side_))
+                         .position,
+                       first);
     double L = 0., lambda = 0.;
     for (std::size_t i = 0; i < weights.size(); ++i)
       {
         const Vector3 x = rotation.transpose() * vector_of(surrounding_points[i]);
-        L += weights[i] * cone_coordinates(*gear_, x)[0];
+        L += weights[i] * gear_->blank().coordinates_of(x)[0];
         lambda += weights[i] * fillet_parameter(x);
       }
     lambda = std::min(gear_->fillet_end(side_), std::max(0., lambda));

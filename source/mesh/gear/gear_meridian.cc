@@ -18,17 +18,6 @@ namespace vfife
     /** Chords of a fillet of the web. */
     constexpr unsigned int n_arc = 32;
 
-    /** Evenly from toe to heel. */
-    std::vector<GearSection> compute_sections(const GearGeometry &gear)
-    {
-      const BlankOutline      &blank = gear.blank();
-      std::vector<GearSection> sections;
-      for (unsigned int i = 0; i <= n_sections; ++i)
-        sections.push_back(compute_gear_section(
-          gear, blank.inner_cone_distance() + blank.face_width * i / n_sections, 1));
-      return sections;
-    }
-
     /** (r, z) of the rim's lower border under section @p i. */
     Vector2 rim_bottom(const BlankOutline             &blank,
                        const GearBodyOptions          &options,
@@ -138,7 +127,7 @@ namespace vfife
       std::vector<Vector2> profile;
       const auto           add = [&](const Vector3 &x) {
         const double own = std::atan2(x[1], x[0]);
-        profile.emplace_back(blank.cone_coordinates({std::hypot(x[0], x[1]), x[2]})[1],
+        profile.emplace_back(blank.coordinates_of(x)[1],
                              angle + std::remainder(own - angle, 2. * pi));
       };
       for (unsigned int i = 0; i <= n_fillet; ++i)
@@ -174,7 +163,7 @@ namespace vfife
   std::vector<MeridianPart> compute_meridian(const GearGeometry    &gear,
                                              const GearBodyOptions &options)
   {
-    return compute_parts(gear.blank(), options, compute_sections(gear));
+    return compute_parts(gear.blank(), options, compute_gear_sections(gear, n_sections, 1));
   }
 
   Table make_meridian_table()
@@ -196,7 +185,7 @@ namespace vfife
 
   SolidIntegrals compute_true_integrals(const GearGeometry &gear, const GearBodyOptions &options)
   {
-    const std::vector<GearSection> sections = compute_sections(gear);
+    const std::vector<GearSection> sections = compute_gear_sections(gear, n_sections, 1);
     Four                           teeth    = Four::Zero();
     for (unsigned int i = 0; i <= n_sections; ++i)
       {

@@ -18,10 +18,8 @@ namespace vfife
     Vector2
     section_coordinates(const BlankOutline &blank, const Vector3 &x, const double near_angle)
     {
-      const double r     = std::hypot(x[0], x[1]);
       const double angle = std::atan2(x[1], x[0]);
-      return {blank.cone_coordinates({r, x[2]})[1],
-              near_angle + std::remainder(angle - near_angle, 2. * pi)};
+      return {blank.coordinates_of(x)[1], near_angle + std::remainder(angle - near_angle, 2. * pi)};
     }
 
     /** Profile of a flank from the fillet's bottom to the tip, points (h, angle). */
@@ -89,6 +87,19 @@ namespace vfife
     if (!(section.lower.back()[1] < section.upper.back()[1]))
       throw InputError(gear.name() + ": the tooth is pointed below its tip");
     return section;
+  }
+
+  std::vector<GearSection> compute_gear_sections(const GearGeometry &gear,
+                                                 const unsigned int  n,
+                                                 const unsigned int  flank_rows,
+                                                 const double        grading)
+  {
+    const BlankOutline      &blank = gear.blank();
+    std::vector<GearSection> sections;
+    for (unsigned int i = 0; i <= n; ++i)
+      sections.push_back(compute_gear_section(
+        gear, blank.inner_cone_distance() + blank.face_width * i / n, flank_rows, grading));
+    return sections;
   }
 
   Vector3 position_of(const BlankOutline &blank, const double L, const double h, const double angle)

@@ -26,21 +26,6 @@ namespace vfife
       const double c = std::min(1., std::max(0., x));
       return c * c * (3. - 2. * c);
     }
-
-    /** Evenly from toe to heel, one at each end of a cell. */
-    std::vector<GearSection> compute_sections(const GearGeometry    &gear,
-                                              const GearBodyOptions &options)
-    {
-      const BlankOutline      &blank = gear.blank();
-      std::vector<GearSection> sections;
-      for (unsigned int i = 0; i <= options.cells_lengthwise; ++i)
-        sections.push_back(compute_gear_section(gear,
-                                                blank.inner_cone_distance() +
-                                                  blank.face_width * i / options.cells_lengthwise,
-                                                options.flank_rows,
-                                                options.grading_towards_fillet));
-      return sections;
-    }
   } // namespace
 
   GearSectorBuilder::GearSectorBuilder(const GearGeometry &gear, const GearBodyOptions &options)
@@ -48,7 +33,8 @@ namespace vfife
     , options_(options)
     , at_toe_(options.web == WebKind::conical && options.web_attachment == WebAttachment::toe)
     , at_underside_(options.web == WebKind::conical && options.web_attachment != WebAttachment::toe)
-    , sections_(compute_sections(gear, options))
+    , sections_(compute_gear_sections(
+        gear, options.cells_lengthwise, options.flank_rows, options.grading_towards_fillet))
     , across_(graded_places_from_both_ends(options.cells_across, options.grading_towards_flank))
     , rim_parts_(graded_places(options.rim_rows, at_toe_ ? 1. : options.grading_towards_fillet))
     , web_(gear.blank(), options, sections_.front().root_height, sections_.back().root_height)

@@ -175,7 +175,7 @@ namespace vfife
         {
           const Vector3 &x = surface.positions[i];
           grid.nodes.push_back(number[surface.nodes[i]]);
-          grid.L_h.push_back(gear.blank().cone_coordinates({std::hypot(x[0], x[1]), x[2]}));
+          grid.L_h.push_back(gear.blank().coordinates_of(x));
         }
       // Along L on the upper flank, against it on the lower, as in the unrefined grid.
       const double along = side == gear.upper_side() ? 1. : -1.;

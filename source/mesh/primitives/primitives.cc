@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
+#include "requirement.h"
+
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/primitives/primitives.h>
 
@@ -7,17 +8,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    using Counts = std::array<unsigned int, 3>;
-
-    void require(const bool condition, const std::string &message)
-    {
-      if (!condition)
-        throw InputError(message);
-    }
-  } // namespace
-
   std::unique_ptr<BodyMesh>
   make_block(const Vector3 &size, const Counts &counts, const Vector3 &origin)
   {
@@ -77,5 +67,27 @@ namespace vfife
     auto mesh  = make_block(size, counts, {0., -.5 * size[1], -.5 * size[2]});
     mesh->name = "beam";
     return mesh;
+  }
+
+  std::unique_ptr<BodyMesh> make_moved(const BodyMesh                                &mesh,
+                                       const std::string                             &name,
+                                       const std::function<Vector3(const Vector3 &)> &place)
+  {
+    std::vector<Vector3>   nodes;
+    std::vector<CellNodes> hexahedra;
+    for (const auto &x : mesh.triangulation.get_vertices())
+      nodes.push_back(place(Vector3(x[0], x[1], x[2])));
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        CellNodes corners;
+        for (unsigned int v = 0; v < 8; ++v)
+          corners[v] = cell->vertex_index(v);
+        hexahedra.push_back(corners);
+      }
+    auto moved  = std::make_unique<BodyMesh>();
+    moved->name = name;
+    create_triangulation(*moved, nodes, hexahedra);
+    moved->sector.assign(hexahedra.size(), 0);
+    return moved;
   }
 } // namespace vfife

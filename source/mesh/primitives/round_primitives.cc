@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
+#include "requirement.h"
+
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/primitives/primitives.h>
 
@@ -11,14 +12,6 @@ namespace vfife
 {
   namespace
   {
-    using Counts = std::array<unsigned int, 3>;
-
-    void require(const bool condition, const std::string &message)
-    {
-      if (!condition)
-        throw InputError(message);
-    }
-
     /** Manifold id of curved faces, or of all that is curved. */
     constexpr dealii::types::manifold_id curved = 1;
 

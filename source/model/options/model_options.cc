@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/model/options/model_options.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -120,30 +121,21 @@ namespace vfife
         {
           materials_.emplace_back();
           materials_.back().name = body.second.material;
-          Subsection section(prm, "Material " + body.second.material);
-          materials_.back().declare(prm);
+          declare_section(prm, "Material " + body.second.material, materials_.back());
         }
   }
 
   void ModelOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    {
-      // First pass: which parts there are.
-      dealii::ParameterHandler first;
-      declare_names_of_parts(first);
-      file.read_known(first);
-    }
+    // First pass: which parts there are.
+    file.read_known([this](dealii::ParameterHandler &first) { declare_names_of_parts(first); });
     make_named(body_names_, bodies_);
     make_named(constraint_names_, constraints_);
     make_named(load_names_, loads_);
     make_named(contact_names_, contacts_);
     make_named(probe_names_, probes_);
-    {
-      // Second pass: mesh and kinds, which decide what entries the parts have.
-      dealii::ParameterHandler second;
-      declare_kinds(second);
-      file.read_known(second);
-    }
+    // Second pass: mesh and kinds, which decide what entries the parts have.
+    file.read_known([this](dealii::ParameterHandler &second) { declare_kinds(second); });
 
     // Third: everything, in the handler with which the whole file is read strictly.
     declare_names_of_parts(prm);

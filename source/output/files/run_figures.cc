@@ -42,7 +42,7 @@ namespace vfife
               {"swing frequency", "Hz", figure(figure_name::swing_frequency)}};
     }
 
-    /** Numbers, and yes or no as 1 or 0; NaN for what is missing or null. */
+    /** A number, yes or no as 1 or 0, the value of a figure; NaN for what is missing or null. */
     double read_number(const Json &json, const std::string &pointer)
     {
       const Json::json_pointer place(pointer);

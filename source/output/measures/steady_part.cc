@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <sstream>
 
@@ -84,6 +85,22 @@ namespace vfife
       return statistics;
     }
 
+    /** Largest number that @p change finds in a column; infinity where one is no number (lost
+     * contact: 0/0, or a run that blew up), which is no steady state. */
+    double find_largest(const std::vector<SampleIntegral>                   &judged,
+                        const std::function<double(const SampleIntegral &)> &change)
+    {
+      double largest = 0;
+      for (const SampleIntegral &column : judged)
+        {
+          const double here = change(column);
+          if (!std::isfinite(here))
+            return std::numeric_limits<double>::infinity();
+          largest = std::max(largest, here);
+        }
+      return largest;
+    }
+
     /** Largest relative difference of the means over [k, k+period) and [k+period, k+2 period) mesh
      * cycles. */
     double compute_change(const std::vector<SampleIntegral> &judged,
@@ -91,44 +108,30 @@ namespace vfife
                           const unsigned int                 period,
                           const double                       samples_per_mesh)
     {
-      double largest = 0;
-      for (const SampleIntegral &column : judged)
-        {
-          const double before = column.mean(k * samples_per_mesh, (k + period) * samples_per_mesh);
-          const double after =
-            column.mean((k + period) * samples_per_mesh, (k + 2 * period) * samples_per_mesh);
-          const double change = std::abs(after - before) / std::abs(after);
-          // A quotient that is no number (lost contact: 0/0, or a run that blew up) is no steady
-          // state.
-          if (!std::isfinite(change))
-            return std::numeric_limits<double>::infinity();
-          largest = std::max(largest, change);
-        }
-      return largest;
+      return find_largest(judged, [=](const SampleIntegral &column) {
+        const double before = column.mean(k * samples_per_mesh, (k + period) * samples_per_mesh);
+        const double after =
+          column.mean((k + period) * samples_per_mesh, (k + 2 * period) * samples_per_mesh);
+        return std::abs(after - before) / std::abs(after);
+      });
     }
+
     /** Largest relative spread of the means of the single mesh cycles [k, end). */
     double compute_spread(const std::vector<SampleIntegral> &judged,
                           const unsigned int                 k,
                           const unsigned int                 end,
                           const double                       samples_per_mesh)
     {
-      double largest = 0;
-      for (const SampleIntegral &column : judged)
-        {
-          double least = std::numeric_limits<double>::infinity(), most = -least;
-          for (unsigned int i = k; i < end; ++i)
-            {
-              const double mean = column.mean(i * samples_per_mesh, (i + 1) * samples_per_mesh);
-              least             = std::min(least, mean);
-              most              = std::max(most, mean);
-            }
-          const double spread =
-            (most - least) / std::abs(column.mean(k * samples_per_mesh, end * samples_per_mesh));
-          if (!std::isfinite(spread))
-            return std::numeric_limits<double>::infinity();
-          largest = std::max(largest, spread);
-        }
-      return largest;
+      return find_largest(judged, [=](const SampleIntegral &column) {
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (unsigned int i = k; i < end; ++i)
+          {
+            const double mean = column.mean(i * samples_per_mesh, (i + 1) * samples_per_mesh);
+            least             = std::min(least, mean);
+            most              = std::max(most, mean);
+          }
+        return (most - least) / std::abs(column.mean(k * samples_per_mesh, end * samples_per_mesh));
+      });
     }
   } // namespace
 

@@ -8,7 +8,9 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/study/benchmark/benchmark_study.h>
+#include <vfife/study/benchmark/contact_benchmark.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
+#include <vfife/study/cases/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -25,28 +27,12 @@ namespace vfife
     std::unique_ptr<BodyMesh> make_general_mesh(const unsigned int cells)
     {
       const auto block = make_block(Vector3(cells, cells, cells), {{cells, cells, cells}});
-      std::vector<Vector3>   nodes;
-      std::vector<CellNodes> hexahedra;
-      for (const auto &v : block->triangulation.get_vertices())
-        {
-          // Sines of multiples that have no common period: cells stay convex, and no two are
-          // congruent.
-          const double  n = nodes.size() + 1.;
-          const Vector3 shift(std::sin(1.7 * n), std::sin(2.3 * n + 1.), std::sin(3.1 * n + 2.));
-          nodes.push_back(Vector3(v[0], v[1], v[2]) + 0.1 * shift);
-        }
-      for (const auto &cell : block->triangulation.active_cell_iterators())
-        {
-          CellNodes corners;
-          for (unsigned int i = 0; i < 8; ++i)
-            corners[i] = cell->vertex_index(i);
-          hexahedra.push_back(corners);
-        }
-      auto mesh  = std::make_unique<BodyMesh>();
-      mesh->name = "general mesh";
-      create_triangulation(*mesh, nodes, hexahedra);
-      mesh->sector.assign(hexahedra.size(), 0);
-      return mesh;
+      // Sines of multiples that have no common period: cells stay convex, and no two are congruent.
+      double n = 0.;
+      return make_moved(*block, "general mesh", [&n](const Vector3 &x) -> Vector3 {
+        n += 1.;
+        return x + 0.1 * Vector3(std::sin(1.7 * n), std::sin(2.3 * n + 1.), std::sin(3.1 * n + 2.));
+      });
     }
 
     /** That block as a body that turns at 100 rad/s: damping and update then have all their
@@ -80,6 +66,35 @@ namespace vfife
           log.line(line.str());
         }
     }
+
+    class BenchmarkStudy : public StudyKind
+    {
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        gear_case_.declare(prm, file);
+        benchmark_.declare(prm);
+        contact_.declare(prm);
+      }
+
+      void check() const override
+      {
+        gear_case_.check_bodies();
+        check_mesh_size("Benchmark/cells", std::pow(benchmark_.cells, 3.));
+      }
+
+      void inspect(Communicator &, Log &log) override
+      {
+        gear_case_.make_model(log);
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      GearCase                gear_case_;
+      BenchmarkOptions        benchmark_;
+      ContactBenchmarkOptions contact_;
+    };
   } // namespace
 
   void BenchmarkOptions::declare(dealii::ParameterHandler &prm)
@@ -108,29 +123,6 @@ namespace vfife
                      Range::positive());
     declare_integer(
       prm, "contact steps", steps, "Time steps of one measurement of the pair's contact", 1);
-  }
-
-  void BenchmarkStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
-  {
-    gear_case_.declare(prm, file);
-    benchmark_.declare(prm);
-    contact_.declare(prm);
-  }
-
-  void BenchmarkStudy::check() const
-  {
-    gear_case_.check_bodies();
-    check_mesh_size("Benchmark/cells", std::pow(benchmark_.cells, 3.));
-  }
-
-  void BenchmarkStudy::inspect(Communicator &, Log &log)
-  {
-    gear_case_.make_model(log);
-  }
-
-  std::string BenchmarkStudy::last_file() const
-  {
-    return "contact_cost.json";
   }
 
   void BenchmarkStudy::run(OutputFolder &folder, Log &log)
@@ -189,5 +181,10 @@ namespace vfife
       return;
     write_tables(folder, "benchmark", table);
     write_tables(folder, "contact_cost", cost);
+  }
+
+  std::unique_ptr<StudyKind> make_benchmark_study()
+  {
+    return std::make_unique<BenchmarkStudy>();
   }
 } // namespace vfife

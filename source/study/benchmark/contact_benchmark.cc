@@ -139,6 +139,15 @@ namespace vfife
     }
   } // namespace
 
+  Table make_contact_cost_table()
+  {
+    Table table;
+    table.add_text_column("part");
+    table.add_column("time", "us");
+    table.add_column("share", "%");
+    return table;
+  }
+
   Table measure_contact_cost(const Model                   &model,
                              const ContactBenchmarkOptions &options,
                              const unsigned int             repeats,
@@ -191,12 +200,9 @@ namespace vfife
     std::array<double, std::tuple_size<StepTimes>::value> medians;
     for (unsigned int i = 0; i < medians.size(); ++i)
       medians[i] = median(samples[i]);
-    Table table;
+    Table table = make_contact_cost_table();
     // Shares are of a step: forces, update and contact; the rest are parts of the contact.
     const double step = medians[0] + medians[1] + medians[2];
-    table.add_text_column("part");
-    table.add_column("time", "us");
-    table.add_column("share", "%");
     for (unsigned int i = 0; i < medians.size(); ++i)
       table.add_row({names[i], medians[i], 100. * medians[i] / step});
     return table;

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
@@ -46,29 +47,19 @@ namespace vfife
     const auto declare_pair = [](dealii::ParameterHandler &handler, GearCase &gear_case) {
       Subsection section(handler, "Gear pair");
       gear_case.pair_.declare(handler);
-      {
-        Subsection member(handler, "Pinion");
-        declare_text(handler,
-                     "material",
-                     gear_case.pinion_material_,
-                     "Name of a section \"Material NAME\"");
-        gear_case.pinion_body_.declare(handler);
-      }
-      {
-        Subsection member(handler, "Gear");
-        declare_text(handler,
-                     "material",
-                     gear_case.gear_material_,
-                     "Name of a section \"Material NAME\"");
-        gear_case.gear_body_.declare(handler);
-      }
+      const auto declare_body =
+        [&](const char *member, std::string &material, GearBodyOptions &body) {
+          Subsection subsection(handler, member);
+          declare_text(handler, "material", material, "Name of a section \"Material NAME\"");
+          body.declare(handler);
+        };
+      declare_body("Pinion", gear_case.pinion_material_, gear_case.pinion_body_);
+      declare_body("Gear", gear_case.gear_material_, gear_case.gear_body_);
     };
 
     // First pass: the names of the materials.
-    GearCase                 names;
-    dealii::ParameterHandler first;
-    declare_pair(first, names);
-    file.read_known(first);
+    GearCase names;
+    file.read_known([&](dealii::ParameterHandler &first) { declare_pair(first, names); });
 
     declare_pair(prm, *this);
     materials_.clear();
@@ -78,12 +69,10 @@ namespace vfife
         {
           materials_.emplace_back();
           materials_.back().name = name;
-          Subsection section(prm, "Material " + name);
-          materials_.back().declare(prm);
+          declare_section(prm, "Material " + name, materials_.back());
         }
     operation_.declare(prm);
-    Subsection section(prm, "Contact");
-    contact_.declare(prm);
+    declare_section(prm, "Contact", contact_);
   }
 
   void GearCase::check() const

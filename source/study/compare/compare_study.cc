@@ -12,6 +12,8 @@
 #include <vfife/output/pictures.h>
 #include <vfife/study/case_runner.h>
 #include <vfife/study/compare/compare_study.h>
+#include <vfife/study/compare/compared_case.h>
+#include <vfife/study/compare/comparison.h>
 #include <vfife/study/compare/model_comparison.h>
 #include <vfife/study/compare/pair_comparison.h>
 
@@ -23,6 +25,8 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace vfife
 {
@@ -41,6 +45,93 @@ namespace vfife
         rows.push_back(row);
       return rows;
     }
+
+    class CompareStudy : public StudyKind
+    {
+    public:
+      explicit CompareStudy(const CaseRunner &runner)
+        : runner_(runner)
+      {
+      }
+
+
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        // First pass: each name has a section, which the strict pass has to know.
+        file.read_known([this](dealii::ParameterHandler &first) {
+          Subsection section(first, "Compare");
+          declare_own(first);
+        });
+        cases_.resize(names_.size());
+        Subsection section(prm, "Compare");
+        declare_own(prm);
+        for (std::size_t i = 0; i < names_.size(); ++i)
+          {
+            Case &one = cases_[i];
+            one.name  = names_[i];
+            Subsection part(prm, "Case " + names_[i]);
+            declare_file_name(prm,
+                              "base",
+                              one.base,
+                              "Parameter file of the case, relative to this file");
+            declare_text(
+              prm,
+              "entries",
+              one.entries,
+              "What this case has otherwise than its file, as Compare/entries; {NAME} is "
+              "the folder of the results of case NAME");
+            declare_file_name(prm,
+                              "results",
+                              one.results,
+                              "Folder of results that are read instead of doing the case");
+          }
+      }
+
+      /** Reads every case that is to be done. */
+      void check() const override
+      {
+        if (cases_.size() < 2)
+          throw InputError("Compare/cases", "there is nothing to compare: name two cases or more");
+        for (const Case &one : cases_)
+          check_case(one);
+      }
+
+      void inspect(Communicator &, Log &log) override
+      {
+        for (const Case &one : cases_)
+          log.line(one.name, ": ", one.results.empty() ? one.base : "results of " + one.results);
+      }
+
+      std::size_t
+      resume(const std::string &, const EntryValues &, const Communicator &, Log &) override
+      {
+        return std::numeric_limits<std::size_t>::max(); // each case is looked at by itself, always
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      struct Case
+      {
+        std::string name, base, entries, results;
+      };
+
+      void        declare_own(dealii::ParameterHandler &prm);
+      void        check_case(const Case &one) const;
+      CommandLine command_line(const Case &one, const std::string &folder) const;
+      /** Entries "A/B/name = value; ...", {NAME} replaced by the folder of that case. */
+      std::vector<std::string> list_entries(const std::string &text,
+                                            const std::string &folder) const;
+      std::string              folder_of(const Case &one, const std::string &folder) const;
+      ComparedCase             do_one(const Case &one, OutputFolder &folder, Log &log) const;
+
+      const CaseRunner        &runner_;
+      std::string              title_, entries_;
+      std::vector<std::string> names_;
+      std::vector<Case>        cases_;
+      ComparisonTolerances     tolerances_;
+      bool                     pictures_ = true;
+    };
   } // namespace
 
   void CompareStudy::declare_own(dealii::ParameterHandler &prm)
@@ -54,41 +145,6 @@ namespace vfife
                  "separated by semicolons");
     declare_switch(prm, "pictures", pictures_, "Whether the report is written at the end");
     tolerances_.declare(prm);
-  }
-
-  void CompareStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
-  {
-    {
-      // First pass: each name has a section, which the strict pass has to know.
-      dealii::ParameterHandler first;
-      {
-        Subsection section(first, "Compare");
-        declare_own(first);
-      }
-      file.read_known(first);
-    }
-    cases_.resize(names_.size());
-    Subsection section(prm, "Compare");
-    declare_own(prm);
-    for (std::size_t i = 0; i < names_.size(); ++i)
-      {
-        Case &one = cases_[i];
-        one.name  = names_[i];
-        Subsection part(prm, "Case " + names_[i]);
-        declare_file_name(prm,
-                          "base",
-                          one.base,
-                          "Parameter file of the case, relative to this file");
-        declare_text(prm,
-                     "entries",
-                     one.entries,
-                     "What this case has otherwise than its file, as Compare/entries; {NAME} is "
-                     "the folder of the results of case NAME");
-        declare_file_name(prm,
-                          "results",
-                          one.results,
-                          "Folder of results that are read instead of doing the case");
-      }
   }
 
   std::string CompareStudy::folder_of(const Case &one, const std::string &folder) const
@@ -141,36 +197,6 @@ namespace vfife
       {
         throw InputError("case " + one.name + ": " + error.what());
       }
-  }
-
-  void CompareStudy::check() const
-  {
-    if (cases_.size() < 2)
-      throw InputError("Compare/cases", "there is nothing to compare: name two cases or more");
-    for (const Case &one : cases_)
-      check_case(one);
-  }
-
-  void CompareStudy::inspect(Communicator &, Log &log)
-  {
-    for (const Case &one : cases_)
-      log.line(one.name, ": ", one.results.empty() ? one.base : "results of " + one.results);
-  }
-
-  CompareStudy::CompareStudy(const CaseRunner &runner)
-    : runner_(runner)
-  {
-  }
-
-  std::string CompareStudy::last_file() const
-  {
-    return "comparison.json";
-  }
-
-  std::size_t
-  CompareStudy::resume(const std::string &, const EntryValues &, const Communicator &, Log &)
-  {
-    return std::numeric_limits<std::size_t>::max(); // each case is looked at by itself, always
   }
 
   ComparedCase CompareStudy::do_one(const Case &one, OutputFolder &folder, Log &log) const
@@ -249,5 +275,10 @@ namespace vfife
     write_json(folder, "comparison.json", comparison_json(title_, rows));
     if (pictures_)
       draw_pictures(folder, log);
+  }
+
+  std::unique_ptr<StudyKind> make_compare_study(const CaseRunner &runner)
+  {
+    return std::make_unique<CompareStudy>(runner);
   }
 } // namespace vfife

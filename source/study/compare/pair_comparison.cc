@@ -332,34 +332,23 @@ namespace vfife
       // Damping, stiffness and inertia of the lumped model are data of their own.
       const std::string why =
         "one inertia on one spring knows no tilt of rim and web: a second opinion";
-      rows.push_back({"swing frequency",
-                      "Hz",
-                      run.summary(summary_place::figure(figure_name::swing_frequency)),
-                      lumped.number("lumped.json", lumped_place::first_frequency()),
-                      "lumped",
-                      {},
-                      why});
-      rows.push_back({"mean dte",
-                      "arcsec",
-                      run.steady_mean(column::dte),
-                      response(column::mean_dte),
-                      "lumped",
-                      {},
-                      why});
-      rows.push_back({"dte, peak to peak",
-                      "arcsec",
-                      run.summary(summary_place::steady_peak_to_peak(column::dte)),
-                      response(column::peak_to_peak_dte),
-                      "lumped",
-                      {},
-                      why});
-      rows.push_back({"contact force, peak to peak",
-                      "N",
-                      run.summary(summary_place::steady_peak_to_peak(column::contact_force_total)),
-                      response(column::peak_to_peak_force),
-                      "lumped",
-                      {},
-                      why});
+      const auto add =
+        [&](const char *quantity, const char *unit, const auto &value, const auto &by) {
+          rows.push_back({quantity, unit, value, by, "lumped", {}, why});
+        };
+      add("swing frequency",
+          "Hz",
+          run.summary(summary_place::figure(figure_name::swing_frequency)),
+          lumped.number("lumped.json", lumped_place::first_frequency()));
+      add("mean dte", "arcsec", run.steady_mean(column::dte), response(column::mean_dte));
+      add("dte, peak to peak",
+          "arcsec",
+          run.summary(summary_place::steady_peak_to_peak(column::dte)),
+          response(column::peak_to_peak_dte));
+      add("contact force, peak to peak",
+          "N",
+          run.summary(summary_place::steady_peak_to_peak(column::contact_force_total)),
+          response(column::peak_to_peak_force));
     }
   } // namespace
 

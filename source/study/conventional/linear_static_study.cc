@@ -1,9 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/statics/probe_values.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
@@ -13,6 +15,7 @@
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/probe_writer.h>
+#include <vfife/output/output_options.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
@@ -78,15 +81,9 @@ namespace vfife
 
     /** A row a constraint: what it exerts on its nodes in the directions that it holds, with all
      * others that hold the same. */
-    Table make_reaction_table(const Discretization &discretization, const StaticResult &result)
+    Table list_reactions(const Discretization &discretization, const StaticResult &result)
     {
-      Table table;
-      table.add_text_column("constraint");
-      table.add_text_column("body");
-      for (const char *component : {"force x", "force y", "force z"})
-        table.add_column(component, "N");
-      // Forces are along the fixed axes, from the constraint on the body.
-      table.add_column("torque about the axis", "N m");
+      Table        table = make_reaction_table();
       const Model &model = discretization.model();
       for (const Constraint &constraint : model.constraints)
         if (const Discretization::Part *part = discretization.find_part(constraint.body))
@@ -109,6 +106,71 @@ namespace vfife
           }
       return table;
     }
+
+    class LinearStaticStudy : public StudyKind
+    {
+    public:
+      LinearStaticStudy()
+      {
+        fem_.mass            = MassKind::lumped; // as the mass points of a run
+        fem_.linear_solver   = LinearSolverKind::direct;
+        output_.fields_every = 1;
+      }
+
+
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        case_ = make_case(file);
+        case_->declare(prm, file);
+        dynamics_.declare(prm);
+        output_.declare(prm);
+        options_.declare(prm);
+        case_->declare_run(prm);
+        declare_section(prm, "Fem", fem_);
+      }
+
+      void check() const override
+      {
+        case_->check();
+        dynamics_.check("Dynamics");
+        output_.check("Output");
+        options_.check();
+        fem_.check("Fem");
+        if (fem_.cyclic_symmetry)
+          throw InputError("Fem/cyclic symmetry", "loads need the whole body: leave it at no");
+        if (fem_.speeds != FemOptions().speeds)
+          throw InputError("Fem/speeds", "the speeds are those of the bodies: leave it at 0");
+      }
+
+      void inspect(Communicator &, Log &log) override
+      {
+        const Model model = make_model(log);
+        for (const unsigned int b : find_chosen_bodies(fem_, model))
+          log.line(model.bodies[b].name(),
+                   ": ",
+                   model.bodies[b].n_elements(),
+                   " elements, ",
+                   model.bodies[b].rate * 30 / pi,
+                   " rpm");
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      Model make_model(Log &log) const;
+      void  refuse_what_is_not_linear(const Model &model) const;
+      void  write_probes(const OutputFolder        &folder,
+                         const Model               &model,
+                         const Discretization      &discretization,
+                         const StaticResult        &result,
+                         const std::vector<Stress> &stresses) const;
+
+      std::unique_ptr<Case> case_;
+      DynamicsOptions       dynamics_;
+      OutputOptions         output_;
+      FemOptions            fem_;
+      LinearStaticOptions   options_;
+    };
   } // namespace
 
   void LinearStaticOptions::declare(dealii::ParameterHandler &prm)
@@ -148,40 +210,6 @@ namespace vfife
     return loads;
   }
 
-  LinearStaticStudy::LinearStaticStudy()
-  {
-    fem_.mass            = MassKind::lumped; // as the mass points of a run
-    fem_.linear_solver   = LinearSolverKind::direct;
-    output_.fields_every = 1;
-  }
-
-  LinearStaticStudy::~LinearStaticStudy() = default;
-
-  void LinearStaticStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
-  {
-    case_ = make_case(file);
-    case_->declare(prm, file);
-    dynamics_.declare(prm);
-    output_.declare(prm);
-    options_.declare(prm);
-    case_->declare_run(prm);
-    Subsection section(prm, "Fem");
-    fem_.declare(prm);
-  }
-
-  void LinearStaticStudy::check() const
-  {
-    case_->check();
-    dynamics_.check("Dynamics");
-    output_.check("Output");
-    options_.check();
-    fem_.check("Fem");
-    if (fem_.cyclic_symmetry)
-      throw InputError("Fem/cyclic symmetry", "loads need the whole body: leave it at no");
-    if (fem_.speeds != FemOptions().speeds)
-      throw InputError("Fem/speeds", "the speeds are those of the bodies: leave it at 0");
-  }
-
   void LinearStaticStudy::refuse_what_is_not_linear(const Model &model) const
   {
     if (model.transmission)
@@ -209,18 +237,6 @@ namespace vfife
     Model model = case_->make_model(log);
     refuse_what_is_not_linear(model);
     return model;
-  }
-
-  void LinearStaticStudy::inspect(Communicator &, Log &log)
-  {
-    const Model model = make_model(log);
-    for (const unsigned int b : find_chosen_bodies(fem_, model))
-      log.line(model.bodies[b].name(),
-               ": ",
-               model.bodies[b].n_elements(),
-               " elements, ",
-               model.bodies[b].rate * 30 / pi,
-               " rpm");
   }
 
   void LinearStaticStudy::write_probes(const OutputFolder        &folder,
@@ -300,9 +316,26 @@ namespace vfife
     write_probes(folder, model, solver.discretization(), result, stresses);
     if (output_.fields_every > 0)
       write_fields(folder, solver.discretization(), result, stresses);
-    write_csv(folder, "reactions.csv", make_reaction_table(solver.discretization(), result));
+    write_csv(folder, "reactions.csv", list_reactions(solver.discretization(), result));
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
     write_summary(folder, summary);
+  }
+
+  Table make_reaction_table()
+  {
+    Table table;
+    table.add_text_column("constraint");
+    table.add_text_column("body");
+    for (const char *component : {"force x", "force y", "force z"})
+      table.add_column(component, "N");
+    // Forces are along the fixed axes, from the constraint on the body.
+    table.add_column("torque about the axis", "N m");
+    return table;
+  }
+
+  std::unique_ptr<StudyKind> make_linear_static_study()
+  {
+    return std::make_unique<LinearStaticStudy>();
   }
 } // namespace vfife

@@ -1,13 +1,22 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/base/text/table.h>
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/element/stress.h>
+#include <vfife/fem/fem_options.h>
+#include <vfife/fem/pair/coupled_modes.h>
+#include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/output_options.h>
+#include <vfife/study/cases/gear_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_probes.h>
@@ -33,6 +42,70 @@ namespace vfife
             largest = std::max(largest, von_mises(stresses[body.first_node + node]));
       return largest;
     }
+
+    class LoadedContactStudy : public StudyKind
+    {
+    public:
+      LoadedContactStudy()
+        : positions_(make_loaded_contact_table())
+        , teeth_(make_loaded_teeth_table())
+      {
+        fem_.mass = MassKind::lumped; // as the mass points of a run
+      }
+
+
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        gear_case_.declare(prm, file);
+        dynamics_.declare(prm);
+        output_.declare(prm);
+        declare_section(prm, "Fem", fem_);
+        declare_section(prm, "Loaded contact", options_);
+      }
+
+      void check() const override
+      {
+        gear_case_.check();
+        gear_case_.operation().require_driving_pinion("Operation", "loaded tooth contact analysis");
+        dynamics_.check("Dynamics");
+        fem_.check("Fem");
+      }
+
+      void inspect(Communicator &communicator, Log &log) override
+      {
+        const Model model = gear_case_.make_model(log);
+        log.line("penalty of a run of this file ",
+                 find_penalties(model, communicator, log).front(),
+                 " N/mm^3; ",
+                 options_.positions,
+                 " positions");
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      std::vector<double>
+           find_penalties(const Model &model, const Communicator &communicator, Log &log) const;
+      void add_position(const Model                 &model,
+                        const Compliance            &compliance,
+                        double                       position,
+                        const PairEquilibriumResult &result,
+                        const std::vector<Stress>   &stresses,
+                        Log                         &log);
+
+      void find_modes(const Model                 &model,
+                      const Compliance            &compliance,
+                      const PairEquilibriumResult &result,
+                      const OutputFolder          &folder,
+                      Log                         &log) const;
+
+      GearCase             gear_case_;
+      DynamicsOptions      dynamics_;
+      OutputOptions        output_;
+      FemOptions           fem_;
+      LoadedContactOptions options_;
+      Table                positions_, teeth_;
+    };
   } // namespace
 
   void LoadedContactOptions::declare(dealii::ParameterHandler &prm)
@@ -54,34 +127,6 @@ namespace vfife
       1000);
   }
 
-  LoadedContactStudy::LoadedContactStudy()
-    : positions_(make_loaded_contact_table())
-    , teeth_(make_loaded_teeth_table())
-  {
-    fem_.mass = MassKind::lumped; // as the mass points of a run
-  }
-
-  void LoadedContactStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
-  {
-    gear_case_.declare(prm, file);
-    dynamics_.declare(prm);
-    output_.declare(prm);
-    {
-      Subsection section(prm, "Fem");
-      fem_.declare(prm);
-    }
-    Subsection section(prm, "Loaded contact");
-    options_.declare(prm);
-  }
-
-  void LoadedContactStudy::check() const
-  {
-    gear_case_.check();
-    gear_case_.operation().require_driving_pinion("Operation", "loaded tooth contact analysis");
-    dynamics_.check("Dynamics");
-    fem_.check("Fem");
-  }
-
   std::vector<double> LoadedContactStudy::find_penalties(const Model        &model,
                                                          const Communicator &communicator,
                                                          Log                &log) const
@@ -92,16 +137,6 @@ namespace vfife
       return gear_case_.choose_step(stable_step, output_.history_every);
     });
     return stepped.solver.contact().penalties();
-  }
-
-  void LoadedContactStudy::inspect(Communicator &communicator, Log &log)
-  {
-    const Model model = gear_case_.make_model(log);
-    log.line("penalty of a run of this file ",
-             find_penalties(model, communicator, log).front(),
-             " N/mm^3; ",
-             options_.positions,
-             " positions");
   }
 
   void LoadedContactStudy::run(OutputFolder &folder, Log &log)
@@ -154,11 +189,6 @@ namespace vfife
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
     write_tables(folder, "loaded_contact", positions_);
-  }
-
-  std::string LoadedContactStudy::last_file() const
-  {
-    return "loaded_contact.json";
   }
 
   void LoadedContactStudy::find_modes(const Model                 &model,
@@ -290,5 +320,10 @@ namespace vfife
              " (tangent ",
              1e-3 * tangent,
              ") N m/rad");
+  }
+
+  std::unique_ptr<StudyKind> make_loaded_contact_study()
+  {
+    return std::make_unique<LoadedContactStudy>();
   }
 } // namespace vfife

@@ -1,9 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/fem/fem_options.h>
+#include <vfife/fem/modes/campbell.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
@@ -20,35 +23,50 @@
 
 namespace vfife
 {
-  ModalStudy::ModalStudy()  = default;
-  ModalStudy::~ModalStudy() = default;
-
-  void ModalStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
+  namespace
   {
-    case_ = make_case(file);
-    case_->declare(prm, file);
-    Subsection section(prm, "Fem");
-    fem_.declare(prm);
-  }
+    class ModalStudy : public StudyKind
+    {
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        case_ = make_case(file);
+        case_->declare(prm, file);
+        declare_section(prm, "Fem", fem_);
+      }
 
-  void ModalStudy::check() const
-  {
-    case_->check();
-    fem_.check("Fem");
-  }
+      void check() const override
+      {
+        case_->check();
+        fem_.check("Fem");
+      }
 
-  void ModalStudy::inspect(Communicator &, Log &log)
-  {
-    const Model model = case_->make_model(log);
-    for (const unsigned int b : find_chosen_bodies(fem_, model))
-      log.line("modes of the ",
-               model.bodies[b].name(),
-               ": ",
-               fem_.n_modes,
-               " at ",
-               fem_.rates().size(),
-               " speeds");
-  }
+      void inspect(Communicator &, Log &log) override
+      {
+        const Model model = case_->make_model(log);
+        for (const unsigned int b : find_chosen_bodies(fem_, model))
+          log.line("modes of the ",
+                   model.bodies[b].name(),
+                   ": ",
+                   fem_.n_modes,
+                   " at ",
+                   fem_.rates().size(),
+                   " speeds");
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      void solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
+
+      std::unique_ptr<Case> case_;
+      FemOptions            fem_;
+      Table                 modes_      = make_mode_table();
+      Table                 campbell_   = make_campbell_table();
+      Table                 resonances_ = make_resonance_table();
+    };
+  } // namespace
+
 
   void ModalStudy::run(OutputFolder &folder, Log &log)
   {
@@ -63,11 +81,6 @@ namespace vfife
         write_tables(folder, "resonances", resonances_);
       }
     write_tables(folder, "modes", modes_);
-  }
-
-  std::string ModalStudy::last_file() const
-  {
-    return "modes.json";
   }
 
   void ModalStudy::solve_body(const Model        &model,
@@ -123,5 +136,10 @@ namespace vfife
     const std::vector<CampbellBranch> branches = make_branches(speeds);
     add_branches(body.name(), branches, campbell_);
     add_resonances(body.name(), branches, body.mesh().n_sectors, fem_.mesh_orders, resonances_);
+  }
+
+  std::unique_ptr<StudyKind> make_modal_study()
+  {
+    return std::make_unique<ModalStudy>();
   }
 } // namespace vfife

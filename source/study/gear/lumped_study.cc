@@ -3,10 +3,14 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/lumped/lumped_options.h>
+#include <vfife/lumped/speed_sweep.h>
+#include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/pictures.h>
+#include <vfife/study/cases/gear_case.h>
 #include <vfife/study/gear/lumped_study.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -121,36 +125,61 @@ namespace vfife
                    60 * mode.frequency / model.pair().driver_teeth,
                    " rpm");
     }
-  } // namespace
 
-  void LumpedStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
-  {
-    // Without a gear pair the section Lumped has to give all numbers, and Operation stands alone.
-    has_pair_ = file.contains("Gear pair");
-    if (has_pair_)
-      gear_case_.declare(prm, file);
-    else
-      operation_.declare(prm);
-    options_.declare(prm, file);
-    Subsection section(prm, "Lumped");
-    run_.declare(prm);
-    sweep_.declare(prm);
-    declare_switch(prm, "pictures", pictures_, "Whether the report is written at the end");
-  }
+    class LumpedStudy : public StudyKind
+    {
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        // Without a gear pair the section Lumped has to give all numbers, and Operation stands
+        // alone.
+        has_pair_ = file.contains("Gear pair");
+        if (has_pair_)
+          gear_case_.declare(prm, file);
+        else
+          operation_.declare(prm);
+        options_.declare(prm, file);
+        Subsection section(prm, "Lumped");
+        run_.declare(prm);
+        sweep_.declare(prm);
+        declare_switch(prm, "pictures", pictures_, "Whether the report is written at the end");
+      }
+
+      void check() const override
+      {
+        if (has_pair_)
+          gear_case_.check_bodies();
+        operation().check("Operation");
+        operation().require_driving_pinion("Operation", "lumped model");
+        options_.check();
+        sweep_.check("Lumped");
+      }
+
+      void inspect(Communicator &, Log &log) override
+      {
+        log_model(LumpedModel(make_pair(log)), log);
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      const OperationOptions &operation() const;
+      /** Fills what the options leave open from the gear pair. */
+      LumpedPair make_pair(Log &log) const;
+
+      bool              has_pair_ = false;
+      GearCase          gear_case_;
+      OperationOptions  operation_; ///< without a gear pair
+      LumpedOptions     options_;
+      LumpedRunOptions  run_;
+      SpeedSweepOptions sweep_;
+      bool              pictures_ = true;
+    };
+  } // namespace
 
   const OperationOptions &LumpedStudy::operation() const
   {
     return has_pair_ ? gear_case_.operation() : operation_;
-  }
-
-  void LumpedStudy::check() const
-  {
-    if (has_pair_)
-      gear_case_.check_bodies();
-    operation().check("Operation");
-    operation().require_driving_pinion("Operation", "lumped model");
-    options_.check();
-    sweep_.check("Lumped");
   }
 
   LumpedPair LumpedStudy::make_pair(Log &log) const
@@ -184,16 +213,6 @@ namespace vfife
     return filled.make_pair(operation().torque);
   }
 
-  void LumpedStudy::inspect(Communicator &, Log &log)
-  {
-    log_model(LumpedModel(make_pair(log)), log);
-  }
-
-  std::string LumpedStudy::last_file() const
-  {
-    return "lumped.json";
-  }
-
   void LumpedStudy::run(OutputFolder &folder, Log &log)
   {
     const LumpedModel model(make_pair(log));
@@ -222,19 +241,33 @@ namespace vfife
              response.losses,
              " losses of contact; energy error ",
              response.energy_error);
-    Json json = {{"model", figures_json(model_figures(model))},
-                 {lumped_place::modes, modes_json(model)},
-                 {lumped_place::response, figures_json(response_figures(response, speed))}};
+    Table resonance = make_resonance_response_table();
     if (sweep_.kind != SweepKind::none)
       {
-        Table resonance = make_resonance_response_table();
         sweep_speeds(model, run_, sweep_, resonance);
-        json["sweep"] = sweep_json(resonance);
         write_csv(folder, "resonance.csv", resonance);
       }
     write_csv(folder, "lumped.csv", motion);
-    write_json(folder, "lumped.json", json);
+    write_json(folder, "lumped.json", make_lumped_json(model, response, speed, resonance));
     if (pictures_)
       draw_pictures(folder, log);
+  }
+
+  Json make_lumped_json(const LumpedModel    &model,
+                        const LumpedResponse &response,
+                        const double          speed,
+                        const Table          &resonance)
+  {
+    Json json = {{"model", figures_json(model_figures(model))},
+                 {lumped_place::modes, modes_json(model)},
+                 {lumped_place::response, figures_json(response_figures(response, speed))}};
+    if (resonance.n_rows() > 0)
+      json["sweep"] = sweep_json(resonance);
+    return json;
+  }
+
+  std::unique_ptr<StudyKind> make_lumped_study()
+  {
+    return std::make_unique<LumpedStudy>();
   }
 } // namespace vfife

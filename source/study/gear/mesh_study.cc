@@ -9,6 +9,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/study/cases/body_figures.h>
+#include <vfife/study/cases/gear_case.h>
 #include <vfife/study/gear/mesh_study.h>
 
 #include <algorithm>
@@ -29,6 +30,35 @@ namespace vfife
       result.poissons_ratio = body.material().poissons_ratio;
       return result;
     }
+
+    class MeshStudy : public StudyKind
+    {
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        gear_case_.declare(prm, file);
+        export_.declare(prm);
+      }
+
+      void check() const override
+      {
+        gear_case_.check_bodies();
+        export_.check("Export");
+      }
+
+      void inspect(Communicator &, Log &log) override
+      {
+        gear_case_.make_model(log);
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      void write_flank_points(const OutputFolder &folder) const;
+
+      GearCase      gear_case_;
+      ExportOptions export_;
+    };
   } // namespace
 
   void ExportOptions::declare(dealii::ParameterHandler &prm)
@@ -63,28 +93,6 @@ namespace vfife
         section + "/flank points lengthwise",
         "flank points need at least 2 lengthwise and 2 along the profile (or 0 and 0 "
         "for none)");
-  }
-
-  void MeshStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
-  {
-    gear_case_.declare(prm, file);
-    export_.declare(prm);
-  }
-
-  void MeshStudy::check() const
-  {
-    gear_case_.check_bodies();
-    export_.check("Export");
-  }
-
-  void MeshStudy::inspect(Communicator &, Log &log)
-  {
-    gear_case_.make_model(log);
-  }
-
-  std::string MeshStudy::last_file() const
-  {
-    return "mesh.json";
   }
 
   void MeshStudy::run(OutputFolder &folder, Log &log)
@@ -131,5 +139,10 @@ namespace vfife
         const Table points = compute_flank_points(*member, export_.lengthwise, export_.profile);
         write_csv(folder, "flank_points_" + member->name() + ".csv", points);
       }
+  }
+
+  std::unique_ptr<StudyKind> make_mesh_study()
+  {
+    return std::make_unique<MeshStudy>();
   }
 } // namespace vfife

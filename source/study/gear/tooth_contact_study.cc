@@ -1,7 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/tooth_form.h>
 #include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
@@ -254,10 +256,7 @@ namespace vfife
       // What was proposed stands among the settings now: read again, nothing is to be proposed.
       options.proposal = PairProposal();
       dealii::ParameterHandler prm;
-      {
-        Subsection section(prm, "Gear pair");
-        options.declare(prm);
-      }
+      declare_section(prm, "Gear pair", options);
       folder.write_file("pair.prm", [&](std::ostream &out) { print_parameters(out, prm); });
     }
 
@@ -278,32 +277,34 @@ namespace vfife
                fixed(o.pinion.convex.ratio_of_roll, 9),
                " (convex)");
     }
-  } // namespace
 
-  void ToothContactStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &)
-  {
+    class ToothContactStudy : public StudyKind
     {
-      Subsection section(prm, "Gear pair");
-      pair_.declare(prm);
-    }
-    options_.declare(prm);
-  }
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &) override
+      {
+        declare_section(prm, "Gear pair", pair_);
+        options_.declare(prm);
+      }
 
-  void ToothContactStudy::check() const
-  {
-    pair_.check("Gear pair");
-  }
+      void check() const override
+      {
+        pair_.check("Gear pair");
+      }
 
-  void ToothContactStudy::inspect(Communicator &, Log &log)
-  {
-    warn(pair_, log);
-    log_derived(GearPair(pair_), log);
-  }
+      void inspect(Communicator &, Log &log) override
+      {
+        warn(pair_, log);
+        log_derived(GearPair(pair_), log);
+      }
 
-  std::string ToothContactStudy::last_file() const
-  {
-    return "tca.json";
-  }
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      GearPairOptions        pair_;
+      ContactAnalysisOptions options_;
+    };
+  } // namespace
 
   void ToothContactStudy::run(OutputFolder &folder, Log &log)
   {
@@ -334,5 +335,10 @@ namespace vfife
     write_csv(folder, "tca.csv", lag_table(pair, sides, options_));
     write_csv(folder, "path.csv", path_table(pair, sides));
     write_json(folder, "tca.json", json);
+  }
+
+  std::unique_ptr<StudyKind> make_tooth_contact_study()
+  {
+    return std::make_unique<ToothContactStudy>();
   }
 } // namespace vfife

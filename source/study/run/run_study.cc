@@ -2,10 +2,13 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/operator/mass_scaling.h>
+#include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
+#include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
@@ -20,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace vfife
 {
@@ -51,29 +55,57 @@ namespace vfife
     {
       return model.transmission ? &*model.transmission : nullptr;
     }
+
+    class RunStudy : public StudyKind
+    {
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        case_ = make_case(file);
+        case_->declare(prm, file);
+        // Before the entries are declared: a default is what its member has at that moment.
+        case_->set_defaults(dynamics_, output_);
+        dynamics_.declare(prm);
+        output_.declare(prm);
+        case_->declare_run(prm);
+      }
+
+      void check() const override
+      {
+        case_->check();
+        dynamics_.check("Dynamics");
+        output_.check("Output");
+        case_->check_run(dynamics_);
+      }
+
+      void        inspect(Communicator &communicator, Log &log) override;
+      std::size_t resume(const std::string  &folder,
+                         const EntryValues  &now,
+                         const Communicator &communicator,
+                         Log                &log) override
+      {
+        // What the log has beyond the checkpoint is written again by the steps that are repeated.
+        checkpoint_ = find_checkpoint(folder, now, changeable_entries, communicator, log);
+        return checkpoint_->log_size;
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      Model                    make_model(Log &log) const;
+      double                   choose_step(double stable_step) const;
+      std::vector<std::string> report_contradictions(const Model   &model,
+                                                     SteppedSolver &stepped,
+                                                     double         run_time,
+                                                     Log           &log) const;
+
+      std::unique_ptr<Case>     case_;
+      DynamicsOptions           dynamics_;
+      OutputOptions             output_;
+      std::optional<Checkpoint> checkpoint_;
+    };
   } // namespace
 
-  RunStudy::RunStudy()  = default;
-  RunStudy::~RunStudy() = default;
-
-  void RunStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
-  {
-    case_ = make_case(file);
-    case_->declare(prm, file);
-    // Before the entries are declared: a default is what its member has at that moment.
-    case_->set_defaults(dynamics_, output_);
-    dynamics_.declare(prm);
-    output_.declare(prm);
-    case_->declare_run(prm);
-  }
-
-  void RunStudy::check() const
-  {
-    case_->check();
-    dynamics_.check("Dynamics");
-    output_.check("Output");
-    case_->check_run(dynamics_);
-  }
 
   Model RunStudy::make_model(Log &log) const
   {
@@ -137,16 +169,6 @@ namespace vfife
     report_contradictions(model, stepped, run_time, log);
   }
 
-  std::size_t RunStudy::resume(const std::string  &folder,
-                               const EntryValues  &now,
-                               const Communicator &communicator,
-                               Log                &log)
-  {
-    // What the log has beyond the checkpoint is written again by the steps that are repeated.
-    checkpoint_ = find_checkpoint(folder, now, changeable_entries, communicator, log);
-    return checkpoint_->log_size;
-  }
-
   void RunStudy::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);
@@ -197,5 +219,10 @@ namespace vfife
     });
     if (output_.pictures)
       draw_pictures(folder, log);
+  }
+
+  std::unique_ptr<StudyKind> make_run_study()
+  {
+    return std::make_unique<RunStudy>();
   }
 } // namespace vfife

@@ -2,13 +2,17 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/operator/mass_scaling.h>
+#include <vfife/model/observer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/field_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
+#include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
+#include <vfife/study/cases/model_case.h>
 #include <vfife/study/run/static_study.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/start_summary.h>
@@ -22,23 +26,44 @@ namespace vfife
     {
       return stable_step;
     }
+
+    class StaticStudy : public StudyKind
+    {
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        case_.declare(prm, file);
+        case_.set_defaults(dynamics_, output_);
+        dynamics_.declare(prm);
+        output_.declare(prm);
+      }
+
+      void check() const override
+      {
+        case_.check();
+        dynamics_.check("Dynamics");
+        output_.check("Output");
+        case_.check_dynamics(dynamics_);
+      }
+
+      void inspect(Communicator &communicator, Log &log) override
+      {
+        const Model   model = make_model(log);
+        SteppedSolver stepped(model, dynamics_, communicator, log, &stable_step_itself);
+        stepped.log_step(model, log);
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      Model     make_model(Log &log) const;
+      Observers make_observers(const OutputFolder &folder, const Model &model) const;
+
+      ModelCase       case_;
+      DynamicsOptions dynamics_;
+      OutputOptions   output_;
+    };
   } // namespace
-
-  void StaticStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
-  {
-    case_.declare(prm, file);
-    case_.set_defaults(dynamics_, output_);
-    dynamics_.declare(prm);
-    output_.declare(prm);
-  }
-
-  void StaticStudy::check() const
-  {
-    case_.check();
-    dynamics_.check("Dynamics");
-    output_.check("Output");
-    case_.check_dynamics(dynamics_);
-  }
 
   Model StaticStudy::make_model(Log &log) const
   {
@@ -56,13 +81,6 @@ namespace vfife
       observers.push_back(
         std::make_unique<FieldWriter>(folder, model, 1, dynamics_.stiffness, dynamics_.frame));
     return observers;
-  }
-
-  void StaticStudy::inspect(Communicator &communicator, Log &log)
-  {
-    const Model   model = make_model(log);
-    SteppedSolver stepped(model, dynamics_, communicator, log, &stable_step_itself);
-    stepped.log_step(model, log);
   }
 
   void StaticStudy::run(OutputFolder &folder, Log &log)
@@ -125,5 +143,10 @@ namespace vfife
       "finished: ", n_relaxation_steps, " relaxation steps in ", duration_text(summary.run_time));
     if (output_.pictures)
       draw_pictures(folder, log);
+  }
+
+  std::unique_ptr<StudyKind> make_static_study()
+  {
+    return std::make_unique<StaticStudy>();
   }
 } // namespace vfife

@@ -3,6 +3,7 @@
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
@@ -50,11 +51,6 @@ namespace vfife
   SweepStudy::SweepStudy(const CaseRunner &runner)
     : runner_(runner)
   {
-  }
-
-  std::string SweepStudy::last_file() const
-  {
-    return "";
   }
 
   std::size_t
@@ -115,15 +111,11 @@ namespace vfife
 
   void SweepStudy::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
   {
-    {
-      // First pass: names of parameters and figures, which have sections.
-      dealii::ParameterHandler first;
-      {
-        Subsection section(first, "Sweep");
-        declare_own(first);
-      }
-      file.read_known(first);
-    }
+    // First pass: names of parameters and figures, which have sections.
+    file.read_known([this](dealii::ParameterHandler &first) {
+      Subsection section(first, "Sweep");
+      declare_own(first);
+    });
     // Sized before anything is declared: entries are bound by address.
     parameters_.resize(names_.size());
     figures_.resize(figure_names_.size());
@@ -132,8 +124,7 @@ namespace vfife
     for (std::size_t i = 0; i < figures_.size(); ++i)
       {
         figures_[i].name = figure_names_[i];
-        Subsection figure(prm, "Figure " + figure_names_[i]);
-        figures_[i].declare(prm);
+        declare_section(prm, "Figure " + figure_names_[i], figures_[i]);
       }
     for (std::size_t i = 0; i < names_.size(); ++i)
       {
@@ -274,5 +265,10 @@ namespace vfife
     for (std::size_t i = 0; i < runs.size(); ++i)
       log.line(folder_of_run(i), ": ", describe(runs[i]));
     log.line(runs.size(), " runs, ", count_groups(communicator), " at a time");
+  }
+
+  std::unique_ptr<StudyKind> make_sweep_study(const CaseRunner &runner)
+  {
+    return std::make_unique<SweepStudy>(runner);
   }
 } // namespace vfife

@@ -77,6 +77,18 @@ namespace vfife
     }
   } // namespace
 
+  Table make_sweep_table(const std::vector<std::string> &parameters, const NamedFigures &figures)
+  {
+    Table table;
+    table.add_text_column("run");
+    for (const std::string &parameter : parameters)
+      table.add_text_column(parameter);
+    table.add_text_column("status");
+    for (const auto &[name, figure] : figures)
+      table.add_column(name, figure.unit);
+    return table;
+  }
+
   std::vector<NamedFigures> SweepStudy::read_figures(const OutputFolder            &folder,
                                                      const std::vector<Values>     &runs,
                                                      const std::vector<CaseReport> &reports,
@@ -130,15 +142,12 @@ namespace vfife
           }))
         known.push_back(f);
 
-    Table table;
     // sweep.csv: run, swept values, status, then the figures; sweep.json has the same.
-    table.add_text_column("run");
-    for (const Parameter &parameter : parameters_)
-      table.add_text_column(parameter.name);
-    table.add_text_column("status");
+    NamedFigures named;
     for (const std::size_t f : known)
-      table.add_column(all.front()[f].first, all.front()[f].second.unit);
-    Json json = Json::array();
+      named.push_back(all.front()[f]);
+    Table table = make_sweep_table(names_, named);
+    Json  json  = Json::array();
     for (std::size_t i = 0; i < runs.size(); ++i)
       {
         const std::string        word = word_for(reports[i].outcome);

@@ -6,6 +6,7 @@
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/parameter_statement.h>
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -35,6 +36,10 @@ namespace vfife
     /** Sets what @p prm (at its top level) declares; entries and sections that it does not declare
      * are ignored. */
     void read_known(dealii::ParameterHandler &prm) const;
+
+    /** The same for what @p declare declares in a handler of its own: a first pass, for names and
+     * words that decide what else is declared. */
+    void read_known(const std::function<void(dealii::ParameterHandler &)> &declare) const;
 
     /** Sets all entries; one that @p prm (at its top level) does not declare is an error. */
     void read(dealii::ParameterHandler &prm) const;

@@ -34,6 +34,12 @@ namespace vfife
                                    unsigned int        flank_rows,
                                    double              grading = 1.);
 
+  /** The n + 1 sections at even steps of L from toe to heel. */
+  std::vector<GearSection> compute_gear_sections(const GearGeometry &gear,
+                                                 unsigned int        n,
+                                                 unsigned int        flank_rows,
+                                                 double              grading = 1.);
+
   /** Position of a point (L, h) at polar angle @p angle [mm]. */
   Vector3 position_of(const BlankOutline &blank, double L, double h, double angle);
 } // namespace vfife

@@ -4,7 +4,9 @@
 
 #include <vfife/mesh/body_mesh.h>
 
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace vfife
 {
@@ -53,6 +55,15 @@ namespace vfife
    * "centre". Throws InputError for a radius <= 0 or unusable counts.
    */
   std::unique_ptr<BodyMesh> make_sphere(double radius, const std::array<unsigned int, 2> &counts);
+
+  /**
+   * The hexahedra of @p mesh between other nodes: @p place is given the old place of each [mm], in
+   * their order. One sector, no named sets and surfaces. Throws InputError where an element is
+   * turned inside out.
+   */
+  std::unique_ptr<BodyMesh> make_moved(const BodyMesh                                &mesh,
+                                       const std::string                             &name,
+                                       const std::function<Vector3(const Vector3 &)> &place);
 } // namespace vfife
 
 #endif

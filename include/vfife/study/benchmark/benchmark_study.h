@@ -2,9 +2,9 @@
 #ifndef vfife_study_benchmark_benchmark_study_h
 #define vfife_study_benchmark_benchmark_study_h
 
-#include <vfife/study/benchmark/contact_benchmark.h>
-#include <vfife/study/cases/gear_case.h>
 #include <vfife/study/study_kind.h>
+
+#include <memory>
 
 namespace vfife
 {
@@ -26,21 +26,7 @@ namespace vfife
    * moment and beside a plain implementation; then the share of the pair's contact in a step.
    * benchmark.csv and .json, contact_cost.csv and .json.
    */
-  class BenchmarkStudy : public StudyKind
-  {
-  public:
-    void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
-    void check() const override;
-    void inspect(Communicator &communicator, Log &log) override;
-    void run(OutputFolder &folder, Log &log) override;
-
-    std::string last_file() const override;
-
-  private:
-    GearCase                gear_case_;
-    BenchmarkOptions        benchmark_;
-    ContactBenchmarkOptions contact_;
-  };
+  std::unique_ptr<StudyKind> make_benchmark_study();
 } // namespace vfife
 
 #endif

@@ -37,6 +37,9 @@ namespace vfife
                              unsigned int                   repeats,
                              const Communicator            &communicator,
                              Log                           &log);
+
+  /** Its table without rows: contact_cost.csv. */
+  Table make_contact_cost_table();
 } // namespace vfife
 
 #endif

@@ -57,6 +57,9 @@ namespace vfife
   Table compare_operators(std::vector<std::unique_ptr<BenchmarkCase>> &cases,
                           unsigned int                                 repeats,
                           unsigned int                                 steps);
+
+  /** Its table without rows: benchmark.csv. */
+  Table make_operator_table();
 } // namespace vfife
 
 #endif

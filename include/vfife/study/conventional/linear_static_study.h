@@ -2,17 +2,14 @@
 #ifndef vfife_study_conventional_linear_static_study_h
 #define vfife_study_conventional_linear_static_study_h
 
-#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/base/text/table.h>
 #include <vfife/fem/statics/static_solver.h>
-#include <vfife/output/output_options.h>
 #include <vfife/study/study_kind.h>
 
 #include <memory>
 
 namespace vfife
 {
-  class Case;
-
   /** Section Linear static. */
   struct LinearStaticOptions
   {
@@ -35,32 +32,10 @@ namespace vfife
    * gear pair in their turning axes without contact and torque, by conventional finite elements.
    * The file is that of a run: section Dynamics is read and not used.
    */
-  class LinearStaticStudy : public StudyKind
-  {
-  public:
-    LinearStaticStudy();
-    ~LinearStaticStudy() override;
+  std::unique_ptr<StudyKind> make_linear_static_study();
 
-    void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
-    void check() const override;
-    void inspect(Communicator &communicator, Log &log) override;
-    void run(OutputFolder &folder, Log &log) override;
-
-  private:
-    Model make_model(Log &log) const;
-    void  refuse_what_is_not_linear(const Model &model) const;
-    void  write_probes(const OutputFolder        &folder,
-                       const Model               &model,
-                       const Discretization      &discretization,
-                       const StaticResult        &result,
-                       const std::vector<Stress> &stresses) const;
-
-    std::unique_ptr<Case> case_;
-    DynamicsOptions       dynamics_;
-    OutputOptions         output_;
-    FemOptions            fem_;
-    LinearStaticOptions   options_;
-  };
+  /** reactions.csv without rows. */
+  Table make_reaction_table();
 } // namespace vfife
 
 #endif

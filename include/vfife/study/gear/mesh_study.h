@@ -2,8 +2,11 @@
 #ifndef vfife_study_gear_mesh_study_h
 #define vfife_study_gear_mesh_study_h
 
-#include <vfife/study/cases/gear_case.h>
 #include <vfife/study/study_kind.h>
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace vfife
 {
@@ -22,22 +25,7 @@ namespace vfife
 
   /** Study kind `mesh`: builds the bodies of a gear pair, reports their quality, mass and inertia
    * (mesh.csv, mesh.json) and exports them. Speed and torque are not needed. */
-  class MeshStudy : public StudyKind
-  {
-  public:
-    void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
-    void check() const override;
-    void inspect(Communicator &communicator, Log &log) override;
-    void run(OutputFolder &folder, Log &log) override;
-
-    std::string last_file() const override;
-
-  private:
-    void write_flank_points(const OutputFolder &folder) const;
-
-    GearCase      gear_case_;
-    ExportOptions export_;
-  };
+  std::unique_ptr<StudyKind> make_mesh_study();
 } // namespace vfife
 
 #endif

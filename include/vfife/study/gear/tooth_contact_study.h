@@ -2,8 +2,9 @@
 #ifndef vfife_study_gear_tooth_contact_study_h
 #define vfife_study_gear_tooth_contact_study_h
 
-#include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/study/study_kind.h>
+
+#include <memory>
 
 namespace vfife
 {
@@ -11,20 +12,7 @@ namespace vfife
    * Study kind `tooth contact analysis`: unloaded contact of both sides of a gear pair; writes
    * tca.csv, path.csv and tca.json.
    */
-  class ToothContactStudy : public StudyKind
-  {
-  public:
-    void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
-    void check() const override;
-    void inspect(Communicator &communicator, Log &log) override;
-    void run(OutputFolder &folder, Log &log) override;
-
-    std::string last_file() const override;
-
-  private:
-    GearPairOptions        pair_;
-    ContactAnalysisOptions options_;
-  };
+  std::unique_ptr<StudyKind> make_tooth_contact_study();
 } // namespace vfife
 
 #endif

@@ -6,6 +6,7 @@
 #include <vfife/study/study_kind.h>
 #include <vfife/study/sweep/history_figure.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,6 @@ namespace vfife
                        const Communicator &communicator,
                        Log                &log) override;
     void        run(OutputFolder &folder, Log &log) override;
-    /** None: the tables are written anew after every run. */
-    std::string last_file() const override;
 
   private:
     struct Parameter
@@ -89,6 +88,11 @@ namespace vfife
     unsigned int               ranks_per_run_ = 0;
     bool                       pictures_      = true;
   };
+
+  /** sweep.csv without rows: the values of parameters, and figures of the runs. */
+  Table make_sweep_table(const std::vector<std::string> &parameters, const NamedFigures &figures);
+
+  std::unique_ptr<StudyKind> make_sweep_study(const CaseRunner &runner);
 } // namespace vfife
 
 #endif

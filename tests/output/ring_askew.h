@@ -1,0 +1,22 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_tests_output_ring_askew_h
+#define vfife_tests_output_ring_askew_h
+
+#include <vfife/mesh/primitives/primitives.h>
+#include <vfife/model/model.h>
+
+/** A ring of 24 sectors that turns about an axis askew. */
+inline vfife::Body ring_askew(const std::string &name, const vfife::Material &material)
+{
+  vfife::Body ring(name, vfife::make_ring(20, 30, 5, {{2, 24, 2}}), material);
+  ring.axis.point     = vfife::Vector3(1, 2, 3);
+  ring.axis.direction = vfife::Vector3(1, 2, 2) / 3.;
+  ring.placement.rotation =
+    Eigen::Quaterniond::FromTwoVectors(vfife::Vector3::UnitZ(), ring.axis.direction)
+      .toRotationMatrix();
+  ring.placement.translation = ring.axis.point;
+  ring.turns_on_axis         = true;
+  return ring;
+}
+
+#endif

@@ -1,0 +1,25 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_tests_parts_h
+#define vfife_tests_parts_h
+
+#include <vfife/base/process/mpi_session.h>
+
+#include <initializer_list>
+
+/** The parts of a test that run with MPI, one after the other: what main() does. */
+inline void
+run_parts(int argc, char **argv, const std::initializer_list<void (*)(vfife::Communicator &)> parts)
+{
+  vfife::MpiSession session(argc, argv);
+  for (const auto part : parts)
+    part(session.world());
+}
+
+inline void run_parts(int argc, char **argv, const std::initializer_list<void (*)()> parts)
+{
+  const vfife::MpiSession session(argc, argv);
+  for (const auto part : parts)
+    part();
+}
+
+#endif
