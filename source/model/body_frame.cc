@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/model/body.h>
 #include <vfife/model/body_frame.h>
+
+#include <algorithm>
 
 namespace vfife
 {
@@ -19,6 +20,24 @@ namespace vfife
     Matrix3 axes;
     axes << r, z.cross(r), z;
     return axes;
+  }
+
+  Axis compute_sector_axis(const Body &body)
+  {
+    return {body.placement.translation, body.placement.rotation.col(2)};
+  }
+
+  bool turns_about_sector_axis(const Body &body)
+  {
+    constexpr double tolerance = 1e-6;
+    double           size      = 0;
+    for (const Vector3 &X : body.node_positions())
+      size = std::max(size, X.norm());
+    // Sine of the angle between both lines, and how far the one passes by the other's origin.
+    const Axis    sectors = compute_sector_axis(body);
+    const Vector3 between = body.axis.point - sectors.point;
+    return sectors.direction.cross(body.axis.direction).norm() <= tolerance &&
+           sectors.direction.cross(between).norm() <= tolerance * size;
   }
 
   Matrix3 compute_turn(const Body &body, const RigidMotion &now)

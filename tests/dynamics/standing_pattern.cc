@@ -89,4 +89,9 @@ int main(int argc, char **argv)
               wrong_force / (4. * std::abs(rate) * largest),
               1.5 * error);
   check_close("largest velocity", pattern.largest_velocity() / largest, 1., 2. * error);
+
+  // Spin about another line takes no sector to the place of the next: nothing stands still.
+  model.bodies[0].axis.direction = Vector3(1., 1., 0.).normalized();
+  pattern.update(run.state);
+  check("no pattern about another axis", pattern.largest_velocity() == 0.);
 }

@@ -2,6 +2,7 @@
 // Vibrations at speed: membrane limit of a disc, Coriolis splitting of a ring, sector against body.
 #include "../tests.h"
 
+#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/modes/campbell.h>
@@ -95,15 +96,29 @@ namespace
       }
   }
 
-  /** One sector gives the modes of the whole body, at rest, at speed, and with Coriolis forces. */
-  void sector(const Communicator &communicator)
+  /** A wheel on a hub that turns freely, placed with its mesh's z along that of @p rotation. */
+  Model make_wheel(const Matrix3 &rotation, const Vector3 &axis)
   {
     Model model;
-    model.add_body(Body("wheel", make_ring(20., 40., 3., {{4, 12, 3}}), {}));
+    Body  wheel("wheel", make_ring(20., 40., 3., {{4, 12, 3}}), {});
+    wheel.placement.rotation    = rotation;
+    wheel.placement.translation = Vector3(7., -5., 3.);
+    // Any point of the axis will do.
+    wheel.axis = {wheel.placement(Vector3(0., 0., 11.)), axis};
+    model.add_body(std::move(wheel));
     model.constraints.push_back(
       {"hub", ConstraintKind::free_rotation, 0, model.bodies[0].node_set("inner")});
-    for (const bool coriolis : {false, true})
-      for (const double rate : {0., 3000.})
+    return model;
+  }
+
+  /** One sector gives the modes of the whole body, at rest, at speed, and with Coriolis forces. */
+  void sector(const Model               &model,
+              const std::vector<bool>   &with_coriolis,
+              const std::vector<double> &rates,
+              const Communicator        &communicator)
+  {
+    for (const bool coriolis : with_coriolis)
+      for (const double rate : rates)
         {
           FemOptions options;
           options.coriolis         = coriolis;
@@ -137,6 +152,36 @@ namespace
                         1e-3);
         }
   }
+
+  /** Sectors lie about the mesh's z wherever the body is placed and in whichever sense it turns. */
+  void sector_axes(const Communicator &communicator)
+  {
+    const Vector3 z = Vector3::UnitZ();
+    sector(make_wheel(Matrix3::Identity(), z), {false, true}, {0., 3000.}, communicator);
+    sector(make_wheel(Matrix3::Identity(), -z), {true}, {3000.}, communicator);
+    const Matrix3 turn = rotation_about(Vector3(1., 2., -1.).normalized(), 1.);
+    sector(make_wheel(turn, turn * z), {true}, {3000.}, communicator);
+    // Spin about another line is not the same for all sectors, nor is a hub.
+    const auto refuses = [&communicator](const Model &model) {
+      FemOptions options;
+      options.cyclic_symmetry = true;
+      try
+        {
+          const RotatingBody wheel(model, 0, options, communicator);
+        }
+      catch (const InputError &error)
+        {
+          return std::string(error.what()).find("body \"wheel\"") != std::string::npos;
+        }
+      return false;
+    };
+    check("another axis is refused",
+          refuses(make_wheel(Matrix3::Identity(), Vector3::UnitX())) &&
+            refuses(make_wheel(turn, z)));
+    Model aside = make_wheel(Matrix3::Identity(), z);
+    aside.bodies[0].axis.point += Vector3(0., .1, 0.);
+    check("an axis beside is refused", refuses(aside));
+  }
 } // namespace
 
 int main(int argc, char **argv)
@@ -145,5 +190,5 @@ int main(int argc, char **argv)
   const Communicator &communicator = session.world();
   disc(communicator);
   ring(communicator);
-  sector(communicator);
+  sector_axes(communicator);
 }

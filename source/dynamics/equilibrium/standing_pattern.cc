@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
 
 #include <algorithm>
 #include <array>
@@ -15,9 +16,9 @@ namespace vfife
     bool has_pattern(const Body &body)
     {
       // Only a body that turns has a pattern, and only equal sectors, each with the same number of
-      // nodes, have equal nodes.
+      // nodes and turned into the next by the spin, have equal nodes.
       return body.turns_on_axis && body.rate != 0. && body.mesh().n_sectors >= least_sectors &&
-             body.n_nodes() % body.mesh().n_sectors == 0;
+             body.n_nodes() % body.mesh().n_sectors == 0 && turns_about_sector_axis(body);
     }
   } // namespace
 
@@ -45,9 +46,8 @@ namespace vfife
             state.node_position(i) - body.axis.point;
         communicator_.sum(positions);
 
-        // 2. What turns a sector's neighbours onto it. Sectors follow each other in the positive
-        // sense of the mesh's z axis.
-        const Vector3                      axis       = body.placement.rotation.col(2);
+        // 2. What turns a sector's neighbours onto it.
+        const Vector3                      axis       = compute_sector_axis(body).direction;
         const double                       rate       = body.rate * body.axis.direction.dot(axis);
         const unsigned int                 n_sectors  = body.mesh().n_sectors;
         const unsigned int                 per_sector = body.n_nodes() / n_sectors;

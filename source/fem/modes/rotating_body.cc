@@ -5,6 +5,7 @@
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -221,6 +222,8 @@ namespace vfife
     if (!options_.cyclic_symmetry)
       return std::vector<double>(shape.begin(), shape.begin() + n);
 
+    // Sector after sector about the line of the mesh, whatever the sense of the spin.
+    const Vector3       axis      = compute_sector_axis(body).direction;
     const unsigned int  n_sectors = body.mesh().n_sectors;
     const std::size_t   n_nodes   = body.n_nodes() / n_sectors;
     const std::size_t   copy      = 3 * static_cast<std::size_t>(discretization_.n_points());
@@ -229,7 +232,7 @@ namespace vfife
     for (unsigned int k = 0; k < n_sectors; ++k)
       {
         const double  angle = k * discretization_.sector_angle(), phase = harmonic * angle;
-        const Matrix3 turn = rotation_about(body.axis.direction, angle);
+        const Matrix3 turn = rotation_about(axis, angle);
         for (std::size_t i = 0; i < n_nodes; ++i)
           {
             // u_k = Re(R^k (a + i b) exp(i h k angle)), a and b the two copies of the

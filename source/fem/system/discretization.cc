@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/fem/system/discretization.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
 
 #include <algorithm>
 #include <map>
@@ -129,6 +130,11 @@ namespace vfife
       throw InputError("cyclic symmetry is there for elements with 8 nodes only");
     if (n < 3 || body.n_nodes() % n != 0 || body.n_elements() % n != 0)
       throw InputError("body \"" + body.name() + "\" is not made of three or more equal sectors");
+    if (!turns_about_sector_axis(body))
+      throw InputError("body \"" + body.name() +
+                       "\": cyclic symmetry needs sectors that are all alike, and its axis (axis "
+                       "point, axis direction) is not the axis of its mesh's sectors; set it along "
+                       "the mesh's z, in either sense, or leave cyclic symmetry at no");
 
     Discretization     sector(model, element);
     const unsigned int n_nodes = body.n_nodes() / n, n_elements = body.n_elements() / n;

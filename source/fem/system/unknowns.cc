@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/fem/system/unknowns.h>
+#include <vfife/model/body_frame.h>
 
 #include <array>
 #include <cmath>
@@ -181,9 +182,10 @@ namespace vfife
 
     Matrix3 turn = Matrix3::Identity();
     if (!original.empty())
-      turn =
-        rotation_about(discretization.model().bodies[discretization.parts()[0].body].axis.direction,
-                       discretization.sector_angle());
+      {
+        const Body &body = discretization.model().bodies[discretization.parts()[0].body];
+        turn = rotation_about(compute_sector_axis(body).direction, discretization.sector_angle());
+      }
     const double phase = options.harmonic * discretization.sector_angle();
 
     const auto add = [&](const LocalAxes &local, const Matrix3 &factor, const unsigned int c) {

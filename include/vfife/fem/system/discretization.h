@@ -30,7 +30,7 @@ namespace vfife
     /**
      * Sector 0 of one cyclic body (quadratic: not made, throws InputError): its own nodes, then the
      * nodes of sector 1 that its elements use; see images(). Throws InputError when the body's
-     * sectors are not rotated copies of each other.
+     * sectors are not rotated copies of each other, or its axis is not theirs.
      */
     static Discretization sector_of(const Model &model, unsigned int body, FemElement element);
 
