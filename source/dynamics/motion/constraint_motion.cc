@@ -237,13 +237,14 @@ namespace vfife
           {
             std::vector<double> sums(2, 0.);
             for (const Node &node : group.nodes)
-              if (node.owned)
+              if (node.owned && group.has_angle(node))
                 {
                   sums[0] += lever(group, node).dot(forces.value(node.local));
                   sums[1] += lever(group, node).squaredNorm();
                 }
             communicator_.sum(sums);
-            per_lever = sums[0] / sums[1];
+            if (sums[1] > 0)
+              per_lever = sums[0] / sums[1];
           }
         // What is left of the force along the directions in which the node may move.
         for (const Node &node : group.nodes)
@@ -252,7 +253,7 @@ namespace vfife
             Vector3 f = Vector3::Zero();
             if (rotation_is_free && group.kind == ConstraintKind::rigid_hub)
               f = per_lever * lever(group, node);
-            else if (rotation_is_free && group.kind == ConstraintKind::free_rotation)
+            else if (rotation_is_free && group.turns_freely() && group.has_angle(node))
               {
                 const Vector3 t = lever(group, node).normalized();
                 f               = t.dot(forces.value(node.local)) * t;

@@ -14,12 +14,14 @@ namespace vfife
       if (group.turns_freely())
         for (Node &node : group.nodes)
           {
+            node.angle = node.rate = 0;
+            if (!group.has_angle(node))
+              continue;
             // The angle between the radial parts of the start and of the present place.
             const Vector3 r       = state.node_position(node.local) - group.axis.point;
             const Vector3 a       = group.axis.direction;
             const Vector3 start_r = node.start - a.dot(node.start) * a;
             node.angle            = std::atan2(a.dot(start_r.cross(r)), start_r.dot(r));
-            node.rate             = 0;
             if (frame == MotionFrame::fixed)
               {
                 // The velocity is the chord of the last step: 2 rho sin(rate dt/2)/dt.
@@ -45,7 +47,7 @@ namespace vfife
     for (const Group &group : groups_)
       if (group.turns_freely())
         for (const Node &node : group.nodes)
-          if (node.owned)
+          if (node.owned && group.has_angle(node))
             {
               sums[2 * group.body] += node.angle;
               sums[2 * group.body + 1] += 1.;
@@ -69,13 +71,16 @@ namespace vfife
     // Round-off of the chords would make the nodes of a rigid hub drift apart over many steps.
     std::vector<double> sums(3, 0.);
     for (const Node &node : group.nodes)
-      if (node.owned)
+      if (node.owned && group.has_angle(node))
         {
           sums[0] += node.angle;
           sums[1] += node.rate;
           sums[2] += 1.;
         }
     communicator_.sum(sums);
+    // Without a node off the axis there is nothing to turn.
+    if (sums[2] == 0)
+      return;
     for (Node &node : group.nodes)
       {
         node.angle = sums[0] / sums[2];
@@ -111,6 +116,8 @@ namespace vfife
       {
         for (Node &node : group.nodes)
           {
+            if (!group.has_angle(node))
+              continue;
             const Vector3 e = a.cross(node.old_position - group.axis.point);
             accelerate(node.rate,
                        e.dot(forces.value(node.local)) / (node.moved_mass * e.squaredNorm()));
@@ -121,13 +128,15 @@ namespace vfife
     // A rigid hub by those of all its nodes, on all ranks.
     std::vector<double> torque_and_inertia(2, 0.);
     for (const Node &node : group.nodes)
-      if (node.owned)
+      if (node.owned && group.has_angle(node))
         {
           const Vector3 e = a.cross(node.old_position - group.axis.point);
           torque_and_inertia[0] += e.dot(forces.value(node.local));
           torque_and_inertia[1] += node.moved_mass * e.squaredNorm();
         }
     communicator_.sum(torque_and_inertia);
+    if (torque_and_inertia[1] == 0)
+      return;
     for (Node &node : group.nodes)
       accelerate(node.rate, torque_and_inertia[0] / torque_and_inertia[1]);
   }

@@ -109,6 +109,13 @@ namespace vfife
       {
         return kind == ConstraintKind::free_rotation || kind == ConstraintKind::rigid_hub;
       }
+
+      /** Whether the node has an angle about the axis. On the axis itself there is none: a node
+       * there stays where it is, whatever turns around it. */
+      bool has_angle(const Node &node) const
+      {
+        return axis.direction.cross(node.start).norm() > on_axis_distance;
+      }
     };
 
     void   share_rotation(Group &group) const;
