@@ -156,7 +156,7 @@ namespace
     declare_number(prm, "factor", factor, "Of the load");
     prm.set("speed", "20000 rpm");
     prm.leave_subsection();
-    folder.write_parameters(prm);
+    folder.write_parameters(prm, "case.prm");
 
     const auto json = nlohmann::ordered_json::parse(read(folder.file("parameters.json")));
     check("parameters by path", json.size() == 3 && json.items().begin().key() == "remark");
@@ -167,6 +167,7 @@ namespace
     check("the same parameters, readable again",
           read(folder.file("parameters.prm")).find("20000 rpm") != std::string::npos &&
             folder.parameters().size() == 3);
+    check("the file they are from", folder.parameter_file() == "case.prm");
   }
 
   void check_log(const Communicator &communicator)

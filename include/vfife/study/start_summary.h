@@ -8,14 +8,14 @@
 
 namespace vfife
 {
-  class Communicator;
   class ExplicitSolver;
+  class OutputFolder;
   struct Model;
 
-  /** What is known of any study of a model before it begins: program, ranks, bodies. @p study: the
-   * word of its kind. */
+  /** What is known of any study of a model before it begins: parameter file and ranks, which the
+   * folder of its results knows, program, bodies. @p study: the word of its kind. */
   RunSummary
-  start_summary(const std::string &study, const Model &model, const Communicator &communicator);
+  start_summary(const std::string &study, const Model &model, const OutputFolder &folder);
 
   /** What is known of any run before its first step: program, bodies, step @p dt [s]. @p study: the
    * word of its kind. */
@@ -23,7 +23,7 @@ namespace vfife
                            const Model        &model,
                            ExplicitSolver     &solver,
                            double              dt,
-                           const Communicator &communicator);
+                           const OutputFolder &folder);
 } // namespace vfife
 
 #endif

@@ -178,10 +178,12 @@ namespace vfife
       fs::remove(file(name), error);
   }
 
-  void OutputFolder::write_parameters(dealii::ParameterHandler &prm)
+  void OutputFolder::write_parameters(dealii::ParameterHandler &prm,
+                                      const std::string        &parameter_file)
   {
     const DeclaredSection declared = find_declared(prm);
     parameters_                    = declared.list_values();
+    parameter_file_                = parameter_file;
     if (!is_writer())
       return;
     write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });

@@ -268,7 +268,7 @@ namespace vfife
   {
     log.set_verbosity(output_.verbosity);
     const Model model   = make_model(log);
-    RunSummary  summary = start_summary("linear static", model, folder.communicator());
+    RunSummary  summary = start_summary("linear static", model, folder);
     const auto  start   = WallClock::now();
 
     // 1. Loads, and how hubs are held that turn freely.

@@ -188,8 +188,8 @@ namespace vfife
     const Transmission *transmission  = transmission_of(model);
     const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
     Stepping            stepping(folder, log, model, stepped.solver, output_, history_steps);
-    RunSummary         &summary = stepping.summary();
-    summary                     = start_summary("run", model, stepped.solver, dt, communicator);
+    RunSummary         &summary        = stepping.summary();
+    summary                            = start_summary("run", model, stepped.solver, dt, folder);
     const Table               &history = stepping.add<HistoryWriter>(model, history_steps).table();
     std::optional<PairResults> pair;
     if (transmission != nullptr)

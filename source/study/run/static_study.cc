@@ -92,7 +92,7 @@ namespace vfife
     stepped.log_step(model, log);
 
     ExplicitSolver &solver    = stepped.solver;
-    RunSummary      summary   = start_summary("static", model, solver, stepped.dt, communicator);
+    RunSummary      summary   = start_summary("static", model, solver, stepped.dt, folder);
     Observers       observers = make_observers(folder, model);
     Relaxation      relaxation(model,
                           dynamics_.relaxation,

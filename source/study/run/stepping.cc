@@ -216,8 +216,6 @@ namespace vfife
       {
         if (checkpoint != nullptr)
           restore(*checkpoint);
-        // A run that has not come to its end must not look as if it had.
-        folder_.remove_file("summary.json");
         if (checkpoint == nullptr)
           start.prepare(state_);
         // 2. The steps. Run time and clock of the checkpoints begin here: the equilibrium is no

@@ -67,14 +67,20 @@ namespace vfife
     /**
      * parameters.prm: the parameters in force, readable again; parameters.json: the same for other
      * programs, by path ("A/B/name") value and default as texts and the unit in which a bare number
-     * is meant ("" for words). Only the writing rank writes.
+     * is meant ("" for words). @p parameter_file: where they were read. Only the writing rank
+     * writes.
      */
-    void write_parameters(dealii::ParameterHandler &prm);
+    void write_parameters(dealii::ParameterHandler &prm, const std::string &parameter_file);
 
     /** What write_parameters() has written: paths ("A/B/name") and values. */
     const std::vector<std::pair<std::string, std::string>> &parameters() const
     {
       return parameters_;
+    }
+    /** The file that they were read from, as the command line named it. */
+    const std::string &parameter_file() const
+    {
+      return parameter_file_;
     }
 
     /**
@@ -93,6 +99,7 @@ namespace vfife
     Log                           *log_ = nullptr;
 
     std::vector<std::pair<std::string, std::string>> parameters_;
+    std::string                                      parameter_file_;
   };
 } // namespace vfife
 
