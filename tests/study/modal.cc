@@ -84,8 +84,14 @@ int main(int argc, char **argv)
   check("spin changes it by less than 20 %, and does",
         std::abs(spun / at_rest - 1) < .2 && spun != at_rest);
 
-  std::ofstream("modal.prm") << modal("set bodies = geer\n");
-  const std::string text =
-    message_of([&] { run_pair("modal.prm", "modal_results", session.world()); });
-  check("a misspelt body is named", text.find("did you mean \"gear\"") != std::string::npos);
+  const auto refusal = [&session](const std::string &bodies) {
+    std::ofstream("modal.prm") << modal("set bodies = " + bodies + "\n");
+    return message_of([&] { run_pair("modal.prm", "modal_results", session.world()); });
+  };
+  check("a misspelt body is named",
+        refusal("geer").find("did you mean \"gear\"") != std::string::npos);
+  const std::string unlike = refusal("flywheel");
+  check("bodies are listed where none is alike",
+        unlike.find("did you mean") == std::string::npos &&
+          unlike.find("there is no body \"flywheel\" (bodies: pinion, gear)") != std::string::npos);
 }

@@ -21,8 +21,8 @@ namespace vfife
         const auto found = std::find(names.begin(), names.end(), wanted);
         if (found == names.end())
           throw InputError("Fem/bodies",
-                           "there is no body \"" + wanted + "\"; did you mean \"" +
-                             nearest_name(wanted, names) + "\"?");
+                           "there is no body \"" + wanted + "\"" + did_you_mean(wanted, names) +
+                             " (bodies: " + list_of(names) + ")");
         bodies.push_back(found - names.begin());
       }
     return bodies;
