@@ -88,6 +88,34 @@ namespace
           {"set force tolerance = 0.0011\n", "set force tolerance = 0.0009\n"});
   }
 
+  /** A static curve of four positions, of which the steady part of a run passes two, all or none.
+   */
+  void passed_positions()
+  {
+    // 225 meshes a second: a tooth mesh is 4.444 ms, the positions lie 1.111 ms apart.
+    write("positions_loaded/loaded_contact.csv",
+          "position [tooth meshes],transmission error [arcsec],contact force total [N]\n"
+          "0,-100,1000\n0.25,-104,1000\n0.5,-108,1000\n0.75,-104,1000\n");
+    const auto show = [](const std::string &name, const std::string &history) {
+      write("positions_run/summary.json",
+            R"({"figures": {"pinion speed": {"value": 500}, "mesh frequency": {"value": 225}},
+                "steady part": {"found": true, "start": {"value": 0}, "columns": {
+                  "dte": {"mean": -104}, "contact force total": {"mean": 1000}}}})");
+      write("positions_run/history.csv", "time [s],dte [arcsec]\n" + history);
+      const ComparedCases cases = {
+        {"run", "positions_run", "run", true},
+        {"loaded", "positions_loaded", "loaded tooth contact analysis", true}};
+      for (const ComparisonRow &row : compare_pair(cases, ComparisonTolerances()))
+        if (row.quantity.find("over the tooth mesh") != std::string::npos)
+          std::cout << name << ", " << row.quantity.substr(25) << ": " << row.value << " against "
+                    << row.reference << ", " << row.verdict() << "; "
+                    << row.reason.substr(0, row.reason.find(';')) << std::endl;
+    };
+    show("all", "0,-104\n4.4e-3,-104\n");
+    show("two", "0,-102\n1.2e-3,-102\n");
+    show("none", "2e-4,-102\n1e-3,-102\n");
+  }
+
   std::string probe_header()
   {
     std::string header = "time [s]";
@@ -137,6 +165,7 @@ namespace
 int main()
 {
   pair();
+  passed_positions();
   statics();
   frequencies();
 }

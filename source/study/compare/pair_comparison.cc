@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 namespace vfife
@@ -21,8 +23,11 @@ namespace vfife
       return std::accumulate(values.begin(), values.end(), 0.) / values.size();
     }
 
+    /** NaN without a value, and where one is not a number, which no comparison finds. */
     double peak_to_peak(const std::vector<double> &values)
     {
+      if (values.empty() || std::isnan(std::accumulate(values.begin(), values.end(), 0.)))
+        return std::numeric_limits<double>::quiet_NaN();
       const auto ends = std::minmax_element(values.begin(), values.end());
       return *ends.second - *ends.first;
     }
@@ -84,33 +89,13 @@ namespace vfife
             }
       }
 
-      /** Means of a column where the mesh is at @p positions [tooth meshes], over the steady part;
-       * linear between samples. */
-      std::vector<double> at_positions(const std::string         &column,
-                                       const std::vector<double> &positions) const
+      /** Means of a column over the tooth meshes of the steady part, at @p positions. */
+      std::vector<std::optional<double>> at_positions(const std::string         &column,
+                                                      const std::vector<double> &positions) const
       {
-        std::vector<double> time, values, means;
+        std::vector<double> time, values;
         cut(column, time, values);
-        for (const double position : positions)
-          {
-            double       sum = 0;
-            unsigned int n   = 0;
-            for (std::size_t i = 0; i + 1 < time.size(); ++i)
-              {
-                // In tooth meshes from the position: the mesh is there where this is a whole
-                // number, and there is one between the samples where ceil(here) < next.
-                const double here = time[i] * mesh_frequency - position;
-                const double next = time[i + 1] * mesh_frequency - position;
-                // Samples lie on positions up to round-off: the next sample is the first beyond.
-                const double whole = std::ceil(here - 1e-6);
-                if (whole >= next - 1e-6)
-                  continue;
-                sum += values[i] + (values[i + 1] - values[i]) * (whole - here) / (next - here);
-                ++n;
-              }
-            means.push_back(n > 0 ? sum / n : std::numeric_limits<double>::quiet_NaN());
-          }
-        return means;
+        return compute_mean_mesh(time, values, mesh_frequency, positions);
       }
 
       /** The tolerance of what holds for slow runs only, and why. @p swing: what the modes may add,
@@ -157,6 +142,60 @@ namespace vfife
       bool is_steady_;
     };
 
+    /** How much the transmission error swings over a tooth mesh, and how far the run is from the
+     * static @p curve anywhere, both at those of its positions that the run passes. */
+    void add_static_curve(const PairRun             &run,
+                          const std::vector<double> &positions,
+                          const std::vector<double> &curve,
+                          const ComparedCase        *coupled,
+                          ComparisonRows            &rows)
+    {
+      // 1. Where both have a value: a steady part shorter than a tooth mesh passes some positions
+      // only.
+      const auto          cycle = run.at_positions(column::dte, positions);
+      std::vector<double> passed, reference, off = {0.};
+      for (std::size_t i = 0; i < curve.size(); ++i)
+        if (cycle[i])
+          {
+            passed.push_back(*cycle[i]);
+            reference.push_back(curve[i]);
+            off.push_back(std::abs(*cycle[i] - curve[i]));
+          }
+      const std::string where =
+        "mean tooth mesh of the run at " +
+        (passed.size() == curve.size() ? "the positions"
+                                       : std::to_string(passed.size()) + " of the " +
+                                           std::to_string(curve.size()) + " positions") +
+        " of the static curve";
+      const double swing =
+        coupled == nullptr ? 0.
+                           : estimate_swing(curve,
+                                            run.mesh_frequency,
+                                            TurningModes(coupled->table("coupled_modes.csv"), 0.));
+
+      // 2. The rows.
+      ComparisonRow row{"dte over the tooth mesh, peak to peak",
+                        "arcsec",
+                        peak_to_peak(passed),
+                        peak_to_peak(reference),
+                        "FEM",
+                        {},
+                        where + "; tolerance of the mean on both ends"};
+      // The largest and the least value may each be off, to opposite sides.
+      run.judge_slow(2 * run.tolerances.error * std::abs(mean(curve)), row, 2 * swing);
+      rows.push_back(row);
+
+      row = {"dte over the tooth mesh, largest distance from the static curve",
+             "arcsec",
+             passed.empty() ? peak_to_peak({}) : peak_to_peak(off), // from 0 on
+             0.,
+             "FEM",
+             {},
+             where + "; tolerance of the mean"};
+      run.judge_slow(run.tolerances.error * std::abs(mean(curve)), row, swing);
+      rows.push_back(row);
+    }
+
     /** The run beside the pair at rest in the same positions: mean, swing, distance, force. */
     void add_static_pair(const PairRun      &run,
                          const ComparedCase &loaded,
@@ -176,44 +215,7 @@ namespace vfife
 
       // The whole curve: how much it swings, and how far the run is from it anywhere.
       if (positions.size() > 1)
-        {
-          const std::vector<double> cycle = run.at_positions(column::dte, positions);
-          const double              swing =
-            coupled == nullptr
-                           ? 0.
-                           : estimate_swing(curve,
-                               run.mesh_frequency,
-                               TurningModes(coupled->table("coupled_modes.csv"), 0.));
-          row = {"dte over the tooth mesh, peak to peak",
-                 "arcsec",
-                 peak_to_peak(cycle),
-                 peak_to_peak(curve),
-                 "FEM",
-                 {},
-                 ""};
-          row.reason =
-            "mean tooth mesh of the run at the positions of the static curve; tolerance of "
-            "the mean on both ends";
-          // The largest and the least value may each be off, to opposite sides.
-          run.judge_slow(2 * run.tolerances.error * std::abs(mean(curve)), row, 2 * swing);
-          rows.push_back(row);
-
-          double largest = 0;
-          for (std::size_t i = 0; i < curve.size(); ++i)
-            largest = std::max(largest, std::abs(cycle[i] - curve[i]));
-          row = {"dte over the tooth mesh, largest distance from the static curve",
-                 "arcsec",
-                 largest,
-                 0.,
-                 "FEM",
-                 {},
-                 ""};
-          row.reason =
-            "mean tooth mesh of the run at the positions of the static curve; tolerance of "
-            "the mean";
-          run.judge_slow(run.tolerances.error * std::abs(mean(curve)), row, swing);
-          rows.push_back(row);
-        }
+        add_static_curve(run, positions, curve, coupled, rows);
 
       row = {"mean contact force",
              "N",

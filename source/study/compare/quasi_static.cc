@@ -25,6 +25,34 @@ namespace vfife
       }
   }
 
+  std::vector<std::optional<double>> compute_mean_mesh(const std::vector<double> &time,
+                                                       const std::vector<double> &values,
+                                                       const double               mesh_frequency,
+                                                       const std::vector<double> &positions)
+  {
+    std::vector<std::optional<double>> means;
+    for (const double position : positions)
+      {
+        double       sum = 0;
+        unsigned int n   = 0;
+        for (std::size_t i = 0; i + 1 < time.size(); ++i)
+          {
+            // In tooth meshes from the position: the mesh is there where this is a whole number,
+            // and there is one between the samples where ceil(here) < next.
+            const double here = time[i] * mesh_frequency - position;
+            const double next = time[i + 1] * mesh_frequency - position;
+            // Samples lie on positions up to round-off: the next sample is the first beyond.
+            const double whole = std::ceil(here - 1e-6);
+            if (whole >= next - 1e-6)
+              continue;
+            sum += values[i] + (values[i + 1] - values[i]) * (whole - here) / (next - here);
+            ++n;
+          }
+        means.push_back(n > 0 ? std::optional<double>(sum / n) : std::nullopt);
+      }
+    return means;
+  }
+
   double estimate_swing(const std::vector<double> &curve,
                         const double               mesh_frequency,
                         const TurningModes        &modes)

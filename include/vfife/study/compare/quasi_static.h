@@ -4,6 +4,7 @@
 
 #include <vfife/base/text/table.h>
 
+#include <optional>
 #include <vector>
 
 namespace vfife
@@ -18,6 +19,15 @@ namespace vfife
      * such, with a share above @p least. */
     TurningModes(const Table &coupled_modes, double least);
   };
+
+  /**
+   * The mean tooth mesh of a history, linear between its samples, at @p positions of the mesh
+   * [tooth meshes]; nothing at positions that it does not pass.
+   */
+  std::vector<std::optional<double>> compute_mean_mesh(const std::vector<double> &time,
+                                                       const std::vector<double> &values,
+                                                       double                     mesh_frequency,
+                                                       const std::vector<double> &positions);
 
   /**
    * How far a pair's transmission error may depart from its static curve because it swings
