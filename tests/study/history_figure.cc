@@ -73,6 +73,10 @@ namespace
                 1e-12);
     check("none between unequal ratios",
           std::isnan(compute_order(0.4, 0.1, {"10", "60"}, {"20", "180"})));
+    check_close("sizes in two units", compute_order(0.4, 0.1, {"1 mm"}, {"500 um"}), 2, 1e-12);
+    check("none between a bare number and one with a unit",
+          std::isnan(compute_order(0.4, 0.1, {"1"}, {"500 um"})));
+    check("none between dimensions", std::isnan(compute_order(0.4, 0.1, {"1 mm"}, {"0.5 s"})));
     check("none between words",
           std::isnan(compute_order(0.4, 0.1, {"polar", "80"}, {"three nodes", "10"})));
     check("none of equal runs", std::isnan(compute_order(0.4, 0.1, {"10"}, {"10"})));

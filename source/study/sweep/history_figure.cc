@@ -2,13 +2,13 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/text/table.h>
 #include <vfife/study/sweep/history_figure.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 
@@ -104,13 +104,38 @@ namespace vfife
       return not_known;
     }
 
-    /** The number that a value of an entry begins with. */
-    double leading_number(const std::string &text)
+    /** A value of an entry: how large it is in internal units, and of what dimension. */
+    struct Size
     {
-      // Without the unit that may follow: all values of a parameter have to be in the same one.
-      char        *end    = nullptr;
-      const double number = std::strtod(text.c_str(), &end);
-      return end == text.c_str() ? not_known : number;
+      double      value = not_known;
+      std::string dimension; ///< empty: a bare number, whose unit is the entry's
+    };
+
+    /** Not known of what is no number, or has a unit that is none. */
+    Size read_size(const std::string &text)
+    {
+      try
+        {
+          std::string  name;
+          const double number = read_number(text, name);
+          if (name.empty())
+            return {number, ""};
+          const Unit &unit = find_unit(name);
+          return {number * unit.factor, unit.dimension};
+        }
+      catch (const InputError &)
+        {
+          return {};
+        }
+    }
+
+    /** |log(a/b)| of two values of one entry; not known unless both have units or neither has. */
+    double compute_log_ratio(const std::string &a, const std::string &b)
+    {
+      // Which unit a bare number is in, the entry knows and this does not.
+      const Size first = read_size(a), second = read_size(b);
+      return first.dimension == second.dimension ? std::abs(std::log(first.value / second.value))
+                                                 : not_known;
     }
   } // namespace
 
@@ -205,8 +230,7 @@ namespace vfife
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i] != values_before[i])
         {
-          const double own =
-            std::abs(std::log(leading_number(values[i]) / leading_number(values_before[i])));
+          const double own = compute_log_ratio(values[i], values_before[i]);
           if (!std::isfinite(own) || (ratio > 0 && std::abs(own - ratio) > 1e-6))
             return not_known;
           ratio = own;

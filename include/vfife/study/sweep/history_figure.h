@@ -58,7 +58,7 @@ namespace vfife
   /**
    * Order of convergence from one run to the next, log(|error before/error|) over
    * |log(value/value before)| of the parameters that differ; NaN unless these are numbers in one
-   * common ratio.
+   * common ratio, each with its unit or none of them with one.
    */
   double compute_order(double                          error_before,
                        double                          error,
