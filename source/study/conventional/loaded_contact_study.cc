@@ -5,6 +5,7 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/table.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/operator/mass_scaling.h>
 #include <vfife/element/stress.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/pair/coupled_modes.h>
@@ -25,6 +26,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
+#include <ostream>
 
 namespace vfife
 {
@@ -73,9 +75,9 @@ namespace vfife
 
       void inspect(Communicator &communicator, Log &log) override
       {
-        const Model model = gear_case_.make_model(log);
+        gear_case_.make_model(log); // what is wrong with it, and what it is
         log.line("penalty of a run of this file ",
-                 find_penalties(model, communicator, log).front(),
+                 find_penalties(communicator, log).front(),
                  " N/mm^3; ",
                  options_.positions,
                  " positions");
@@ -84,14 +86,14 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
-      std::vector<double>
-           find_penalties(const Model &model, const Communicator &communicator, Log &log) const;
-      void add_position(const Model                 &model,
-                        const Compliance            &compliance,
-                        double                       position,
-                        const PairEquilibriumResult &result,
-                        const std::vector<Stress>   &stresses,
-                        Log                         &log);
+      /** Of each contact pair in a run of the same file [N/mm^3]. */
+      std::vector<double> find_penalties(const Communicator &communicator, Log &log) const;
+      void                add_position(const Model                 &model,
+                                       const Compliance            &compliance,
+                                       double                       position,
+                                       const PairEquilibriumResult &result,
+                                       const std::vector<Stress>   &stresses,
+                                       Log                         &log);
 
       void find_modes(const Model                 &model,
                       const Compliance            &compliance,
@@ -127,12 +129,16 @@ namespace vfife
       1000);
   }
 
-  std::vector<double> LoadedContactStudy::find_penalties(const Model        &model,
-                                                         const Communicator &communicator,
+  std::vector<double> LoadedContactStudy::find_penalties(const Communicator &communicator,
                                                          Log                &log) const
   {
-    // Penalties of a run follow from its step: the solver of that run is set up and asked, so that
-    // both have the same contact.
+    // Penalties of a run follow from its step and its nodes' masses: the solver of that run is set
+    // up and asked, so that both have the same contact. Mass scaling is a matter of the run: it has
+    // a model of its own, the pair at rest keeps its masses.
+    std::ostream nowhere(nullptr); // the pair has been described
+    Log          silent(nowhere, communicator.is_root(), Verbosity::quiet);
+    Model        model = gear_case_.make_model(silent);
+    scale_masses(dynamics_, model, log);
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return gear_case_.choose_step(stable_step, output_.history_every);
     });
@@ -142,7 +148,7 @@ namespace vfife
   void LoadedContactStudy::run(OutputFolder &folder, Log &log)
   {
     const Model               model     = gear_case_.make_model(log);
-    const std::vector<double> penalties = find_penalties(model, folder.communicator(), log);
+    const std::vector<double> penalties = find_penalties(folder.communicator(), log);
     auto                      start     = WallClock::now();
     Compliance                compliance(model, fem_, options_.centrifugal, folder.communicator());
     log.line("penalty ",
