@@ -5,6 +5,7 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/pair/coupled_modes.h>
@@ -73,6 +74,20 @@ namespace
     check_close("it is the whole turn", modes.turning[0].share_of_turn, 1., 1e-2);
     check_close("of the gear alone", modes.turning[0].driven_energy, 1., 1e-2);
     check("modes are counted", modes.counted);
+
+    try
+      {
+        find_coupled_modes(compliance, fem, false, at_rest.ties, 100000, world);
+        check("too many coupled modes are refused", false);
+      }
+    catch (const InputError &error)
+      {
+        check("too many coupled modes are refused",
+              std::string(error.what())
+                  .find("100000 coupled modes are made of 200010 modes in turning axes") !=
+                std::string::npos);
+        check("in the name of their entry", error.entry() == "Loaded contact/coupled modes");
+      }
   }
 
   void standing_waves(Communicator &world)

@@ -44,11 +44,18 @@ namespace vfife
   {
     // The Krylov space has 2 (n + guards + 10) vectors.
     const unsigned int n = assembly.unknowns().n();
-    if (2 * (options.n_modes + n_guards + 10) > n)
+    if (options.n_modes > largest_number(n))
       throw InputError("Fem/modes",
                        std::to_string(options.n_modes) + " modes are too many for " +
                          std::to_string(n) + " unknowns; ask for fewer modes or take a finer mesh");
   }
+  unsigned int ModalSolver::largest_number(const unsigned int n_unknowns)
+  {
+    // The Krylov space has 2 (n + guards + 10) vectors.
+    const unsigned int half = n_unknowns / 2;
+    return half - std::min(half, n_guards + 10);
+  }
+
 
   ModalResult ModalSolver::solve() const
   {

@@ -20,6 +20,12 @@ namespace vfife
 {
   namespace
   {
+    /** Shapes that stand in space are made of more than as many turning ones. */
+    unsigned int n_basis(const unsigned int n)
+    {
+      return 2 * n + 10;
+    }
+
     Assembly::Links make_links(const std::vector<ContactTie> &ties)
     {
       Assembly::Links links;
@@ -221,9 +227,15 @@ namespace vfife
                        "coupled modes of a spinning pair stand in space, which is computed for "
                        "elements of eight nodes only; take incompatible modes or centrifugal = no");
     options.eigen_solver = EigenSolverKind::shift_invert;
-    // Shapes that stand in space are made of more than as many turning ones.
-    options.n_modes = 2 * n + 10;
-    const Assembly        assembly(d, Unknowns::Options(), communicator, make_links(ties));
+    options.n_modes      = n_basis(n);
+    const Assembly     assembly(d, Unknowns::Options(), communicator, make_links(ties));
+    const unsigned int largest = ModalSolver::largest_number(assembly.unknowns().n());
+    if (options.n_modes > largest)
+      throw InputError("Loaded contact/coupled modes",
+                       std::to_string(n) + " coupled modes are made of " +
+                         std::to_string(options.n_modes) + " modes in turning axes, and " +
+                         std::to_string(assembly.unknowns().n()) + " unknowns have at most " +
+                         std::to_string(largest) + "; ask for fewer modes or take a finer mesh");
     const ModalSolver     solver(assembly, options);
     const SystemMatrices &matrices = solver.matrices();
     const auto         rate = [&d](const unsigned int body) { return d.model().bodies[body].rate; };

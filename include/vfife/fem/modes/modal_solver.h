@@ -63,7 +63,8 @@ namespace vfife
   class ModalSolver
   {
   public:
-    /** @p assembly has padded unknowns exactly where @p options asks for LOBPCG. */
+    /** @p assembly has padded unknowns exactly where @p options asks for LOBPCG. Throws InputError,
+     * in the name of Fem/modes, where more modes are asked for than largest_number(). */
     ModalSolver(const Assembly &assembly, const FemOptions &options);
 
     /** Modes of the body at rest. */
@@ -79,6 +80,9 @@ namespace vfife
     {
       return matrices_;
     }
+
+    /** How many modes can be asked for of a system with that number of unknowns. */
+    static unsigned int largest_number(unsigned int n_unknowns);
 
     static bool needs_padding(const FemOptions &options)
     {
