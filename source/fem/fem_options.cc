@@ -11,6 +11,11 @@ namespace vfife
                                                       {"direct", LinearSolverKind::direct}};
     const Choices<EigenSolverKind> eigen_solvers = {{"shift-invert", EigenSolverKind::shift_invert},
                                                     {"lobpcg", EigenSolverKind::lobpcg}};
+
+    /** |K x - lambda M x| over lambda with x^T M x = 1, where ModalSolver asks for less than 1e-3
+     * of lambda |M x|: |M x| is the root of a node's mass [t], 1e-4 to 1e-2 in bodies of machines.
+     */
+    constexpr double loosest_of_lobpcg = 1e-5;
   } // namespace
 
   void FemOptions::declare(dealii::ParameterHandler &prm)
@@ -102,6 +107,11 @@ namespace vfife
     if (cyclic_symmetry && element == FemElement::quadratic)
       throw InputError(section + "/cyclic symmetry",
                        "cyclic symmetry is there for elements with 8 nodes only");
+    if (eigen_solver == EigenSolverKind::lobpcg && eigen_tolerance > loosest_of_lobpcg)
+      throw InputError(section + "/eigenvalue tolerance",
+                       "with \"lobpcg\" at most 1e-5: it measures the residual by a shape of modal "
+                       "mass 1 t, which makes that of the mode itself up to thousands of times "
+                       "larger, and beyond 1e-3 a shape is no mode");
     if (coriolis && eigen_solver == EigenSolverKind::lobpcg)
       throw InputError(section + "/coriolis",
                        "Coriolis forces need the eigenvalue solver \"shift-invert\"");

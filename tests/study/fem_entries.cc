@@ -6,6 +6,7 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
+#include <vfife/base/errors.h>
 #include <vfife/base/types.h>
 
 #include <algorithm>
@@ -77,6 +78,24 @@ namespace
           check_below("eigenvalue tolerance: a fine one", residual, 1e-8);
         else
           check("eigenvalue tolerance: a rough one", residual > 1e-6 && residual < 1e-3);
+      }
+  }
+
+  void loose_tolerance(Communicator &world)
+  {
+    // Shift and factorization are far better than what they are asked for.
+    const std::string loose = "  set modes = 4\n  set eigenvalue tolerance = 1e-4\n";
+    check("eigenvalue tolerance: a loose one for shift-invert",
+          find_modes(cantilever, loose, world).numbers("residual")[3] < 1e-3);
+    try
+      {
+        find_modes(cantilever, loose + "  set eigenvalue solver = lobpcg\n", world);
+        check("eigenvalue tolerance: a loose one is refused for LOBPCG", false);
+      }
+    catch (const InputError &error)
+      {
+        check("eigenvalue tolerance: a loose one is refused for LOBPCG",
+              std::string(error.what()).find("with \"lobpcg\" at most 1e-5") != std::string::npos);
       }
   }
 
@@ -191,5 +210,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {solvers, hubs, coriolis, linear_solver, centrifugal});
+  run_parts(argc, argv, {solvers, loose_tolerance, hubs, coriolis, linear_solver, centrifugal});
 }

@@ -42,20 +42,19 @@ namespace vfife
     , options_(options)
     , matrices_(assembly, options.mass)
   {
-    // The Krylov space has 2 (n + guards + 10) vectors.
     const unsigned int n = assembly.unknowns().n();
     if (options.n_modes > largest_number(n))
       throw InputError("Fem/modes",
                        std::to_string(options.n_modes) + " modes are too many for " +
                          std::to_string(n) + " unknowns; ask for fewer modes or take a finer mesh");
   }
+
   unsigned int ModalSolver::largest_number(const unsigned int n_unknowns)
   {
     // The Krylov space has 2 (n + guards + 10) vectors.
     const unsigned int half = n_unknowns / 2;
     return half - std::min(half, n_guards + 10);
   }
-
 
   ModalResult ModalSolver::solve() const
   {
@@ -106,8 +105,11 @@ namespace vfife
         if (!(mode.residual < 1e-3))
           {
             std::ostringstream text;
-            text << "mode " << k + 1 << " at " << mode.frequency() << " Hz has the residual "
-                 << mode.residual << ": the eigenvalue solver has failed";
+            text
+              << "mode " << k + 1 << " at " << mode.frequency() << " Hz has the residual "
+              << mode.residual
+              << ": the eigenvalue solver has failed (Fem/eigenvalue tolerance: a smaller one may "
+                 "help)";
             throw NumericalError(text.str());
           }
         result.modes.push_back(std::move(mode));
