@@ -85,6 +85,52 @@ namespace
     check("stopped in the step that passes the limit", message.find(" is 10") != std::string::npos);
   }
 
+  /** A block that comes so fast that the wall's springs, as stiff as the step allows, are passed in
+   * a few steps; and one that bounces between two samples. */
+  Model make_thrown_block(const double speed)
+  {
+    Model model;
+    Body  block("block", make_block(Vector3(4, 4, 4), {{2, 2, 2}}), Material());
+    block.velocity[2] = -speed;
+    RigidWall wall;
+    wall.name     = "floor";
+    wall.nodes    = block.node_set("z-");
+    wall.normal   = Vector3::UnitZ();
+    wall.point[2] = -0.01;
+    model.add_body(std::move(block));
+    model.walls.push_back(wall);
+    return model;
+  }
+
+  void pass_wall()
+  {
+    // Three times the speed of waves.
+    const Model       model = make_thrown_block(1.5e7);
+    OneSolver         run(model, undamped());
+    Observers         none;
+    const std::string message = run_and_fail(run, 1e-5, none);
+    check("a body behind a wall is named",
+          contains(message, "runaway penetration at time ") &&
+            contains(message, "contact \"floor\": body \"block\", node ") &&
+            contains(message, " um behind the wall (limit 1000 um, half a facet)"));
+  }
+
+  void bounce()
+  {
+    const double speed = 1000;
+    const Model  model = make_thrown_block(speed);
+    OneSolver    run(model, undamped());
+    Observers    none; // the first and the last state are measured, both in flight
+    run.solver.run(run.state, 5e-5, none);
+    const ContactLosses &losses = run.solver.contact_losses();
+    check("the end of the bounce is a loss of contact", losses.count >= 1);
+    // 0.01 mm at 1 m/s are 10 us; contact lasts some passages of waves of 0.8 us each way.
+    check("its time", losses.first > 1e-5 && losses.first < 2e-5);
+    check("time without contact", losses.duration > 0 && losses.duration < 4e-5);
+    check("the energy of approach is the scale of the error",
+          run.state.measured.energy.scale >= 0.5 * model.bodies[0].mass() * speed * speed);
+  }
+
   /** Flight and spin have kinetic energy alone: its round-off is no error of energy. */
   void fly()
   {
@@ -105,5 +151,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {invert, sink, fly});
+  run_parts(argc, argv, {invert, sink, pass_wall, bounce, fly});
 }

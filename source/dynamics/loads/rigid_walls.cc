@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace vfife
 {
@@ -14,6 +15,7 @@ namespace vfife
     , law(wall.penalty.law(wall.penalty))
     , mass_per_area(std::numeric_limits<double>::infinity())
     , penalty(wall.penalty.value)
+    , depth_limit(std::numeric_limits<double>::infinity())
   {
   }
 
@@ -30,20 +32,25 @@ namespace vfife
         const Body &body  = model.bodies[definition.body];
         const auto  areas = compute_nodal_areas(body, definition.nodes);
         Wall        wall(definition);
+        double      largest_area = 0;
         for (std::size_t i = 0; i < areas.size(); ++i)
           if (areas[i] > 0)
             {
               const unsigned int node = definition.nodes[i];
               wall.mass_per_area =
                 std::min(wall.mass_per_area, body.node_masses()[node] / areas[i]);
+              largest_area              = std::max(largest_area, areas[i]);
               const std::uint32_t local = partition.local_node[body.first_node + node];
               if (local != Partition::absent)
-                wall.nodes.push_back({local, partition.owned[local] != 0, areas[i]});
+                wall.nodes.push_back({local, partition.owned[local] != 0, areas[i], node});
             }
         if (!std::isfinite(wall.mass_per_area))
           throw InputError("contact \"" + definition.name +
                            "\": its nodes carry no face of body \"" + body.name() +
                            "\" that a wall could press on");
+        // Inside a surface the area of a node is that of a facet.
+        if (definition.penalty.from_step)
+          wall.depth_limit = 0.5 * std::sqrt(largest_area);
         walls_.push_back(std::move(wall));
       }
   }
@@ -71,6 +78,7 @@ namespace vfife
 
   void RigidWalls::add_forces(const NodeField &positions, NodeField &forces)
   {
+    sums_ = {{0., 0., 0.}};
     for (Wall &wall : walls_)
       {
         //   n ^                       1. depth = -n . (x - p) of every node behind the plane
@@ -103,9 +111,38 @@ namespace vfife
               {
                 wall.force += pressed.pressure;
                 wall.energy += pressed.energy;
+                sums_[2] += pressed.penetration > wall.depth_limit ? 1. : 0.;
               }
           }
+        sums_[0] += wall.force;
+        sums_[1] += wall.energy;
       }
+    if (!walls_.empty())
+      communicator_.sum(sums_.data(), sums_.size());
+  }
+
+  std::string RigidWalls::describe_deepest_node(const Model &model) const
+  {
+    // The deepest of this rank in words, relative to its limit ...
+    double             deepest = 0;
+    std::ostringstream text;
+    for (const Wall &wall : walls_)
+      for (std::size_t k = 0; k < wall.pressed.size(); ++k)
+        {
+          const double ratio = wall.pressed[k].penetration / wall.depth_limit;
+          if (!(ratio > deepest))
+            continue;
+          deepest = ratio;
+          text.str("");
+          text << "contact \"" << wall.definition->name << "\": body \""
+               << model.bodies[wall.definition->body].name() << "\", node "
+               << wall.touching[k]->node << ", is " << 1e3 * wall.pressed[k].penetration
+               << " um behind the wall (limit " << 1e3 * wall.depth_limit << " um, half a facet)";
+        }
+    // ... then the rank that has the deepest of all.
+    const std::vector<double>      all   = communicator_.all_gather(deepest);
+    const std::vector<std::string> texts = communicator_.all_gather(text.str());
+    return texts[std::max_element(all.begin(), all.end()) - all.begin()];
   }
 
   RigidWalls::Results RigidWalls::collect_results() const
@@ -113,16 +150,10 @@ namespace vfife
     Results results;
     if (walls_.empty())
       return results;
-    std::vector<double> sums(2, 0.);
     for (const Wall &wall : walls_)
-      {
-        sums[0] += wall.force;
-        sums[1] += wall.energy;
-        results.penetration = std::max(results.penetration, wall.penetration);
-      }
-    communicator_.sum(sums);
-    results.force       = sums[0];
-    results.energy      = sums[1];
+      results.penetration = std::max(results.penetration, wall.penetration);
+    results.force       = sums_[0];
+    results.energy      = sums_[1];
     results.penetration = communicator_.max(results.penetration);
     return results;
   }

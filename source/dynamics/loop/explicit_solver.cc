@@ -222,9 +222,9 @@ namespace vfife
 
   void ExplicitSolver::watch_contact(const State &state)
   {
-    // Of pairs of surfaces; whether bodies touch walls is seen in samples.
-    const bool touching = contact_.energy() > 0;
-    if (touching && state.step == beginning_->step)
+    // Of surfaces with each other and with walls.
+    const bool touching = contact_.energy() > 0 || walls_.energy() > 0;
+    if (contact_.energy() > 0 && state.step == beginning_->step)
       log_.line("deepest point at the start: ", contact_.describe_deepest_point());
     contact_watch_.observe(state.time, dt_, touching);
     energy_.observe_contact(touching);
@@ -305,7 +305,7 @@ namespace vfife
   {
     // The first two in every step: what they look at is there. The others need a sample.
     check_motion(model_, sums_, observed_, state);
-    check_penetration(contact_, state);
+    check_penetration(model_, contact_, walls_, state);
     if (!measured)
       return;
     check_elements(model_, observed_, measures, communicator_);

@@ -139,7 +139,7 @@ namespace vfife
   {
     energy_.take_sample(sums_,
                         measures.strain_energy + loads_.compute_spring_energy(observed_.position),
-                        contact_.energy() + walls_.collect_results().energy);
+                        contact_.energy() + walls_.energy());
   }
 
   void ExplicitSolver::show(Observers &observers, const bool last)
@@ -178,7 +178,7 @@ namespace vfife
     state.measured.energy = EnergyLedger();
     state.measured.energy.strain =
       measures.strain_energy + loads_.compute_spring_energy(state.position);
-    state.measured.energy.contact = contact_.energy() + walls_.collect_results().energy;
+    state.measured.energy.contact = contact_.energy() + walls_.energy();
     state.measured.body_rates.assign(model_.bodies.size(), 0.);
     state.measured.momentum = state.measured.angular_momentum = Vector3::Zero();
   }

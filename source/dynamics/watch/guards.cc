@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/dynamics/loads/contact_system.h>
+#include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/dynamics/update_sums.h>
 #include <vfife/dynamics/watch/guards.h>
@@ -109,12 +110,18 @@ namespace vfife
                            "; a smaller Dynamics/safety or a softer contact may help");
   }
 
-  void check_penetration(const ContactSystem &contact, const State &now)
+  void check_penetration(const Model         &model,
+                         const ContactSystem &contact,
+                         const RigidWalls    &walls,
+                         const State         &now)
   {
-    // All ranks know: the flag has travelled with the contact's reduction.
+    // All ranks know: the flags have travelled with the reductions of contact and walls.
     if (contact.is_too_deep())
       throw NumericalError("runaway penetration " + describe_instant(now) + ": " +
                            contact.describe_deepest_point());
+    if (walls.is_too_deep())
+      throw NumericalError("runaway penetration " + describe_instant(now) + ": " +
+                           walls.describe_deepest_node(model));
   }
 
   void check_elements(const Model           &model,

@@ -5,7 +5,9 @@
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
+#include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vfife
@@ -34,8 +36,27 @@ namespace vfife
     /** Adds the masses that the springs need in a relaxation with pseudo time step 1. */
     void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
 
-    /** Adds the forces to @p forces (all copies of a node). */
+    /** Adds the forces to @p forces (all copies of a node). Collective where there are walls. */
     void add_forces(const NodeField &positions, NodeField &forces);
+
+    /** Energy stored in the penalty springs at the last add_forces() [mJ]; all ranks. */
+    double energy() const
+    {
+      return sums_[1];
+    }
+
+    /**
+     * Whether a node was deeper behind a wall at the last add_forces() than half the width of the
+     * facets around it, all ranks. Of walls whose penalty follows from the step, which is meant to
+     * be stiff; a penalty of the user's own makes a wall as soft as he wants it.
+     */
+    bool is_too_deep() const
+    {
+      return sums_[2] > 0;
+    }
+
+    /** In words: the deepest node of the last add_forces() over its limit. Collective. */
+    std::string describe_deepest_node(const Model &model) const;
 
     /** Of the last add_forces(), over all ranks; collective. */
     struct Results
@@ -52,6 +73,7 @@ namespace vfife
       std::uint32_t local;
       bool          owned;
       double        area;
+      unsigned int  node; ///< of the body
     };
     struct Wall
     {
@@ -66,6 +88,7 @@ namespace vfife
       std::unique_ptr<const ContactLaw> law;
       double                            mass_per_area; ///< least of its nodes [t/mm^2]
       double                            penalty;       ///< [N/mm^3]
+      double                            depth_limit;   ///< see is_too_deep() [mm]
       std::vector<Node>                 nodes;
 
       /** Of the last add_forces(), this rank: nodes behind the wall and what the law says of them,
@@ -77,6 +100,8 @@ namespace vfife
 
     const Communicator &communicator_;
     std::vector<Wall>   walls_;
+    /** Of the last add_forces(), all ranks: force, energy, number of nodes that are too deep. */
+    std::array<double, 3> sums_ = {{0., 0., 0.}};
   };
 } // namespace vfife
 

@@ -19,7 +19,7 @@ namespace vfife
     void reset();
 
     /** Looks at the step of length @p dt [s] that begins at @p time; @p touching: any point of any
-     * contact pair presses. */
+     * contact pair, or on a wall, presses. */
     void observe(double time, double dt, bool touching);
 
     /** For checkpoints. */

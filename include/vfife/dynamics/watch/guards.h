@@ -9,6 +9,7 @@ namespace vfife
 {
   class Communicator;
   class ContactSystem;
+  class RigidWalls;
   struct BodySums;
   struct ElementMeasures;
   struct Model;
@@ -27,8 +28,12 @@ namespace vfife
                     const State                 &last_measured,
                     const State                 &now);
 
-  /** A point of a contact is deeper than the pair's penetration limit. */
-  void check_penetration(const ContactSystem &contact, const State &now);
+  /** A point of a contact is deeper than the pair's penetration limit, or a node deeper behind a
+   * wall than its limit. */
+  void check_penetration(const Model         &model,
+                         const ContactSystem &contact,
+                         const RigidWalls    &walls,
+                         const State         &now);
 
   /** An element of the state that was measured, with these @p measures, is inverted. */
   void check_elements(const Model           &model,
