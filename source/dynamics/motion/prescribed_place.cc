@@ -70,13 +70,50 @@ namespace vfife
     };
   } // namespace
 
+  namespace
+  {
+    /**
+     * What a prescribed angle turns the node at @p old beyond @p resolved_turn, about the axis. The
+     * direction of theta at the old place leads to the ray by a way of tan(turn): for a turn that a
+     * step resolves that is where the constraint's force acts, at a right angle it leads nowhere,
+     * and beyond to the other side of the axis. A load step of a relaxation may turn so far.
+     */
+    Matrix3 find_jump(const Axis                  &axis,
+                      const Vector3               &start,
+                      const Vector3               &old,
+                      const HeldDirections        &held,
+                      const std::array<double, 3> &values)
+    {
+      constexpr double resolved_turn = 0.1; // [rad]
+      for (std::size_t k = 0; k < held.size(); ++k)
+        if (held[k].coordinate == HeldCoordinate::angle)
+          {
+            const Vector3 flat = flattened(axis, start), now = flattened(axis, old);
+            const double  angle = values[k] / flat.norm();
+            const Vector3 ray =
+              std::cos(angle) * flat.normalized() + std::sin(angle) * held[k].direction;
+            const double turn = std::atan2(axis.direction.dot(now.cross(ray)), now.dot(ray));
+            if (std::abs(turn) > resolved_turn)
+              return rotation_about(axis.direction, turn - std::copysign(resolved_turn, turn));
+          }
+      return Matrix3::Identity();
+    }
+  } // namespace
+
   Vector3 place_prescribed(const Axis                  &axis,
                            const Vector3               &start,
-                           const Vector3               &old,
-                           const Vector3               &free,
+                           const Vector3               &old_place,
+                           const Vector3               &free_place,
                            const HeldDirections        &held,
                            const std::array<double, 3> &values)
   {
+    // What no step resolves of a turn is one of the whole motion, from the old place to x*.
+    const Matrix3 jump     = find_jump(axis, start, old_place, held, values);
+    const bool    is_small = jump == Matrix3::Identity();
+    const auto    turned   = [&](const Vector3 &x) {
+      return is_small ? x : Vector3(axis.point + jump * (x - axis.point));
+    };
+    const Vector3 old = turned(old_place), free = turned(free_place);
     // x = free + D mu, D the directions at the old place: Newton's method for mu, one step where
     // all equations are planes.
     //

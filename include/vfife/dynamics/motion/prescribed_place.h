@@ -18,7 +18,8 @@ namespace vfife
    * |x| = R + g, for the angle the ray at g/R from that of the start, g the @p values [mm]. The
    * node moves from @p free along the directions that the equations had at @p old, as the forces of
    * constraints of central differences act: a free rotation on a circle then keeps its speed
-   * exactly. Throws NumericalError where the equations have no common place.
+   * exactly. A prescribed angle may turn the node by anything: beyond 0.1 rad its motion is turned
+   * about the axis first. Throws NumericalError where the equations have no common place.
    */
   Vector3 place_prescribed(const Axis                  &axis,
                            const Vector3               &start,
