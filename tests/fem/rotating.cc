@@ -137,7 +137,11 @@ namespace
               difference =
                 std::max(difference, std::abs(a.frequency - b.frequency) / all.modes[n].frequency);
               residual = std::max({residual, a.residual, b.residual});
-              same     = same && a.description.nodal_diameter == b.description.nodal_diameter;
+              same     = same && a.description.nodal_diameter == b.description.nodal_diameter &&
+                     a.description.is_pair == b.description.is_pair;
+              // Members of a pair that stands may be told apart in any way.
+              if (coriolis && rate != 0)
+                same = same && std::abs(a.description.forward - b.description.forward) < 1e-2;
             }
           // The error is the square of the residual: round-off without Coriolis forces, 1e-6 with
           // them.
@@ -151,6 +155,44 @@ namespace
                         std::pow(2. * pi * all.modes[0].frequency, 2) / std::max(rate * rate, 1e6),
                         1e-3);
         }
+  }
+
+  /** As many diameters as half the sectors: nodes and sectors coincide, there is one such mode and
+   * not a pair, and it travels nowhere. */
+  void half_the_sectors(const Communicator &communicator)
+  {
+    const Model model = make_wheel(Matrix3::Identity(), Vector3::UnitZ());
+    for (const bool coriolis : {false, true})
+      {
+        FemOptions options;
+        options.cyclic_symmetry  = true;
+        options.coriolis         = coriolis;
+        options.largest_diameter = 6;
+        options.n_modes          = 4;
+        const RotatingBody        wheel(model, 0, options, communicator);
+        std::vector<ModesAtSpeed> speeds;
+        speeds.push_back(wheel.find_modes(0.));
+        speeds.push_back(wheel.find_modes(2000.));
+        bool stands = true;
+        for (const ModesAtSpeed &at_speed : speeds)
+          for (const RotatingMode &mode : at_speed.modes)
+            if (mode.description.nodal_diameter == 6)
+              stands = stands && !mode.description.is_pair && mode.description.forward == .5;
+        check("half the sectors: modes stand", stands);
+        // Four modes a diameter: alone, or two pairs, whose waves part with Coriolis forces.
+        unsigned int alone = 0, of_pairs = 0;
+        bool         is_complete = true;
+        for (const CampbellBranch &branch : make_branches(speeds))
+          {
+            alone += branch.nodal_diameter == 6;
+            of_pairs += branch.nodal_diameter == 3;
+            if (branch.nodal_diameter == 6)
+              is_complete =
+                is_complete && branch.rates.size() == 2 && branch.direction == "standing";
+          }
+        check("half the sectors: a branch each", alone == 4 && is_complete);
+        check("a branch a pair, or a wave", of_pairs == (coriolis ? 4 : 2));
+      }
   }
 
   /** Sectors lie about the mesh's z wherever the body is placed and in whichever sense it turns. */
@@ -191,4 +233,5 @@ int main(int argc, char **argv)
   disc(communicator);
   ring(communicator);
   sector_axes(communicator);
+  half_the_sectors(communicator);
 }

@@ -16,7 +16,7 @@ namespace vfife
     /** Waves that clearly travel; the bodies' unequal meshes may mix others. */
     std::string direction_of(const ModeDescription &description)
     {
-      if (description.nodal_diameter <= 0)
+      if (!description.is_pair)
         return "standing";
       return description.forward > .75   ? "forward"
              : description.forward < .25 ? "backward"
@@ -79,8 +79,7 @@ namespace vfife
     bool travelling = false;
     for (const ModesAtSpeed &at_speed : speeds)
       for (const RotatingMode &mode : at_speed.modes)
-        travelling = travelling || (mode.description.nodal_diameter > 0 &&
-                                    direction_of(mode.description) != "standing");
+        travelling = travelling || direction_of(mode.description) != "standing";
 
     std::map<std::tuple<int, std::string, unsigned int>, CampbellBranch> branches;
     for (const ModesAtSpeed &at_speed : speeds)
@@ -104,9 +103,9 @@ namespace vfife
             const int          n         = mode.description.nodal_diameter;
             const std::string  direction = direction_of(mode.description);
             const unsigned int count     = counts[{n, direction}]++;
-            // Standing modes with diameters come in pairs of one frequency: both are one branch,
-            // or the two waves of a body at rest whose waves differ at speed.
-            if (n <= 0 || direction != "standing")
+            // Standing modes of a pair have one frequency: both are one branch, or the two waves of
+            // a body at rest whose waves differ at speed.
+            if (!mode.description.is_pair || direction != "standing")
               add(mode, direction, count + 1);
             else if (count % 2 == 0 && !travelling)
               add(mode, direction, count / 2 + 1);

@@ -98,11 +98,12 @@ namespace vfife
             largest                    = plus + minus;
             positive                   = plus;
             description.nodal_diameter = h;
+            description.is_pair        = both;
           }
       }
     description.share = largest / energy.sum();
     // exp(i (h theta + omega t)) travels towards - theta.
-    if (description.nodal_diameter > 0)
+    if (description.is_pair)
       description.forward = 1. - positive / largest;
     unsigned int component;
     energy.maxCoeff(&component);

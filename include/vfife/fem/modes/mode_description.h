@@ -24,6 +24,9 @@ namespace vfife
     /** Part of the harmonic's energy that travels in the + sense about the axis, for a complex
      * shape u exp(i omega t); 1/2 for standing waves. */
     double forward = .5;
+    /** Whether the waves come in pairs, which travel to either side: with no diameter, and with as
+     * many as half the sectors, a mode is alone and stands. */
+    bool is_pair = false;
   };
 
   /** Describes modes of one body that is as a whole part of a discretization. */
