@@ -3,6 +3,7 @@
 #define vfife_tests_tests_h
 
 #include <cmath>
+#include <initializer_list>
 #include <iostream>
 #include <string>
 
@@ -28,6 +29,22 @@ inline void check_close(const std::string &name,
       std::cout << name << ": FAILED, " << value << " instead of " << reference << " within "
                 << tolerance << std::endl;
     }
+}
+
+/** The larger of two numbers, and NaN once there was one: std::max() drops it, and a largest error
+ * collected so would be "ok". */
+template <typename Number>
+Number largest_of(const Number first, const Number second)
+{
+  return second > first || !(second == second) ? second : first;
+}
+
+inline double largest_of(const std::initializer_list<double> numbers)
+{
+  double largest = *numbers.begin();
+  for (const double number : numbers)
+    largest = largest_of(largest, number);
+  return largest;
 }
 
 /** The measured number must be below the bound (and a number). */

@@ -69,11 +69,11 @@ void check_texts()
   double worst = 0.;
   for (const Unit &unit : known_units())
     for (double value = 1.2345678901234567e-9; value < 1e12; value *= 7.1)
-      worst = std::max(worst,
-                       std::abs(parse_quantity(quantity_text(value, unit.name) + " " + unit.name,
-                                               unit.name) /
-                                  value -
-                                1.));
+      worst = largest_of(worst,
+                         std::abs(parse_quantity(quantity_text(value, unit.name) + " " + unit.name,
+                                                 unit.name) /
+                                    value -
+                                  1.));
   check_below("texts of quantities read back", worst, 5e-16);
 
   bool exact = true;

@@ -70,12 +70,12 @@ namespace
         const GroupPairResult &result = contact.results().at(0);
         const double           scale  = result.normal_force;
         touching                      = touching && scale > 1. && result.friction_power > 0.;
-        force_error = std::max(force_error, (slave.force() + master.force()).norm() / scale);
+        force_error = largest_of(force_error, (slave.force() + master.force()).norm() / scale);
         moment_error =
-          std::max(moment_error, (slave.moment() + master.moment()).norm() / (100. * scale));
-        result_error = std::max({result_error,
-                                 (slave.force() - result.force).norm() / scale,
-                                 (slave.moment() - result.moment).norm() / (100. * scale)});
+          largest_of(moment_error, (slave.moment() + master.moment()).norm() / (100. * scale));
+        result_error = largest_of({result_error,
+                                   (slave.force() - result.force).norm() / scale,
+                                   (slave.moment() - result.moment).norm() / (100. * scale)});
         least_power  = std::min({least_power, result.damping_power, result.friction_power});
       }
     check(name + ": the surfaces touch", touching);
@@ -118,17 +118,17 @@ namespace
               }
             double largest = 0.;
             for (const double f : slave_forces)
-              largest = std::max(largest, std::abs(f));
+              largest = largest_of(largest, std::abs(f));
             for (unsigned int i = 0; i < slave_forces.size(); ++i)
-              error = std::max(error, std::abs(slave.forces[i] - slave_forces[i]) / largest);
+              error = largest_of(error, std::abs(slave.forces[i] - slave_forces[i]) / largest);
             for (unsigned int i = 0; i < master_forces.size(); ++i)
-              error = std::max(error, std::abs(master.forces[i] - master_forces[i]) / largest);
+              error = largest_of(error, std::abs(master.forces[i] - master_forces[i]) / largest);
             result_error =
-              std::max({result_error,
-                        (sum.force - result.force).norm() / result.normal_force,
-                        (sum.moment - result.moment).norm() / (200. * result.normal_force),
-                        std::abs(sum.energy / result.energy - 1.),
-                        std::abs(sum.area / result.area - 1.)});
+              largest_of({result_error,
+                          (sum.force - result.force).norm() / result.normal_force,
+                          (sum.moment - result.moment).norm() / (200. * result.normal_force),
+                          std::abs(sum.energy / result.energy - 1.),
+                          std::abs(sum.area / result.area - 1.)});
           }
       }
     check_below("shares of 2, 3, 4 ranks add up to the whole: nodal forces", error, 1e-14);

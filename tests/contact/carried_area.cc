@@ -79,9 +79,9 @@ namespace
               }
           }
         for (std::size_t k = 0; k < on_master.size(); ++k)
-          largest.first = std::max(largest.first, on_master[k] / master_bounds[k]);
+          largest.first = largest_of(largest.first, on_master[k] / master_bounds[k]);
         for (std::size_t k = 0; k < on_slave.size(); ++k)
-          largest.second = std::max(largest.second, on_slave[k] / slave_bounds[k]);
+          largest.second = largest_of(largest.second, on_slave[k] / slave_bounds[k]);
       }
     return largest;
   }
@@ -180,7 +180,7 @@ namespace
         // Anywhere inside, and with the heaviest point of a facet on the master's corner.
         for (const double place : {3., 3.1, 3.25, 3.5, 1e-6 - 0.5 * width})
           square =
-            std::max(square, largest_square(planes.press(0., {place, place}), slave, master));
+            largest_of(square, largest_square(planes.press(0., {place, place}), slave, master));
         std::ostringstream name;
         name << "slave of " << width << " mm: ";
         check(name.str() + "square of the frequency within the bound", square <= bound);

@@ -64,15 +64,15 @@ namespace
             x += N[k] * surface.positions[surface.facets[f][k]];
           const double expected = ramp(2. - x[1]) + ramp(x[0]) + ramp(6. - x[0]);
           const double value    = relief.value(f, xi, eta);
-          largest               = std::max(largest, value);
-          deviation             = std::max(deviation, std::abs(value - expected));
+          largest               = largest_of(largest, value);
+          deviation             = largest_of(deviation, std::abs(value - expected));
           const auto   slope    = relief.gradient(f, xi, eta);
           const double by_xi =
             (relief.value(f, xi + h, eta) - relief.value(f, xi - h, eta)) / (2. * h);
           const double by_eta =
             (relief.value(f, xi, eta + h) - relief.value(f, xi, eta - h)) / (2. * h);
           slope_deviation =
-            std::max({slope_deviation, std::abs(slope[0] - by_xi), std::abs(slope[1] - by_eta)});
+            largest_of({slope_deviation, std::abs(slope[0] - by_xi), std::abs(slope[1] - by_eta)});
         }
     check_below("relief of a plane: deviation from the sum over its edges [mm]", deviation, 1e-15);
     check_close("relief at a corner of two edges [mm]", largest, 2. * depth, 1e-15);
@@ -85,7 +85,7 @@ namespace
     const EdgeRelief all(surface, options_for(width, depth));
     double           low = 0.;
     for (unsigned int f = 0; f < surface.facets.size(); ++f)
-      low = std::max(low, all.value(f, 0.5, 0.5));
+      low = largest_of(low, all.value(f, 0.5, 0.5));
     // A corner facet of 0.5 mm has three corners on the border, so its centre is at a quarter of
     // that.
     check_close("without numbers the whole border is one edge [mm]", low, ramp(0.125), 1e-15);
@@ -167,11 +167,11 @@ namespace
       for (unsigned int i = 0; i < 20; ++i)
         {
           place.translation = Vector3(2.7 + 0.2 * uniform(random), 0.8 + 0.2 * uniform(random), 0.);
-          worst             = std::max(worst, shift_error(bodies, place));
+          worst             = largest_of(worst, shift_error(bodies, place));
           bodies.slave.place(place);
           bodies.compute();
           const Vector3 f = bodies.slave.force();
-          tangential      = std::max(tangential, std::hypot(f[0], f[1]) / f[2]);
+          tangential      = largest_of(tangential, std::hypot(f[0], f[1]) / f[2]);
         }
       // Second derivatives jump where a point comes under the relief or under pressure; points that
       // leave the border at a relief below the depth jump: the slave's own relief keeps them open.
@@ -188,7 +188,7 @@ namespace
           place.rotation = rotation_about(Vector3::UnitY(), 0.235 + 0.008 * uniform(random)) *
                            rotation_about(Vector3::UnitX(), 0.1 * uniform(random));
           place.translation = place.rotation * Vector3(0., 0., 80. - 0.01);
-          worst             = std::max(worst, shift_error(bodies, place));
+          worst             = largest_of(worst, shift_error(bodies, place));
         }
       check_below("spheres at the border: force against differences of the energy", worst, 1e-3);
     }
@@ -221,9 +221,9 @@ namespace
             const double gap   = depth * t * t - penetration;
             if (relieved)
               deviation =
-                std::max(deviation,
-                         std::abs(force - (d > 0. ? std::max(0., -gap / penetration) : 0.)));
-            step = std::max(step, std::abs(force - last / full));
+                largest_of(deviation,
+                           std::abs(force - (d > 0. ? std::max(0., -gap / penetration) : 0.)));
+            step = largest_of(step, std::abs(force - last / full));
             last = force * full;
           }
         const std::string name = relieved ? "relieved tip" : "sharp tip";

@@ -36,11 +36,11 @@ namespace
         tangent_error =
           std::max(tangent_error,
                    std::abs((high.pressure - low.pressure) / (2. * step) / here.tangent - 1.));
-        steepest = std::max(steepest, here.tangent / penalty);
-        scaling  = std::max({scaling,
-                             std::abs(twice.pressure / here.pressure - 2.),
-                             std::abs(twice.energy / here.energy - 2.),
-                             std::abs(twice.tangent / here.tangent - 2.)});
+        steepest = largest_of(steepest, here.tangent / penalty);
+        scaling  = largest_of({scaling,
+                               std::abs(twice.pressure / here.pressure - 2.),
+                               std::abs(twice.energy / here.energy - 2.),
+                               std::abs(twice.tangent / here.tangent - 2.)});
         grows    = grows && here.pressure > before;
         before   = here.pressure;
       }

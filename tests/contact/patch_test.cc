@@ -118,8 +118,8 @@ namespace
           u_e[a] = u[dofs[a]];
         for (const Vector3 &x : gauss_points())
           error =
-            std::max(error,
-                     std::abs(youngs_modulus * (strain_matrix(edges, x) * u_e)[2] + pressure));
+            largest_of(error,
+                       std::abs(youngs_modulus * (strain_matrix(edges, x) * u_e)[2] + pressure));
       });
       return error;
     }
@@ -223,7 +223,8 @@ namespace
         change = du.lpNorm<Eigen::Infinity>();
       }
     check("equilibrium", change < 1e-10);
-    return std::max(upper.stress_error(u.head(n_upper)), lower.stress_error(u.tail(n - n_upper))) /
+    return largest_of(upper.stress_error(u.head(n_upper)),
+                      lower.stress_error(u.tail(n - n_upper))) /
            pressure;
   }
 

@@ -27,7 +27,7 @@ namespace
           double sum = 0.;
           for (unsigned int i = 0; i < n; ++i)
             sum += weights[i] * std::pow(points[i], degree);
-          largest = std::max(largest, std::abs(sum - 1. / (degree + 1.)));
+          largest = largest_of(largest, std::abs(sum - 1. / (degree + 1.)));
         }
     check_below("Gauss rules integrate degree 2n-1", largest, 1e-14);
 
@@ -70,7 +70,7 @@ namespace
           std::max({-xi, xi - 1., -eta, eta - 1.}); // beyond the border; its tolerance is 1e-3
         const bool in = out <= 1e-3;
         all_good      = all_good && project_walking(geometry, x, p) && p.inside == in;
-        largest       = std::max(
+        largest       = largest_of(
           {largest, std::abs(p.xi - xi), std::abs(p.eta - eta), std::abs(p.lambda - lambda)});
       }
     check("points over a twisted facet are found inside or outside as they are", all_good);
@@ -106,11 +106,11 @@ namespace
           all_found = all_found && project_walking(g, x, p) && p.inside;
           const Vector3 n = g.state(p.facet).normal(p.xi, p.eta).normalized();
           const Vector3 r = x - g.state(p.facet).position(p.xi, p.eta);
-          offline         = std::max(offline, r.cross(n).norm());
+          offline         = largest_of(offline, r.cross(n).norm());
           return r.dot(n) - g.offset(p.facet, p.xi, p.eta);
         };
-        gap_error  = std::max(gap_error, std::abs(gap(geometry) - height));
-        flat_error = std::max(flat_error, std::abs(gap(facets) - height));
+        gap_error  = largest_of(gap_error, std::abs(gap(geometry) - height));
+        flat_error = largest_of(flat_error, std::abs(gap(facets) - height));
       }
     check("all points over the sphere are found from any facet", all_found);
     // 1e-6 of the radius was asked for; interpolation of the offsets leaves far less
@@ -133,7 +133,7 @@ namespace
     geometry.bind(moving.motion());
     double largest = 0.;
     for (unsigned int f = 0; f < surface.facets.size(); ++f)
-      largest = std::max(
+      largest = largest_of(
         largest,
         (geometry.state(f).m[0] - motion.rotation * surface.normals[surface.facets[f][0]]).norm());
     check_below("nodal normals after a rigid motion are the true ones, rotated", largest, 1e-14);
@@ -148,9 +148,9 @@ namespace
     for (unsigned int f = 0; f < surface.facets.size(); ++f)
       {
         Vector3 n = surface.normals[surface.facets[f][0]];
-        kept      = std::max(kept, (n - Vector3(n[0], n[1], n[2] / 1.1).normalized()).norm());
+        kept      = largest_of(kept, (n - Vector3(n[0], n[1], n[2] / 1.1).normalized()).norm());
         n         = Vector3(n[0], n[1], n[2] / 1.1).normalized();
-        followed  = std::max(followed, (geometry.state(f).m[0] - n).norm());
+        followed  = largest_of(followed, (geometry.state(f).m[0] - n).norm());
       }
     // at the border the facets lie on one side only, and their difference to the true normal is not
     // stretched: an error of the stretch times half a facet's angle, 0.1 * 0.033, against the

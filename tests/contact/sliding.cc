@@ -65,11 +65,11 @@ namespace
         master.clear_forces();
         add_forces(contact, slave, master);
         const double force = slave.force().dot(along);
-        ripple.deviation   = std::max(ripple.deviation, std::abs(force / reference - 1.));
+        ripple.deviation   = largest_of(ripple.deviation, std::abs(force / reference - 1.));
         if (last >= 0.)
-          ripple.step = std::max(ripple.step, std::abs(force - last) / reference);
+          ripple.step = largest_of(ripple.step, std::abs(force - last) / reference);
         last    = force;
-        largest = std::max(largest, force);
+        largest = largest_of(largest, force);
         least   = std::min(least, force);
       }
     ripple.spread = (largest - least) / (largest + least);
@@ -159,8 +159,8 @@ namespace
             slave.clear_forces();
             add_forces(contact, slave, master);
             const double force = slave.force()[2];
-            step               = std::max(step, std::abs(force - last) / full);
-            slope_step         = std::max(slope_step, std::abs(force - last - last_slope) / full);
+            step               = largest_of(step, std::abs(force - last) / full);
+            slope_step         = largest_of(slope_step, std::abs(force - last - last_slope) / full);
             last_slope         = force - last;
             last               = force;
             if (motion.translation[0] > 1. + 2e-3)

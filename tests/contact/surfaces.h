@@ -251,8 +251,8 @@ namespace test_surfaces
           work += 0.5 * (slave.forces[k] + forces[k]) * (slave.positions[k] - positions[k]);
         if (i == 0)
           first = energy;
-        most      = std::max(most, energy);
-        residual  = std::max(residual, std::abs(work + energy - first));
+        most      = largest_of(most, energy);
+        residual  = largest_of(residual, std::abs(work + energy - first));
         positions = slave.positions;
         forces    = slave.forces;
       }

@@ -108,7 +108,7 @@ int main()
           check(what + ": the flanks touch everywhere", lags.size() == exact.size());
           double difference = 0.;
           for (std::size_t i = 0; i < lags.size(); ++i)
-            difference = std::max(difference, std::abs(lags[i] - exact[i]));
+            difference = largest_of(difference, std::abs(lags[i] - exact[i]));
           check_below(what + ": difference from the generated flanks [arcsec]", difference, bound);
         }
     }

@@ -70,7 +70,7 @@ int main(int argc, char **argv)
       if (frame == FrameKind::polar)
         {
           // Round-off of some 500 steps.
-          check_below("polar: leak of angular momentum", std::max(one.leak, other.leak), 1e-12);
+          check_below("polar: leak of angular momentum", largest_of(one.leak, other.leak), 1e-12);
           check_below("polar: numbering [mm]", difference, 1e-10);
         }
       else

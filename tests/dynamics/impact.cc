@@ -61,10 +61,11 @@ namespace
           velocity[b] = p[0] / mass;
           total += p;
         }
-      momentum = std::max(momentum, std::abs(total[0] / (mass * speed) - 1));
-      sideways = std::max(sideways, total.tail<2>().norm() / (mass * speed));
+      momentum = largest_of(momentum, std::abs(total[0] / (mass * speed) - 1));
+      sideways = largest_of(sideways, total.tail<2>().norm() / (mass * speed));
       energy =
-        std::max(energy, std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
+        largest_of(energy,
+                   std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
       const double force = state.measured.contact_force;
       if (first_touch < 0)
         (force > 0 ? scale_at_touch : scale_in_flight) = state.measured.energy.scale;

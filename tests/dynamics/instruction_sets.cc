@@ -47,7 +47,7 @@ namespace
   {
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
-      largest = std::max(largest, std::abs(a[i] - b[i]));
+      largest = largest_of(largest, std::abs(a[i] - b[i]));
     return largest;
   }
 

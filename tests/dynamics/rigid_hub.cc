@@ -48,7 +48,7 @@ namespace
     auto         observers = watch(10, [&](const State &state) {
       // Velocities are half a step back; the first half step adds half of an impulse.
       const double expected = rate + torque * state.time / body.axial_inertia();
-      wrong = std::max(wrong, std::abs(state.measured.body_rates[0] - expected) / rate);
+      wrong = largest_of(wrong, std::abs(state.measured.body_rates[0] - expected) / rate);
     });
     run.solver.run(run.state, steps * run.state.dt, observers);
 
@@ -66,8 +66,8 @@ namespace
         const double angle =
           std::atan2(start[0] * now[1] - start[1] * now[0], start[0] * now[0] + start[1] * now[1]);
         least  = std::min(least, angle);
-        most   = std::max(most, angle);
-        radius = std::max(radius, std::abs(now.head<2>().norm() / start.head<2>().norm() - 1));
+        most   = largest_of(most, angle);
+        radius = largest_of(radius, std::abs(now.head<2>().norm() / start.head<2>().norm() - 1));
       }
     // The rate belongs to the middle of a step: half of its gain, and the sums' round-off.
     check_below("rate follows the torque",

@@ -49,7 +49,7 @@ namespace
     const auto &masses    = run.solver.vfife_operator().masses();
     auto        observers = watch(1, [&](const State &state) {
       const double force = state.measured.contact_force;
-      largest            = std::max(largest, force);
+      largest            = largest_of(largest, force);
       impulse += force * state.dt;
       if (force > 0)
         {
@@ -61,8 +61,9 @@ namespace
         p += masses[i] * state.node_velocity(i)[2];
       velocity = p / mass;
       energy =
-        std::max(energy, std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
-      error = std::max(error, std::abs(state.measured.energy.error()));
+        largest_of(energy,
+                   std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
+      error = largest_of(error, std::abs(state.measured.energy.error()));
     });
     run.solver.run(run.state, 1.3 * duration + gap / speed, observers);
 

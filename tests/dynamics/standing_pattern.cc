@@ -78,9 +78,9 @@ int main(int argc, char **argv)
   for (unsigned int n = 0; n < body.n_nodes(); ++n)
     {
       const std::uint32_t i = run.state.partition->local_node[n];
-      largest               = std::max(largest, velocity[n].norm());
-      wrong_velocity        = std::max(wrong_velocity, (velocities.value(i) - velocity[n]).norm());
-      wrong_force = std::max(wrong_force, (forces.value(i) + 2. * acceleration[n]).norm());
+      largest               = largest_of(largest, velocity[n].norm());
+      wrong_velocity = largest_of(wrong_velocity, (velocities.value(i) - velocity[n]).norm());
+      wrong_force    = largest_of(wrong_force, (forces.value(i) + 2. * acceleration[n]).norm());
     }
   // error of the fourth-order differences, (waves h)^4/30 with h = 2 pi/27
   const double error = std::pow(waves * 2. * pi / 27., 4) / 30.;

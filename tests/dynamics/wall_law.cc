@@ -37,15 +37,15 @@ int main(int argc, char **argv)
         const double depth = wall.point[0] - state.node_position(i)[0];
         if (depth > 0)
           points.push_back({depth, penalty * width * width / 4});
-        deepest = std::max(deepest, depth);
+        deepest = largest_of(deepest, depth);
       }
     law.evaluate(points);
     double force = 0;
     for (const PressedPoint &point : points)
       force += point.pressure;
-    force_error   = std::max(force_error, std::abs(state.measured.contact_force - force));
-    largest_force = std::max(largest_force, force);
-    residual      = std::max(residual, std::abs(state.measured.energy.residual()));
+    force_error   = largest_of(force_error, std::abs(state.measured.contact_force - force));
+    largest_force = largest_of(largest_force, force);
+    residual      = largest_of(residual, std::abs(state.measured.energy.residual()));
   });
   run.solver.run(run.state, 1.5e-4, observers);
 

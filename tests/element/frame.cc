@@ -83,7 +83,7 @@ namespace
             }
           const double derivative =
             (energy[0] - 8. * energy[1] + 8. * energy[2] - energy[3]) / (12. * h);
-          defect = std::max(defect, std::abs(derivative + f(i, a)));
+          defect = largest_of(defect, std::abs(derivative + f(i, a)));
         }
     return defect / f.cwiseAbs().maxCoeff();
   }
@@ -104,25 +104,26 @@ namespace
         const Matrix3         Q     = samples.rotation();
         const HexahedronNodes moved = (Q * X).colwise() + 10. * samples.vector();
         rotation_error =
-          std::max(rotation_error, (compute_frame(frame, X, moved) - Q).cwiseAbs().maxCoeff());
+          largest_of(rotation_error, (compute_frame(frame, X, moved) - Q).cwiseAbs().maxCoeff());
         rigid =
-          std::max({rigid,
-                    element.forces(moved).cwiseAbs().maxCoeff() / scale,
-                    compute_internal_forces(K, X, moved, frame).cwiseAbs().maxCoeff() / scale});
+          largest_of({rigid,
+                      element.forces(moved).cwiseAbs().maxCoeff() / scale,
+                      compute_internal_forces(K, X, moved, frame).cwiseAbs().maxCoeff() / scale});
         unsigned int order = 0;
         for (const double strain : {1e-3, 1e-2})
           {
             const HexahedronNodes x =
               (Q * (X + samples.displacement(0.5 * strain))).colwise() - Q * X.col(0);
             const HexahedronNodes f = element.forces(x);
-            force_sum               = std::max(force_sum,
-                                 f.rowwise().sum().cwiseAbs().maxCoeff() / f.cwiseAbs().maxCoeff());
-            const Matrix3 turn      = samples.rotation();
-            objectivity             = std::max(objectivity,
-                                   (element.forces(turn * x) - turn * f).cwiseAbs().maxCoeff() /
-                                     f.cwiseAbs().maxCoeff());
-            moment[order]           = std::max(moment[order], moment_defect(x, f));
-            derivative[order]       = std::max(derivative[order], derivative_defect(element, x));
+            force_sum =
+              largest_of(force_sum,
+                         f.rowwise().sum().cwiseAbs().maxCoeff() / f.cwiseAbs().maxCoeff());
+            const Matrix3 turn = samples.rotation();
+            objectivity        = largest_of(objectivity,
+                                     (element.forces(turn * x) - turn * f).cwiseAbs().maxCoeff() /
+                                       f.cwiseAbs().maxCoeff());
+            moment[order]      = largest_of(moment[order], moment_defect(x, f));
+            derivative[order]  = largest_of(derivative[order], derivative_defect(element, x));
             ++order;
           }
       }
@@ -137,10 +138,10 @@ namespace
     check_below(name + "forces turn with the element", objectivity, 1e-10);
     if (frame == FrameKind::polar)
       {
-        check_below(name + "moments sum to zero", std::max(moment[0], moment[1]), 1e-10);
+        check_below(name + "moments sum to zero", largest_of(moment[0], moment[1]), 1e-10);
         // Round-off of the energy over the step of the difference formula.
         check_below(name + "force is the derivative of the energy",
-                    std::max(derivative[0], derivative[1]),
+                    largest_of(derivative[0], derivative[1]),
                     1e-8);
       }
     else
@@ -181,13 +182,13 @@ namespace
             by_frame[row]         = f;
             for (unsigned int a = 0; a < 8; ++a)
               difference[row] =
-                std::max(difference[row],
-                         (other.col(a) - f.col(renumbered[a])).cwiseAbs().maxCoeff() /
-                           f.cwiseAbs().maxCoeff());
+                largest_of(difference[row],
+                           (other.col(a) - f.col(renumbered[a])).cwiseAbs().maxCoeff() /
+                             f.cwiseAbs().maxCoeff());
           }
-        between_frames = std::max(between_frames,
-                                  (by_frame[0] - by_frame[1]).cwiseAbs().maxCoeff() /
-                                    by_frame[0].cwiseAbs().maxCoeff());
+        between_frames = largest_of(between_frames,
+                                    (by_frame[0] - by_frame[1]).cwiseAbs().maxCoeff() /
+                                      by_frame[0].cwiseAbs().maxCoeff());
       }
     if (verbose)
       std::cout << "numbering " << difference[0] << ' ' << difference[1] << " between frames "
@@ -218,7 +219,7 @@ namespace
               samples.rotation() * (X + stretch * X + samples.displacement(0.1 * strain));
             const Matrix24        K        = compute_stiffness(X, Material(), kind);
             const HexahedronNodes expected = compute_internal_forces(K, X, x, FrameKind::polar);
-            error                          = std::max(
+            error                          = largest_of(
               error,
               (KernelElement(X, FrameKind::polar).forces(x) - expected).cwiseAbs().maxCoeff() /
                 expected.cwiseAbs().maxCoeff());

@@ -23,7 +23,7 @@ int main()
   double interpolation = 0.;
   for (unsigned int a = 0; a < 8; ++a)
     interpolation =
-      std::max(interpolation, (X * shape_functions(reference_corner(a)) - X.col(a)).norm());
+      largest_of(interpolation, (X * shape_functions(reference_corner(a)) - X.col(a)).norm());
   check_below("shape functions interpolate the nodes", interpolation, 1e-13);
   const double    h = 1e-5;
   HexahedronNodes difference;

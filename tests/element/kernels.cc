@@ -60,7 +60,7 @@ namespace
           }
         x[e] = (samples.rotation() * (X[e] + samples.displacement(0.5 * strain))).colwise() +
                samples.vector();
-        largest_coordinate = std::max(largest_coordinate, x[e].cwiseAbs().maxCoeff());
+        largest_coordinate = largest_of(largest_coordinate, x[e].cwiseAbs().maxCoeff());
         for (unsigned int a = 0; a < 8; ++a)
           {
             packs.set_node(pack, lane, a, 8 * e + a);
@@ -99,19 +99,20 @@ namespace
         const double          scale    = K[e].cwiseAbs().maxCoeff() * largest_coordinate;
         for (unsigned int a = 0; a < 8; ++a)
           differences.force =
-            std::max(differences.force,
-                     (SamplePacks::at(forces, 8 * e + a) - Vector3::Ones() - expected.col(a))
-                         .cwiseAbs()
-                         .maxCoeff() /
-                       scale);
+            largest_of(differences.force,
+                       (SamplePacks::at(forces, 8 * e + a) - Vector3::Ones() - expected.col(a))
+                           .cwiseAbs()
+                           .maxCoeff() /
+                         scale);
         double least = std::numeric_limits<double>::infinity();
         for (unsigned int a = 0; a < 8; ++a)
           least = std::min(least, compute_jacobian(x[e], reference_corner(a)).determinant());
-        differences.jacobian = std::max(differences.jacobian, std::abs(jacobians[e] / least - 1.));
+        differences.jacobian =
+          largest_of(differences.jacobian, std::abs(jacobians[e] / least - 1.));
         differences.energy =
-          std::max(differences.energy,
-                   std::abs(energies[e] - compute_strain_energy(K[e], X[e], x[e], frame)) /
-                     (scale * strain));
+          largest_of(differences.energy,
+                     std::abs(energies[e] - compute_strain_energy(K[e], X[e], x[e], frame)) /
+                       (scale * strain));
       }
     return differences;
   }
@@ -144,7 +145,7 @@ namespace
     double                difference = 0.;
     for (unsigned int a = 0; a < 8; ++a)
       difference =
-        std::max(difference, (SamplePacks::at(forces, a) - 8. * f.col(a)).cwiseAbs().maxCoeff());
+        largest_of(difference, (SamplePacks::at(forces, a) - 8. * f.col(a)).cwiseAbs().maxCoeff());
     return difference / f.cwiseAbs().maxCoeff();
   }
 
@@ -183,10 +184,10 @@ int main(int argc, char **)
             for (const bool shared : {false, true})
               {
                 const Differences d = compare(set, frame, shared, 1e-3);
-                worst.force         = std::max(worst.force, d.force);
-                worst.energy        = std::max(worst.energy, d.energy);
-                worst.jacobian      = std::max(worst.jacobian, d.jacobian);
-                large_strain = std::max(large_strain, compare(set, frame, shared, 2e-2).force);
+                worst.force         = largest_of(worst.force, d.force);
+                worst.energy        = largest_of(worst.energy, d.energy);
+                worst.jacobian      = largest_of(worst.jacobian, d.jacobian);
+                large_strain = largest_of(large_strain, compare(set, frame, shared, 2e-2).force);
               }
             repeated = shared_nodes(set);
           }

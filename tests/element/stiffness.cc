@@ -54,19 +54,20 @@ namespace
         sigma << stress[0], stress[3], stress[5], stress[3], stress[1], stress[4], stress[5],
           stress[4], stress[2];
         const HexahedronNodes expected = compute_volume(X) * sigma * compute_mean_gradients(X);
-        patch = std::max(patch, largest(K * flat(u) - flat(expected)) / (largest(K) * largest(u)));
+        patch =
+          largest_of(patch, largest(K * flat(u) - flat(expected)) / (largest(K) * largest(u)));
         const auto recovered = compute_nodal_stresses(X, X + u, material, kind, FrameKind::polar);
         stress_error =
-          std::max(stress_error, largest(recovered.colwise() - stress) / largest(stress));
+          largest_of(stress_error, largest(recovered.colwise() - stress) / largest(stress));
 
         identity =
-          std::max(identity,
-                   largest(K - expand(compute_reduced_stiffness(X, material, kind), material)) /
-                     largest(K));
-        symmetry = std::max(symmetry, largest(K - K.transpose()) / largest(K));
+          largest_of(identity,
+                     largest(K - expand(compute_reduced_stiffness(X, material, kind), material)) /
+                       largest(K));
+        symmetry = largest_of(symmetry, largest(K - K.transpose()) / largest(K));
         const Eigen::SelfAdjointEigenSolver<Matrix24> solver(K, Eigen::EigenvaluesOnly);
         const auto                                   &eigenvalues = solver.eigenvalues();
-        largest_zero   = std::max(largest_zero, largest(eigenvalues.head<6>()) / eigenvalues[23]);
+        largest_zero   = largest_of(largest_zero, largest(eigenvalues.head<6>()) / eigenvalues[23]);
         least_positive = std::min(least_positive, eigenvalues[6] / eigenvalues[23]);
       }
     // Round-off of coordinates of 60 mm beside sides of 1 mm.
@@ -128,7 +129,7 @@ namespace
       {
         Stress exact = Stress::Zero();
         exact[0]     = -E * kappa * X(1, a);
-        error        = std::max(error, largest(stresses.col(a) - exact));
+        error        = largest_of(error, largest(stresses.col(a) - exact));
       }
     // Turning the frame and squares of strains leave the order of kappa L / 2 = 1e-5.
     check_below("incompatible modes: bending stress at the nodes",

@@ -35,9 +35,9 @@ int main(int argc, char **argv)
       const ModesAtSpeed single     = RotatingBody(model, 0, options, alone).find_modes(wheel.rate);
       double             difference = 0;
       for (unsigned int k = 0; k < options.n_modes; ++k)
-        difference = std::max(difference,
-                              std::abs(together.modes[k].frequency - single.modes[k].frequency) /
-                                single.modes.back().frequency);
+        difference = largest_of(difference,
+                                std::abs(together.modes[k].frequency - single.modes[k].frequency) /
+                                  single.modes.back().frequency);
       // The first one is the rotation, zero to the square root of round-off.
       check_below(cyclic ? "frequencies, one sector" : "frequencies, body", difference, 1e-6);
     }
@@ -54,8 +54,8 @@ int main(int argc, char **argv)
       for (std::size_t i = 0; i < single.displacements.size(); ++i)
         {
           difference =
-            std::max(difference, std::abs(together.displacements[i] - single.displacements[i]));
-          largest = std::max(largest, std::abs(single.displacements[i]));
+            largest_of(difference, std::abs(together.displacements[i] - single.displacements[i]));
+          largest = largest_of(largest, std::abs(single.displacements[i]));
         }
       // Multigrid solves to 1e-10 of the load.
       check_below("displacements", difference / largest, 1e-7);

@@ -134,10 +134,10 @@ namespace
           for (unsigned int k = 0; k < n; ++k)
             {
               const RotatingMode &a = all.modes[k], &b = parts.modes[k];
-              difference =
-                std::max(difference, std::abs(a.frequency - b.frequency) / all.modes[n].frequency);
-              residual = std::max({residual, a.residual, b.residual});
-              same     = same && a.description.nodal_diameter == b.description.nodal_diameter &&
+              difference = largest_of(difference,
+                                      std::abs(a.frequency - b.frequency) / all.modes[n].frequency);
+              residual   = largest_of({residual, a.residual, b.residual});
+              same       = same && a.description.nodal_diameter == b.description.nodal_diameter &&
                      a.description.is_pair == b.description.is_pair;
               // Members of a pair that stands may be told apart in any way.
               if (coriolis && rate != 0)

@@ -89,9 +89,9 @@ namespace
           x.minCoeff() < 1e-9 || x[0] > 2. - 1e-9 || x[1] > 1.5 - 1e-9 || x[2] > 1. - 1e-9;
         for (unsigned int c = 0; c < 3; ++c)
           {
-            largest = std::max(largest, std::abs(forces[3 * p + c]));
+            largest = largest_of(largest, std::abs(forces[3 * p + c]));
             if (!on_border)
-              inner = std::max(inner, std::abs(forces[3 * p + c]));
+              inner = largest_of(inner, std::abs(forces[3 * p + c]));
           }
       }
     const Matrix3 strain = .5 * (gradient + gradient.transpose());
@@ -101,13 +101,13 @@ namespace
     exact            = compute_elasticity(d.material(0)) * exact;
     double deviation = 0;
     for (unsigned int e = 0; e < d.n_elements(); ++e)
-      deviation =
-        std::max(deviation,
-                 (compute_point_stresses(d.element_nodes(e), d.material(e), element, d.gather(e, u))
-                    .colwise() -
-                  exact)
-                   .cwiseAbs()
-                   .maxCoeff());
+      deviation = largest_of(
+        deviation,
+        (compute_point_stresses(d.element_nodes(e), d.material(e), element, d.gather(e, u))
+           .colwise() -
+         exact)
+          .cwiseAbs()
+          .maxCoeff());
     const std::string name = word_of(element, fem_element_choices());
     // Round-off of sums of some hundred terms.
     check_below("patch test, forces inside, " + name, inner / largest, 1e-12);

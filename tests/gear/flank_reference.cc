@@ -53,17 +53,17 @@ void check_reference(const std::string      &name,
       {
         const auto          &n     = row.numbers; // i,j,L,h,t,phi,s,x,y,z,nx,ny,nz
         const GeneratedPoint point = flank.point_at(n[2], n[3]);
-        position                   = std::max(position, distance(n, 7, point.position));
-        normal                     = std::max(normal, distance(n, 10, point.normal));
-        parameters = std::max(parameters, distance(n, 4, {point.t, point.phi, point.s}));
+        position                   = largest_of(position, distance(n, 7, point.position));
+        normal                     = largest_of(normal, distance(n, 10, point.normal));
+        parameters = largest_of(parameters, distance(n, 4, {point.t, point.phi, point.s}));
       }
   for (const Row &row : fillet_rows)
     if (row.flank == name)
       {
         const auto          &n     = row.numbers; // L,lambda,t,phi,x,y,z,nx,ny,nz
         const GeneratedPoint point = flank.fillet_at(n[0], n[1]);
-        fillet                     = std::max(fillet, distance(n, 4, point.position));
-        fillet_normal              = std::max(fillet_normal, distance(n, 7, point.normal));
+        fillet                     = largest_of(fillet, distance(n, 4, point.position));
+        fillet_normal              = largest_of(fillet_normal, distance(n, 7, point.normal));
       }
   // the tables are rounded to 1e-9 mm in positions and in h, 1e-12 in normals
   check_below(name + " position [mm]", position, 1e-8);
@@ -86,16 +86,16 @@ void check_consistency(const std::string &name, const Flank &flank)
       (of_normal ? Vector3(up.normal - down.normal) : Vector3(up.position - down.position)) /
       (2 * e));
   };
-  const double derivative = std::max({(by(e, 0, false) - surface.position_t).norm(),
-                                      (by(0, e, false) - surface.position_phi).norm(),
-                                      (by(e, 0, true) - surface.normal_t).norm(),
-                                      (by(0, e, true) - surface.normal_phi).norm()});
+  const double derivative = largest_of({(by(e, 0, false) - surface.position_t).norm(),
+                                        (by(0, e, false) - surface.position_phi).norm(),
+                                        (by(e, 0, true) - surface.normal_t).norm(),
+                                        (by(0, e, true) - surface.normal_phi).norm()});
   check_below(name + " derivatives [mm/rad]", derivative, 1e-6);
 
   // the flank is tangent to its normal and joins the fillet without a kink
   check_below(name + " normal is normal [mm/rad]",
-              std::max(std::abs(surface.position_t.dot(surface.point.normal)),
-                       std::abs(surface.position_phi.dot(surface.point.normal))),
+              largest_of(std::abs(surface.position_t.dot(surface.point.normal)),
+                         std::abs(surface.position_phi.dot(surface.point.normal))),
               1e-11);
   const GeneratedPoint end   = flank.fillet_at(116.49, pi / 2 - flank.settings().blade_angle);
   const Vector2        L_h   = flank.cone_coordinates(end.position);

@@ -126,22 +126,20 @@ Differences compare(const MachineSettings &settings, const Blank &blank)
         {
           const GeneratedPoint point =
             flank.point_at(L, -blank.dedendum(L) + y * (blank.addendum(L) + blank.dedendum(L)));
-          largest.flank =
-            std::max(largest.flank,
-                     std::abs(
-                       distance_from_envelope(point.position, point.normal, [&](const Vector3 &p) {
-                         return MovingCutter(settings, point.phi).least_distance_from_blade(p);
-                       })));
+          largest.flank = largest_of(
+            largest.flank,
+            std::abs(distance_from_envelope(point.position, point.normal, [&](const Vector3 &p) {
+              return MovingCutter(settings, point.phi).least_distance_from_blade(p);
+            })));
         }
       for (const double lambda : {0.3, 1.})
         {
           const GeneratedPoint point = flank.fillet_at(L, lambda);
-          largest.fillet =
-            std::max(largest.fillet,
-                     std::abs(
-                       distance_from_envelope(point.position, point.normal, [&](const Vector3 &p) {
-                         return MovingCutter(settings, point.phi).least_distance_from_edge(p);
-                       })));
+          largest.fillet             = largest_of(
+            largest.fillet,
+            std::abs(distance_from_envelope(point.position, point.normal, [&](const Vector3 &p) {
+              return MovingCutter(settings, point.phi).least_distance_from_edge(p);
+            })));
         }
     }
   return largest;
@@ -159,11 +157,11 @@ void check_derivatives(const std::string &name, const MachineSettings &settings,
                        down_t    = flank.evaluate(point.t - step, point.phi),
                        up_phi    = flank.evaluate(point.t, point.phi + step),
                        down_phi  = flank.evaluate(point.t, point.phi - step);
-  const double difference =
-    std::max({((up_t.position - down_t.position) / (2. * step) - exact.position_t).norm(),
-              ((up_phi.position - down_phi.position) / (2. * step) - exact.position_phi).norm(),
-              100. * ((up_t.normal - down_t.normal) / (2. * step) - exact.normal_t).norm(),
-              100. * ((up_phi.normal - down_phi.normal) / (2. * step) - exact.normal_phi).norm()});
+  const double difference        = largest_of(
+    {((up_t.position - down_t.position) / (2. * step) - exact.position_t).norm(),
+            ((up_phi.position - down_phi.position) / (2. * step) - exact.position_phi).norm(),
+            100. * ((up_t.normal - down_t.normal) / (2. * step) - exact.normal_t).norm(),
+            100. * ((up_phi.normal - down_phi.normal) / (2. * step) - exact.normal_phi).norm()});
   check_below(name + ": derivatives", difference, 1e-5);
 }
 

@@ -19,19 +19,19 @@ void check_lag(const GearPair &pair, const UnloadedContact &drive)
       const double               rot1  = drive.reference() + p * drive.pitch();
       const UnloadedContactPoint point = drive.contact(rot1, 0);
       const double               fit   = 7.199 * p * p + 0.757 * p * p * p - 0.008 * p * p * p * p;
-      worst                            = std::max(worst, std::abs(point.lag / arcsecond - fit));
+      worst                            = largest_of(worst, std::abs(point.lag / arcsecond - fit));
       const RigidMotion one = pair.pinion_placement(rot1), other = pair.gear_placement(point.rot2);
-      worst_geometry =
-        std::max({worst_geometry,
-                  (one(point.pinion.position) - other(point.gear.position)).norm(),
-                  (one.rotation * point.pinion.normal + other.rotation * point.gear.normal).norm(),
-                  (one(point.pinion.position) - point.position).norm()});
+      worst_geometry = largest_of(
+        {worst_geometry,
+         (one(point.pinion.position) - other(point.gear.position)).norm(),
+         (one.rotation * point.pinion.normal + other.rotation * point.gear.normal).norm(),
+         (one(point.pinion.position) - point.position).norm()});
       if (std::abs(p) < 0.81)
         {
           // start the search well beside the point of contact
           const double rot2 =
             gap_search(pair, MeshSide::drive, rot1, point.pinion_L_h + Vector2(0.8, -0.2));
-          worst_search = std::max(worst_search, std::abs(rot2 - point.rot2) / arcsecond);
+          worst_search = largest_of(worst_search, std::abs(rot2 - point.rot2) / arcsecond);
         }
     }
   check_below("lag against the recipe's polynomial [arcsec]", worst, 0.01);

@@ -175,8 +175,9 @@ subsection Lumped
     double largest = 0;
     samples        = 0;
     solver.run(model.swing_rate() / (2 * pi), [&](const LumpedSolver::Sample &s) {
-      largest = std::max(largest,
-                         std::abs((s.q[0] - rest) / swing - std::cos(model.swing_rate() * s.time)));
+      largest =
+        largest_of(largest,
+                   std::abs((s.q[0] - rest) / swing - std::cos(model.swing_rate() * s.time)));
       ++samples;
     });
     return largest;

@@ -129,7 +129,7 @@ namespace
         return;
       double s = 3 * T / k, s_rate = 0;
       pieces.run(m.time, 1e-3 / W, s, s_rate);
-      difference = std::max(difference, std::abs(a - m.q[0] - s) / (T / k));
+      difference = largest_of(difference, std::abs(a - m.q[0] - s) / (T / k));
     });
     check("flanks part often", r.losses >= 10);
     // Steps over kinks are of first order in their length only, and controlled to 1e-11.
@@ -183,7 +183,7 @@ namespace
         pieces.run(t, .01 / rate, s_n, v_n);
         const double q = a * std::cos(rate * t) - s_n;
         lowest         = std::min(lowest, q);
-        highest        = std::max(highest, q);
+        highest        = largest_of(highest, q);
       }
     check_close("upper branch", swing[71 - at] * arcsecond / (highest - lowest), 1., 3e-3);
   }

@@ -45,9 +45,9 @@ namespace
     for (const unsigned int node : mesh->node_sets.at(node_set::bore))
       {
         const Vector2 place = meridian_place(*mesh, node);
-        radius              = std::max(radius, std::abs(place[0] - 45.));
+        radius              = largest_of(radius, std::abs(place[0] - 45.));
         low                 = std::min(low, place[1]);
-        high                = std::max(high, place[1]);
+        high                = largest_of(high, place[1]);
       }
     check_below("bore radius: places of the bore's nodes [mm]", radius, 1e-12);
     check_close("hub length: of the bore [mm]", high - low, 30., 1e-12);

@@ -200,7 +200,7 @@ namespace
           const double sign = side == surface_name::concave ? -1. : 1.;
           const double tooth =
             std::atan2(x[1], x[0]) - gear.middle_of_tooth(x[2]) - sign * gear.half_tooth(r);
-          farthest = std::max(farthest, r * std::abs(std::remainder(tooth, gear.pitch())));
+          farthest = largest_of(farthest, r * std::abs(std::remainder(tooth, gear.pitch())));
         }
     check_below(name + ": nodes of the flanks stand on involutes", farthest, 1e-10);
   }

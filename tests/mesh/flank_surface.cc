@@ -45,11 +45,11 @@ namespace
         const Vector3 x          = back * surface.positions[i];
         const Vector2 L_h        = cone_coordinates(member, x);
         const auto    true_point = member.flank_point(side, L_h[0], L_h[1]);
-        distance                 = std::max(distance, (true_point.position - x).norm());
-        turn          = std::max(turn, (true_point.normal + back * surface.normals[i]).norm());
+        distance                 = largest_of(distance, (true_point.position - x).norm());
+        turn          = largest_of(turn, (true_point.normal + back * surface.normals[i]).norm());
         const auto &v = mesh.triangulation.get_vertices()[surface.nodes[i]];
         mesh_distance =
-          std::max(mesh_distance, (Vector3(v[0], v[1], v[2]) - surface.positions[i]).norm());
+          largest_of(mesh_distance, (Vector3(v[0], v[1], v[2]) - surface.positions[i]).norm());
       }
     const std::string name = member.name() + " " + surface.name;
     check_below(name + ": nodes on the true flank [mm]", distance, 1e-9);
@@ -139,7 +139,7 @@ namespace
             const Vector2 L_h = cone_coordinates(member, y);
             const auto    x   = member.flank_point(side, L_h[0], L_h[1]);
             double       &far = with ? largest : without;
-            far               = std::max(far, std::abs((x.position - y).dot(x.normal)));
+            far               = largest_of(far, std::abs((x.position - y).dot(x.normal)));
           }
       }
     const std::string name = member.name() + " " + surface.name;

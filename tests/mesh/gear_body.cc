@@ -36,7 +36,8 @@ namespace
       {
         const Matrix3 rotation =
           rotation_about(Vector3::UnitZ(), 2. * pi * (i / nodes) / mesh.n_sectors);
-        largest = std::max(largest, (vertex(mesh, i) - rotation * vertex(mesh, i % nodes)).norm());
+        largest =
+          largest_of(largest, (vertex(mesh, i) - rotation * vertex(mesh, i % nodes)).norm());
       }
     check_below(mesh.name + ": copies of the sector's nodes [mm]", largest, 1e-12);
 

@@ -106,7 +106,7 @@ namespace
             }
           else
             continue;
-          worst[name] = std::max(worst[name], std::abs(off));
+          worst[name] = largest_of(worst[name], std::abs(off));
         }
     return worst;
   }
@@ -152,11 +152,11 @@ namespace
     const unsigned int nodes = mesh->triangulation.n_vertices() / mesh->n_sectors;
     double             off   = 0.;
     for (unsigned int i = 0; i < mesh->triangulation.n_vertices(); ++i)
-      off = std::max(off,
-                     (vector_of(mesh->triangulation.get_vertices()[i]) -
-                      rotation_about(Vector3::UnitZ(), member.pitch() * (i / nodes)) *
-                        vector_of(mesh->triangulation.get_vertices()[i % nodes]))
-                       .norm());
+      off = largest_of(off,
+                       (vector_of(mesh->triangulation.get_vertices()[i]) -
+                        rotation_about(Vector3::UnitZ(), member.pitch() * (i / nodes)) *
+                          vector_of(mesh->triangulation.get_vertices()[i % nodes]))
+                         .norm());
     check_below(name + "copies of the sector's nodes [mm]", off, 1e-12);
     bool sets = true;
     for (const auto &set : coarse_mesh->node_sets)
@@ -174,7 +174,7 @@ namespace
         const auto  largest = [](const FacetSurface &surface) {
           double value = 0.;
           for (const double offset : surface.offsets)
-            value = std::max(value, std::abs(offset));
+            value = largest_of(value, std::abs(offset));
           return value;
         };
         check(name + side + " facets",

@@ -51,7 +51,7 @@ namespace
                 const Vector2 L_h   = member.blank().coordinates_of(x);
                 const Vector3 flank = member.flank_point(side, L_h[0], L_h[1]).position;
                 const double  angle = std::atan2(x[1], x[0]) - std::atan2(flank[1], flank[0]);
-                worst = std::max(worst, std::abs(r * std::remainder(angle, member.pitch())));
+                worst = largest_of(worst, std::abs(r * std::remainder(angle, member.pitch())));
               }
           }
     return dealii::Utilities::MPI::max(worst, MPI_COMM_WORLD);

@@ -160,8 +160,8 @@ namespace
     const Vector3 first  = .5 * ((b - a).cross(c - a) + (c - a).cross(d - a));
     const Vector3 second = .5 * ((b - a).cross(d - a) + (c - b).cross(d - b));
     check_below("warped face: vector area by either diagonal [mm^2]",
-                std::max((compute_vector_area(a, b, c, d) - first).norm(),
-                         (compute_vector_area(a, b, c, d) - second).norm()),
+                largest_of((compute_vector_area(a, b, c, d) - first).norm(),
+                           (compute_vector_area(a, b, c, d) - second).norm()),
                 1e-14);
   }
 

@@ -77,7 +77,7 @@ namespace
     for (const Vector3 &X : disc.bodies[0].node_positions())
       {
         low  = std::min(low, X[2]);
-        high = std::max(high, X[2]);
+        high = largest_of(high, X[2]);
       }
     check("disc: about z = 0", low == -1.25 && high == 1.25);
   }
@@ -156,7 +156,7 @@ end
       {
         const Vector3 &X = made.node_positions()[i];
         const Vector3  v(7 * X[1], X[0] * X[0] - 1, X[2] > 5 ? 2. : -2.);
-        largest = std::max(largest, (made.initial_velocity[i] - v).norm());
+        largest = largest_of(largest, (made.initial_velocity[i] - v).norm());
       }
     check_below("formulas of the undeformed places [mm/s]", largest, 1e-12);
     check("no formula, no field",

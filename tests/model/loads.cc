@@ -131,8 +131,8 @@ namespace
                                    -moment[0] / (Iy + Iz) * r[2],
                                    moment[0] / (Iy + Iz) * r[1]);
             deviation =
-              std::max(deviation,
-                       (motion.rotation.transpose() * nodal - face.areas[i] * traction).norm());
+              largest_of(deviation,
+                         (motion.rotation.transpose() * nodal - face.areas[i] * traction).norm());
           }
         const std::string name = moved ? "moved end face: " : "end face: ";
         check_below(name + "sum of the forces [N]", force.norm(), 1e-9);

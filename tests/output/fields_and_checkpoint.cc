@@ -128,12 +128,12 @@ namespace
     for (unsigned int i = 0; i < model.n_nodes(); ++i)
       if (i < model.bodies[1].first_node)
         for (const double s : stresses[i])
-          ring_stress = std::max(ring_stress, std::abs(s));
+          ring_stress = largest_of(ring_stress, std::abs(s));
       else
         {
           // The block's cylindrical axes turn with the node: the trace and z are what stays.
           const auto &s = stresses[i];
-          block_error   = std::max(block_error, std::abs(s[0] + s[1] - sigma) + std::abs(s[2]));
+          block_error   = largest_of(block_error, std::abs(s[0] + s[1] - sigma) + std::abs(s[2]));
         }
     if (!speaks)
       return;

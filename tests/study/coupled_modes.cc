@@ -121,7 +121,7 @@ namespace
         double nearest = 1;
         for (const CoupledMode &mode : modes.standing)
           nearest = std::min(nearest, std::abs(mode.frequency / in_space - 1));
-        largest = std::max(largest, nearest);
+        largest = largest_of(largest, nearest);
         ++compared;
       }
     check("waves were compared", compared >= 4);

@@ -68,10 +68,10 @@ namespace
         for (unsigned int k = 0; k < 4; ++k)
           {
             deviation =
-              std::max(deviation,
-                       std::abs(modes.numbers("frequency")[k] / reference.numbers("frequency")[k] -
-                                1));
-            residual = std::max(residual, modes.numbers("residual")[k]);
+              largest_of(deviation,
+                         std::abs(
+                           modes.numbers("frequency")[k] / reference.numbers("frequency")[k] - 1));
+            residual = largest_of(residual, modes.numbers("residual")[k]);
           }
         check_below("eigenvalue solver: frequencies by LOBPCG", deviation, 1e-9);
         if (fine)

@@ -40,16 +40,16 @@ int main(int argc, char **argv)
     {
       double size = 0;
       for (const double v : values)
-        size = std::max(size, std::abs(v));
+        size = largest_of(size, std::abs(v));
       for (std::size_t i = 0; i <= 10; ++i)
         {
           const double difference = std::abs(two.at(name).at(i) - values[i]);
           if (name == "energy error")
-            energy_error = std::max(energy_error, difference);
+            energy_error = largest_of(energy_error, difference);
           else if (name == "relative kinetic energy")
-            kinetic_error = std::max(kinetic_error, difference);
+            kinetic_error = largest_of(kinetic_error, difference);
           else if (size > 0)
-            error = std::max(error, difference / size);
+            error = largest_of(error, difference / size);
         }
     }
   check_below("histories of the first 200 steps over their largest values", error, 1e-8);

@@ -55,7 +55,7 @@ namespace
   {
     double size = 0;
     for (const double v : values)
-      size = std::max(size, std::abs(v));
+      size = largest_of(size, std::abs(v));
     return size;
   }
 
@@ -63,7 +63,7 @@ namespace
   {
     double difference = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
-      difference = std::max(difference, std::abs(one[i] - other.at(i)));
+      difference = largest_of(difference, std::abs(one[i] - other.at(i)));
     return difference;
   }
 
@@ -79,13 +79,13 @@ namespace
   {
     std::map<std::string, double> size;
     for (const auto &[name, values] : one)
-      size[family(name)] = std::max(size[family(name)], largest_size(values));
+      size[family(name)] = largest_of(size[family(name)], largest_size(values));
     Difference result;
     for (const auto &[name, values] : one)
       {
         const double difference = largest_difference(values, other.at(name));
         if (is_stress(name))
-          result.stress = std::max(result.stress, difference);
+          result.stress = largest_of(result.stress, difference);
         else if (name != "energy error" && difference > result.relative * size[family(name)])
           {
             result.relative = difference / size[family(name)];

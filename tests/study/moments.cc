@@ -125,7 +125,7 @@ end
     // Sudden, so that the first samples hold what the start has left: second order in the step.
     double largest = 0;
     for (const double error : run["energy error"])
-      largest = std::max(largest, std::abs(error));
+      largest = largest_of(largest, std::abs(error));
     check_below("spin-up: largest energy error", largest, 1e-2);
     check_below("spin-up: energy error at the end", run["energy error"].back(), 1e-5);
     // I = rho h pi (b^4 - a^4)/2 of the round ring; 24 cells make it smaller.

@@ -137,11 +137,11 @@ namespace
     std::map<std::string, double> sizes;
     for (const auto &[name, values] : one)
       for (const double value : values)
-        sizes[quantity(name)] = std::max(sizes[quantity(name)], std::abs(value));
+        sizes[quantity(name)] = largest_of(sizes[quantity(name)], std::abs(value));
     double error = 0;
     for (const auto &[name, values] : one)
       for (std::size_t i = 0; sizes[quantity(name)] > 0 && i < values.size(); ++i)
-        error = std::max(error, std::abs(two.at(name).at(i) - values[i]) / sizes[quantity(name)]);
+        error = largest_of(error, std::abs(two.at(name).at(i) - values[i]) / sizes[quantity(name)]);
     check("as many samples", one["time"].size() == two["time"].size());
     // Sums over ranks are rounded otherwise; that is what the conventions ask of short runs.
     check_below("histories over their largest values", error, 1e-8);

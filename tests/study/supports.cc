@@ -93,7 +93,7 @@ end
                 0.02);
     double energy = 0;
     for (const double error : swinging["energy error"])
-      energy = std::max(energy, std::abs(error));
+      energy = largest_of(energy, std::abs(error));
     check_below("spring: energy error", energy, 1e-3);
   }
 
@@ -156,7 +156,7 @@ end
     double       deviation = 0;
     for (std::size_t i = 0; i < time.size(); ++i)
       deviation =
-        std::max(deviation, std::abs(way[i] + sag - 30 / omega * std::sin(omega * time[i])));
+        largest_of(deviation, std::abs(way[i] + sag - 30 / omega * std::sin(omega * time[i])));
     // Central differences are faster by (omega dt)^2/24, dt below 1 us: 4e-5 of 16 rad.
     check_below("preload: swing about the sag, from the initial velocity, over v/omega",
                 deviation / (30 / omega),

@@ -42,7 +42,7 @@ namespace
   {
     double result = 0;
     for (const double value : values)
-      result = std::max(result, std::abs(value));
+      result = largest_of(result, std::abs(value));
     return result;
   }
 
@@ -55,7 +55,7 @@ namespace
                 angular.back() / angular.front() - 1,
                 1e-12);
     check_below("free spin: momentum over m omega r",
-                std::max(largest(h["momentum x"]), largest(h["momentum y"])) /
+                largest_of(largest(h["momentum x"]), largest(h["momentum y"])) /
                   (6.28e-6 * 20000 * 10),
                 1e-12);
     // A fifth of the largest stable step; doc/verification.md shows how the error falls with it.
