@@ -33,16 +33,12 @@ class Seeds:
 
     @staticmethod
     def find_state(content):
-        """Where the state begins, behind version, parameters and size of the log: texts have their size before them."""
-        def number(place):
-            return struct.unpack_from("<Q", content, place)[0]
-
-        place = 8 + number(0)
-        texts = 2 * number(place)
-        place += 8
-        for _ in range(texts):
-            place += 8 + number(place)
-        return place + 16
+        """Where the state begins: behind the first part, which has version, parameters and size of the log. A part is
+        its name and its bytes, each with its size before it."""
+        place = 0
+        for _ in range(2):
+            place += 8 + struct.unpack_from("<Q", content, place)[0]
+        return place
 
     def mutate_content(self, rng, content):
         """What stands behind the header, to which a right checksum is made. Mostly values of the state: the texts before

@@ -43,11 +43,11 @@ namespace vfife
 
     /** The folder holds the results of one study: what an earlier one of any kind has written last,
      * and by which it is taken for finished, must not stand beside a new one that fails. */
-    void remove_last_files(const OutputFolder &folder, const CaseRunner &runner)
+    void remove_last_files(const OutputFolder &folder)
     {
-      for (const auto &kind : study_kinds())
-        if (const std::string last_file = kind.second(runner)->last_file(); !last_file.empty())
-          folder.remove_file(last_file);
+      for (const auto &[word, kind] : study_kinds())
+        if (!kind.last_file.empty())
+          folder.remove_file(kind.last_file);
     }
 
     void read_and_run(const CommandLine   &command_line,
@@ -84,7 +84,7 @@ namespace vfife
       if (command_line.restart)
         log_size = study->resume(path, find_declared(prm).list_values(), communicator, log);
       OutputFolder folder(path, communicator);
-      remove_last_files(folder, runner);
+      remove_last_files(folder);
       folder.attach_log(log, log_size);
       folder.write_parameters(prm, file.path());
       absolute.reset();

@@ -31,10 +31,10 @@ namespace
                            low   = evaluate(make, h - step, penalty),
                            high  = evaluate(make, h + step, penalty);
         pressure_error =
-          std::max(pressure_error,
+          largest_of(pressure_error,
                    std::abs((high.energy - low.energy) / (2. * step) / here.pressure - 1.));
         tangent_error =
-          std::max(tangent_error,
+          largest_of(tangent_error,
                    std::abs((high.pressure - low.pressure) / (2. * step) / here.tangent - 1.));
         steepest = largest_of(steepest, here.tangent / penalty);
         scaling  = largest_of({scaling,

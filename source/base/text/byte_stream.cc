@@ -46,7 +46,11 @@ namespace vfife
 
   void ByteStream::finish() const
   {
-    require(has_parts_ || next_ == bytes_.size(), "the last value");
+    if (!has_parts_)
+      return require(next_ == bytes_.size(), "the last value");
+    // Parts that nobody has asked for may be left over, but nothing else.
+    std::string bytes;
+    find_part("", bytes);
   }
 
   bool ByteStream::find_part(const std::string &name, std::string &bytes) const

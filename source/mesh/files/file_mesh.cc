@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/mesh/hexahedron_corners.h>
 
 #include "file_mesh.h"
 
@@ -13,10 +14,6 @@ namespace vfife
 {
   namespace
   {
-    /** Corners of the faces in cyclic order. */
-    constexpr unsigned int cyclic_faces[6][4] = {
-      {0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
-
     /** A face seen from one of its elements. */
     struct Face
     {
@@ -35,7 +32,7 @@ namespace vfife
       std::vector<Face> faces;
       faces.reserve(6 * elements.size());
       for (unsigned int e = 0; e < elements.size(); ++e)
-        for (const auto &corners : cyclic_faces)
+        for (const auto &corners : outward_faces)
           {
             Face face;
             for (unsigned int v = 0; v < 4; ++v)

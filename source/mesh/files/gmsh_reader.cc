@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/shown_text.h>
+#include <vfife/mesh/hexahedron_corners.h>
 
 #include "file_mesh.h"
 #include "mesh_text.h"
