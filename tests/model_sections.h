@@ -56,4 +56,11 @@ namespace model_text
   }
 } // namespace model_text
 
+/** A section Output that writes its histories every so many steps and nothing else. */
+inline std::string quiet_output(const unsigned int history_every)
+{
+  return "subsection Output\n set history every = " + std::to_string(history_every) +
+         "\n set pictures = no\n set checkpoint every = 0\n set verbosity = quiet\nend\n";
+}
+
 #endif

@@ -1,7 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Mutants of the command line of a run that takes no time."""
 from job import Job
-from mutation import NUMBERS, misspell, pick
+from mutation import NUMBERS, SMALL_BODY, misspell, pick
 
 CASE = """subsection Study
   set kind = run
@@ -10,13 +10,7 @@ end
 subsection Model
   set bodies = a
   set probes = p
-  subsection Body a
-    set mesh = block
-    set cells x = 2
-    set cells y = 1
-    set cells z = 1
-  end
-  subsection Probe p
+""" + SMALL_BODY + """  subsection Probe p
     set body = a
   end
 end

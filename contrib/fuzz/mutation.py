@@ -2,6 +2,13 @@
 """Ways to spoil texts and bytes. Each takes a generator of random numbers; the same one makes the same mutant."""
 import re
 
+SMALL_BODY = """  subsection Body a
+    set mesh = block
+    set cells x = 2
+    set cells y = 1
+    set cells z = 1
+  end
+"""
 NUMBERS = ["0", "-1", "1", "-0", "2", "1e9", "1e6", "1e300", "1e-300", "1e400", "-1e9", "nan", "-nan", "inf", "-inf", "0.5",
            "1e-12", "2147483647", "2147483648", "4294967295", "4294967296", "-2147483648", "9223372036854775807",
            "18446744073709551615", "99999999999999999999999", "1,5", "0x10", "1e", "1.2.3", "--1", "1 2", "", "1e5000"]

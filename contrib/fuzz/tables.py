@@ -4,7 +4,7 @@ that are compared."""
 import shutil
 
 from job import ROOT, Job
-from mutation import NUMBERS, mutate_text, pick
+from mutation import NUMBERS, SMALL_BODY, mutate_text, pick
 
 BLOCK = """subsection Study
   set kind = static
@@ -14,13 +14,7 @@ subsection Model
   set probes = p
   set constraints = foot
   set loads = end
-  subsection Body a
-    set mesh = block
-    set cells x = 2
-    set cells y = 1
-    set cells z = 1
-  end
-  subsection Constraint foot
+""" + SMALL_BODY + """  subsection Constraint foot
     set body = a
     set nodes = x-
   end

@@ -14,8 +14,8 @@ namespace vfife
 {
   namespace
   {
-    /** Of triangulation, body and operator for each hexahedron [bytes]: blocks of 0.2 and 0.6 million
-     * take 0.88 kB in the check of a run. */
+    /** Of triangulation, body and operator for each hexahedron [bytes]: blocks of 0.2 and 0.6
+     * million take 0.88 kB in the check of a run. */
     constexpr double bytes_per_cell = 0.9e3;
     /** deal.II and the arrays here number nodes, faces and edges by 32 bits; there are some three
      * edges to a cell. */

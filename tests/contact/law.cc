@@ -32,10 +32,10 @@ namespace
                            high  = evaluate(make, h + step, penalty);
         pressure_error =
           largest_of(pressure_error,
-                   std::abs((high.energy - low.energy) / (2. * step) / here.pressure - 1.));
+                     std::abs((high.energy - low.energy) / (2. * step) / here.pressure - 1.));
         tangent_error =
           largest_of(tangent_error,
-                   std::abs((high.pressure - low.pressure) / (2. * step) / here.tangent - 1.));
+                     std::abs((high.pressure - low.pressure) / (2. * step) / here.tangent - 1.));
         steepest = largest_of(steepest, here.tangent / penalty);
         scaling  = largest_of({scaling,
                                std::abs(twice.pressure / here.pressure - 2.),

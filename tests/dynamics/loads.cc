@@ -209,19 +209,29 @@ namespace
     check_below("pressure all around: no resultant [N]", moved.resultant().norm(), 1e-9);
   }
 
+  Model make_sprung_bar()
+  {
+    Model model;
+    model.add_body({"bar", make_block(Vector3(8., 2., 2.), {{4, 1, 1}}), Material()});
+    return model;
+  }
+
+  /** To the ground, at the bar's left end. */
+  Load make_spring(const Model &model, const Vector3 &stiffness)
+  {
+    Load load;
+    load.kind   = LoadKind::spring;
+    load.vector = stiffness;
+    load.nodes  = model.bodies[0].node_set("x-");
+    return load;
+  }
+
   void springs()
   {
-    Model      model;
-    const auto n =
-      model.add_body({"bar", make_block(Vector3(8., 2., 2.), {{4, 1, 1}}), Material()});
-    const Body &bar = model.bodies[n];
-    Load        load;
-    load.kind   = LoadKind::spring;
-    load.vector = Vector3(1000., 0., 300.);
-    load.nodes  = bar.node_set("x-");
-    model.loads.push_back(load);
+    Model model = make_sprung_bar();
+    model.loads.push_back(make_spring(model, Vector3(1000., 0., 300.)));
     const Vector3 way(.01, .02, -.03);
-    const double  corner = bar.node_masses()[load.nodes[0]];
+    const double  corner = model.bodies[0].node_masses()[model.loads[0].nodes[0]];
     Moved         moved(std::move(model), [&](const Vector3 &X) { return Vector3(X + way); });
     NodalLoads    nodal(moved.model, moved.vfife, moved.communicator);
     nodal.add_forces(0., moved.positions, moved.forces);
@@ -253,19 +263,10 @@ namespace
   /** Several springs act on a node with their stiffnesses added up along each direction. */
   void springs_side_by_side()
   {
-    Model      model;
-    const auto n =
-      model.add_body({"bar", make_block(Vector3(8., 2., 2.), {{4, 1, 1}}), Material()});
-    const Body &bar = model.bodies[n];
-    Load        load;
-    load.kind           = LoadKind::spring;
-    load.nodes          = bar.node_set("x-");
-    const double corner = bar.node_masses()[load.nodes[0]];
+    Model model = make_sprung_bar();
     for (const Vector3 &stiffness : {Vector3(1000., 0., 300.), Vector3(200., 100., 900.)})
-      {
-        load.vector = stiffness;
-        model.loads.push_back(load);
-      }
+      model.loads.push_back(make_spring(model, stiffness));
+    const double  corner = model.bodies[0].node_masses()[model.loads[0].nodes[0]];
     Communicator  communicator(MPI_COMM_SELF);
     VfifeOperator vfife(model, FrameKind::polar, StiffnessKind::incompatible_modes, communicator);
     const NodalLoads nodal(model, vfife, communicator);

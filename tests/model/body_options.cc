@@ -166,19 +166,20 @@ end
   void refusals()
   {
     refuse("subsection Model\nend\n");
-    refuse(body("set mesh = blok\n"));
-    refuse(body("set radius = 3 mm\n"));
-    refuse(body("set mesh = file\n"));
-    refuse(body("set mesh = file\nset file = nothing.msh\n"));
-    refuse(body("set mesh = ring\nset inner radius = 40 mm\n"));
-    refuse(body("set mesh = cylinder\nset core cells = 3\n"));
-    refuse(body("set rotation axis = 0, 0, 0\n"));
-    refuse(body("set bearing = yes\nset axis direction = 0, 0, 0\n"));
-    refuse(body("set bearing = yes\nset velocity = 1, 0, 0\n"));
-    refuse(body("set bearing = yes\nset angular velocity = 1, 0, 0\n"));
-    refuse(body("set speed = 1 rpm\n"));
-    refuse(body("set velocity = 1, 0\n"));
-    refuse(body("set initial velocity y = 2*w\n"));
+    for (const char *entries : {"set mesh = blok\n",
+                                "set radius = 3 mm\n",
+                                "set mesh = file\n",
+                                "set mesh = file\nset file = nothing.msh\n",
+                                "set mesh = ring\nset inner radius = 40 mm\n",
+                                "set mesh = cylinder\nset core cells = 3\n",
+                                "set rotation axis = 0, 0, 0\n",
+                                "set bearing = yes\nset axis direction = 0, 0, 0\n",
+                                "set bearing = yes\nset velocity = 1, 0, 0\n",
+                                "set bearing = yes\nset angular velocity = 1, 0, 0\n",
+                                "set speed = 1 rpm\n",
+                                "set velocity = 1, 0\n",
+                                "set initial velocity y = 2*w\n"})
+      refuse(body(entries));
     refuse(body("set material = brass\n", "subsection Material bras\nend\n"));
     refuse(body("", "subsection Material steel\n set Poisson's ratio = 0.5\nend\n"));
   }

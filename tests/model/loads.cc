@@ -97,6 +97,19 @@ namespace
         sums[c] += of_other_ranks[c];
       return traction.solve(moment, sums);
     }
+
+    /** Sum of the forces, and of their moments about the origin. */
+    std::pair<Vector3, Vector3> resultant(const std::vector<Vector3>   &places,
+                                          const MomentTraction::Motion &at) const
+    {
+      std::pair<Vector3, Vector3> sums(Vector3::Zero(), Vector3::Zero());
+      for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          sums.first += traction.force(i, at);
+          sums.second += places[i].cross(traction.force(i, at));
+        }
+      return sums;
+    }
   };
 
   void moments()
@@ -115,14 +128,12 @@ namespace
         std::vector<Vector3> places;
         for (const Vector3 &place : face.undeformed)
           places.push_back(motion(place));
-        const auto at    = face.motion(places, motion.rotation * moment);
-        Vector3    force = Vector3::Zero(), turned = Vector3::Zero();
-        double     deviation = 0;
+        const auto at              = face.motion(places, motion.rotation * moment);
+        const auto [force, turned] = face.resultant(places, at);
+        double deviation           = 0;
         for (std::size_t i = 0; i < places.size(); ++i)
           {
             const Vector3 nodal = face.traction.force(i, at);
-            force += nodal;
-            turned += places[i].cross(nodal);
             // Beam theory with the second moments of the nodes' areas.
             const Vector3 r  = body.node_positions()[body.node_set("x+")[i]] - Vector3(20., 0., 0.);
             const double  Iz = width * height * (width * width / 12 + 4. / 6);
@@ -163,16 +174,11 @@ namespace
                          .3 * Vector3(std::sin(3 * s), std::cos(5 * s), std::sin(7 * s + 1)));
         way.push_back(Vector3(std::cos(2 * s), std::sin(11 * s), std::cos(13 * s + 2)));
       }
-    const auto at    = face.motion(places, moment);
-    Vector3    force = Vector3::Zero(), turned = Vector3::Zero();
-    double     power = 0;
+    const auto at              = face.motion(places, moment);
+    const auto [force, turned] = face.resultant(places, at);
+    double power               = 0;
     for (std::size_t i = 0; i < places.size(); ++i)
-      {
-        const Vector3 nodal = face.traction.force(i, at);
-        force += nodal;
-        turned += places[i].cross(nodal);
-        power += nodal.dot(way[i]);
-      }
+      power += face.traction.force(i, at).dot(way[i]);
     check_below("deformed end face: sum of the forces [N]", force.norm(), 1e-9);
     check_below("deformed end face: their moment less the load's [N mm]",
                 (turned - moment).norm(),

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// doc/columns.json is what the program writes: columns of the tables and places of summary.json and lumped.json.
-// The pages are compared with it by contrib/check_pages, the report's scripts by their tests.
-// After a change: build/release/tests/output/columns.release/columns.release --list >
+// doc/columns.json is what the program writes: columns of the tables and places of summary.json and
+// lumped.json. The pages are compared with it by contrib/check_pages, the report's scripts by their
+// tests. After a change: build/release/tests/output/columns.release/columns.release --list >
 // doc/columns.json
 #include "../gear/paper_pair.h"
 #include "../lumped/pair.h"

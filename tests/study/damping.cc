@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Damping relative to the turning body: decay of a vibration while the body flies on, and the audit
 // of a ring whose drag is known.
+#include "../model_sections.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
@@ -16,50 +17,25 @@ using namespace vfife;
 
 namespace
 {
-  const std::string quiet = R"(
-subsection Output
-  set history every    = 20
-  set pictures         = no
-  set checkpoint every = 0
-  set verbosity        = quiet
-end
-)";
-
   /** A free bar in its first longitudinal mode, v = V cos(pi x/L), while it flies across: the
    * energy of the mode falls with exp(-zeta t), the momentum stays. */
   void free_bar(Communicator &world)
   {
-    constexpr double zeta    = 2000;
-    auto             run     = run_text("free_bar",
-                        R"(
-subsection Study
-  set kind = run
-end
-subsection Model
-  set bodies = bar
-  subsection Body bar
-    set mesh               = block
-    set size x             = 100 mm
-    set size y             = 5 mm
-    set size z             = 5 mm
-    set cells x            = 20
-    set cells y            = 1
-    set cells z            = 1
-    set velocity           = 0, 3000, 0 mm/s
-    set initial velocity x = 1000*cos(pi*x/100)
-  end
-end
-subsection Material steel
-  set Poisson's ratio = 0
-end
-subsection Dynamics
-  set damping  = 2000
-  set end time = 1 ms
-end
-)" + quiet,
-                        world);
-    const auto      &kinetic = run["relative kinetic energy"], &strain = run["strain energy"];
-    const double     start = kinetic.front() + strain.front(), end = kinetic.back() + strain.back();
+    constexpr double zeta = 2000;
+    auto             run =
+      run_text("free_bar",
+               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = bar\n" +
+                 model_text::block("bar",
+                                   {{100, 5, 5}},
+                                   {{20, 1, 1}},
+                                   "set velocity = 0, 3000, 0 mm/s\n"
+                                   "set initial velocity x = 1000*cos(pi*x/100)\n") +
+                 "end\nsubsection Material steel\n set Poisson's ratio = 0\nend\n"
+                 "subsection Dynamics\n set damping = 2000\n set end time = 1 ms\nend\n" +
+                 quiet_output(20),
+               world);
+    const auto  &kinetic = run["relative kinetic energy"], &strain = run["strain energy"];
+    const double start = kinetic.front() + strain.front(), end = kinetic.back() + strain.back();
     // Within zeta/omega, 1.2 % of a half period's swing of the loss; omega = pi c/L = 1.6e5 1/s.
     const double time = run["time"].back() - run["time"].front();
     check_close("free bar: logarithm of the energy over -zeta t",
@@ -120,34 +96,18 @@ end
   /** A ring in a bearing that drifts along its axis: rigid, with a drag that is known. */
   void drifting_ring(const std::string &rate, Communicator &world)
   {
-    auto         run  = run_text("ring",
-                        R"(
-subsection Study
-  set kind = run
-end
-subsection Model
-  set bodies = ring
-  subsection Body ring
-    set mesh               = ring
-    set inner radius       = 20 mm
-    set outer radius       = 30 mm
-    set height             = 2 mm
-    set radial cells       = 10
-    set cells around       = 72
-    set axial cells        = 1
-    set bearing            = yes
-    set speed              = 2000 rad/s
-    set initial velocity z = 60000
-  end
-end
-subsection Dynamics
-  set damping      = 2000
-  set damping rate = )" + rate +
-                          R"(
-  set end time     = 0.2 ms
-end
-)" + quiet,
-                        world);
+    auto run =
+      run_text("ring",
+               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = ring\n" +
+                 model_text::ring("ring",
+                                  {{inner, outer, 2}},
+                                  {{10, 72, 1}},
+                                  "set bearing = yes\nset speed = 2000 rad/s\n"
+                                  "set initial velocity z = 60000\n") +
+                 "end\nsubsection Dynamics\n set damping = 2000\n set end time = 0.2 ms\n"
+                 " set damping rate = " +
+                 rate + "\nend\n" + quiet_output(20),
+               world);
     const double time = run["time"].back() - run["time"].front();
     // The drift decays whichever rate the damper follows.
     check_close("drifting ring, " + rate + ": drift over V exp(-zeta t)",

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Moments on bodies that move: an end face under a moment stays quiet however far it turns, and a
 // ring that is spun up closes its energy ledger from the first sample on.
+#include "../model_sections.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
@@ -14,42 +15,24 @@ using namespace vfife;
 
 namespace
 {
+  std::string moment(const std::string &nodes, const std::string &value)
+  {
+    return "subsection Load end\n set kind = moment\n set nodes = " + nodes +
+           "\n set moment = " + value + " N mm\nend\n";
+  }
+
   /** A short cantilever that an end moment bends by 9 degrees, in equilibrium at the start: what
    * its end face then does by itself. */
   void bent_end(Communicator &world)
   {
-    auto        run   = run_text("bent_end",
-                        R"(
-subsection Study
-  set kind = run
-end
-subsection Model
-  set bodies      = beam
-  set constraints = clamp
-  set loads       = end
-  set probes      = corner
-  subsection Body beam
-    set mesh               = beam
-    set length             = 10 mm
-    set width              = 5 mm
-    set height             = 2 mm
-    set cells along length = 10
-    set cells across width = 1
-    set cells over height  = 2
-  end
-  subsection Constraint clamp
-    set kind  = fixed
-    set nodes = x-
-  end
-  subsection Load end
-    set kind   = moment
-    set nodes  = x+
-    set moment = 0, -10786.1346, 0 N mm
-  end
-  subsection Probe corner
-    set point = 10, 2.5, 1 mm
-  end
-end
+    auto run =
+      run_text("bent_end",
+               "subsection Study\n set kind = run\nend\nsubsection Model\n set bodies = beam\n"
+               " set constraints = clamp\n set loads = end\n set probes = corner\n" +
+                 model_text::block("beam", {{10, 5, 2}}, {{10, 1, 2}}) +
+                 "subsection Constraint clamp\n set kind = fixed\n set nodes = x-\nend\n" +
+                 moment("x+", "0, -10786.1346, 0") +
+                 "subsection Probe corner\n set point = 10, 5, 2 mm\nend\nend\n" + R"(
 subsection Material steel
   set Poisson's ratio = 0
 end
@@ -61,13 +44,8 @@ subsection Dynamics
     set largest number of steps = 100000
   end
 end
-subsection Output
-  set history every = 50
-  set pictures      = no
-  set verbosity     = quiet
-end
-)",
-                        world);
+)" + quiet_output(50),
+               world);
     const auto &place = run["corner displacement z"];
     check("enough samples", place.size() > 100);
     // What the tolerance of the relaxation has left swings on, some 2e-4 of the way. A circulatory
@@ -88,40 +66,14 @@ end
   /** A ring at rest on its axis under a moment about it: M = I alpha, E = M^2 t^2/(2 I). */
   void spin_up(Communicator &world)
   {
-    auto run = run_text("spin_up",
-                        R"(
-subsection Study
-  set kind = run
-end
-subsection Model
-  set bodies = ring
-  set loads  = drive
-  subsection Body ring
-    set mesh         = ring
-    set inner radius = 20 mm
-    set outer radius = 30 mm
-    set height       = 5 mm
-    set radial cells = 2
-    set cells around = 24
-    set axial cells  = 1
-    set bearing      = yes
-  end
-  subsection Load drive
-    set kind   = moment
-    set nodes  = inner
-    set moment = 0, 0, 1000 N mm
-  end
-end
-subsection Dynamics
-  set end time = 2 ms
-end
-subsection Output
-  set history every = 20
-  set pictures      = no
-  set verbosity     = quiet
-end
-)",
-                        world);
+    auto run =
+      run_text("spin_up",
+               "subsection Study\n set kind = run\nend\nsubsection Model\n"
+               " set bodies = ring\n set loads = end\n" +
+                 model_text::ring("ring", {{20, 30, 5}}, {{2, 24, 1}}, "set bearing = yes\n") +
+                 moment("inner", "0, 0, 1000") +
+                 "end\nsubsection Dynamics\n set end time = 2 ms\nend\n" + quiet_output(20),
+               world);
     // Sudden, so that the first samples hold what the start has left: second order in the step.
     double largest = 0;
     for (const double error : run["energy error"])

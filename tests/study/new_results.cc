@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Studies one after the other in one folder: what an earlier one has left does not pass for the
 // results of one that fails, whatever their kinds.
+#include "../model_sections.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
@@ -17,29 +18,12 @@ namespace
 {
   const std::string folder = "new_results_folder";
 
-  const std::string model = R"(
-subsection Model
-  set bodies      = bar
-  set constraints = foot
-  set loads       = pull
-  subsection Body bar
-    set mesh    = block
-    set size x  = 100 mm
-    set cells x = 10
-    set cells y = 2
-    set cells z = 2
-  end
-  subsection Constraint foot
-    set kind  = fixed
-    set nodes = x-
-  end
-  subsection Load pull
-    set kind  = force
-    set nodes = x+
-    set force = 1000, 0, 0 N
-  end
-end
-)";
+  const std::string model =
+    "subsection Model\n set bodies = bar\n set constraints = foot\n set loads = pull\n" +
+    model_text::block("bar", {{100, 10, 10}}, {{10, 2, 2}}) +
+    "subsection Constraint foot\n set kind = fixed\n set nodes = x-\nend\n"
+    "subsection Load pull\n set kind = force\n set nodes = x+\n set force = 1000, 0, 0 N\nend\n"
+    "end\n";
 
   /** "done", or which of the two errors has ended the study. */
   std::string run(const std::string &kind, const std::string &more, Communicator &world)

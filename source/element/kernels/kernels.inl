@@ -212,6 +212,8 @@ namespace vfife
       compute_hourglass_amplitudes(constants, d, F, g);
 
       // Only now the rotation: F gives it, and the strain e = sym(R^T F) - I in the frame.
+      static_assert(frame_kind == FrameKind::polar || frame_kind == FrameKind::three_nodes,
+                    "another frame has its rotation here and what it adds to the forces below");
       Frame<width> frame;
       if constexpr (frame_kind == FrameKind::polar)
         frame = compute_polar_frame<width>(F);
