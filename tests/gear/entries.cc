@@ -92,8 +92,9 @@ namespace
   void flanks()
   {
     // The gear's blade and position stay; what both flanks share goes into each of them.
-    const auto settings = [](const std::string &member, const std::string &flank) {
-      return "subsection " + member + "\n subsection " + flank + R"(
+    const GearPairOptions both = read(paper::options(), R"(
+subsection Gear
+  subsection Both flanks
     set blank offset = 1 mm
     set machine center to back = -2 mm
     set ratio of roll = 3
@@ -103,14 +104,24 @@ namespace
     set cutter swivel = -20 deg
   end
 end
-)";
-    };
-    const GearPairOptions both =
-      read(paper::options(), settings("Gear", "Both flanks")).completed();
+)")
+                                   .completed();
     check_settings("both flanks, concave", both.gear.concave);
     check_settings("both flanks, convex", both.gear.convex);
     check("both flanks: the pinion's are left", both.pinion.concave.cutter_tilt == 0.);
-    const GearPairOptions one = read(paper::options(), settings("Pinion", "Convex flank"));
+    const GearPairOptions one = read(paper::options(), R"(
+subsection Pinion
+  subsection Convex flank
+    set blank offset = 1 mm
+    set machine center to back = -2 mm
+    set ratio of roll = 3
+    set modified roll second order = 0.2
+    set modified roll third order = -0.5
+    set cutter tilt = 10 deg
+    set cutter swivel = -20 deg
+  end
+end
+)");
     check_settings("one flank", one.pinion.convex);
     check("one flank: the other is left", one.pinion.concave.second_order_roll == 0.);
   }
