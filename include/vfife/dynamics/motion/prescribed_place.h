@@ -19,7 +19,8 @@ namespace vfife
    * node moves from @p free along the directions that the equations had at @p old, as the forces of
    * constraints of central differences act: a free rotation on a circle then keeps its speed
    * exactly. A prescribed angle may turn the node by anything: beyond 0.1 rad its motion is turned
-   * about the axis first. Throws NumericalError where the equations have no common place.
+   * about the axis first. Not a number where the equations have no common place: the guards of a
+   * run, at which all ranks look together, tell of the node.
    */
   Vector3 place_prescribed(const Axis                  &axis,
                            const Vector3               &start,
