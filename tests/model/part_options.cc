@@ -89,21 +89,21 @@ namespace
     check_close("angle: its history", angle.history.value(.01), std::sin(1.), 1e-15);
 
     const Constraint fixed_axes = make_constraint(
-      nodes + "set kind = displacement\nset directions = z, x\nset displacement = 1, 2, 3 um\n");
+      nodes + "set kind = displacement\nset directions = z, x\nset displacement = 1, 0, 3 um\n");
     check("displacement: along x and z",
           fixed_axes.kind == Kind::directions && !fixed_axes.cylindrical &&
             fixed_axes.prescribed == std::array<bool, 3>{{true, false, true}});
     check_below("displacement [mm]",
-                (fixed_axes.displacement - Vector3(.001, .002, .003)).norm(),
+                (fixed_axes.displacement - Vector3(.001, 0., .003)).norm(),
                 1e-18);
     check_close("without a history: at once", fixed_axes.history.value(0.), 1., 0.);
     const Constraint cylindrical =
       make_constraint(nodes + "set kind = displacement\nset directions = theta\n"
-                              "set displacement = 5, 6, 7 mm\nset angle = -0.5 rad\n");
+                              "set angle = -0.5 rad\n");
     check("displacement: along theta",
           cylindrical.cylindrical &&
             cylindrical.prescribed == std::array<bool, 3>{{false, true, false}} &&
-            cylindrical.displacement == Vector3(5., -.5, 7.));
+            cylindrical.displacement == Vector3(0., -.5, 0.));
 
     const Model springs =
       make_model(constraint(nodes + "set kind = spring\nset stiffness = 1, 0, 2 N/um\n"));
@@ -114,6 +114,14 @@ namespace
 
     refuse(constraint(nodes + "set kind = displacement\n"));
     refuse(constraint(nodes + "set kind = displacement\nset directions = x, theta\n"));
+    // What would be passed over: along directions that are not prescribed, an angle beside x, y, z,
+    // theta as a length.
+    const std::string along = nodes + "set kind = displacement\nset directions = ";
+    refuse(constraint(along + "z, x\nset displacement = 1, 2, 3 um\n"));
+    refuse(constraint(along + "theta\nset displacement = 5, 0, 0 mm\n"));
+    refuse(constraint(along + "x, y\nset angle = 1 deg\n"));
+    refuse(constraint(along + "r, z\nset angle = 1 deg\n"));
+    refuse(constraint(along + "r, theta\nset displacement = 0, 1, 0 mm\n"));
     refuse(constraint(nodes + "set kind = spring\nset stiffness = 1, -1, 0\n"));
     refuse(constraint(nodes + "set kind = fixd\n"));
     refuse(constraint(nodes + "set stiffness = 1, 1, 1\n"));

@@ -94,6 +94,25 @@ namespace vfife
       throw InputError(section + "/directions",
                        "must be of x, y, z, or of r, theta, z, not \"" + list_of(directions) +
                          "\"");
+    // What is given along a direction that is not prescribed, or not in its own entry, would be
+    // passed over.
+    const auto &words      = fixed ? fixed_directions : cylindrical_directions;
+    const auto  prescribes = [this](const std::string &word) {
+      return std::find(directions.begin(), directions.end(), word) != directions.end();
+    };
+    if (angle != 0 && !prescribes("theta"))
+      throw InputError(section + "/angle",
+                       "theta is not one of the directions (" + list_of(directions) +
+                         "): add it, with r and z for x, y and z, or leave the angle at 0");
+    if (!fixed && displacement[1] != 0)
+      throw InputError(section + "/displacement",
+                       "the displacement along theta is an angle: give it as angle, and 0 as the "
+                       "second number here");
+    for (unsigned int c = 0; c < 3; ++c)
+      if (displacement[c] != 0 && !prescribes(words[c]))
+        throw InputError(section + "/displacement",
+                         words[c] + " is not one of the directions (" + list_of(directions) +
+                           "): add it, or leave the displacement along it at 0");
   }
 
   void
