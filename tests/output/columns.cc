@@ -79,6 +79,9 @@ namespace
     Model              general;
     general.add_body(Body("body", make_ring(20, 30, 5, {{2, 24, 2}}), Material()));
     general.probes.push_back({"NAME", 0, 0});
+    Constraint support;
+    support.name = "NAME";
+    general.constraints.push_back(support);
 
     const auto history = [&folder](const Model &model) {
       return HistoryWriter(folder, model, 1).table();

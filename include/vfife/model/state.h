@@ -56,6 +56,19 @@ namespace vfife
     double                von_mises = 0;  ///< [MPa]
   };
 
+  /** What a constraint, or a spring to the ground, exerts on its nodes. */
+  struct Reaction
+  {
+    Vector3 force  = Vector3::Zero(); ///< fixed frame [N]
+    Vector3 moment = Vector3::Zero(); ///< about the fixed origin [N mm]
+
+    void add(const Vector3 &place, const Vector3 &at_node)
+    {
+      force += at_node;
+      moment += place.cross(at_node);
+    }
+  };
+
   /** What observers report of one instant; equal on all ranks. */
   struct Measurements
   {
@@ -69,6 +82,7 @@ namespace vfife
     EnergyLedger              energy;
     std::vector<ToothContact> teeth;
     std::vector<ProbeValue>   probes;
+    std::vector<Reaction>     reactions;  ///< in the order of list_supports()
     std::vector<double>       body_rates; ///< momentum rate of each body about its axis [rad/s]
     /** Of all bodies, velocities half a step back: sum m v [t mm/s = N s], and sum m x x v about
      * the fixed origin [N mm s]. */

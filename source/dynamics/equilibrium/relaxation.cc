@@ -4,6 +4,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
+#include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -148,16 +149,36 @@ namespace vfife
     walls_.add_forces(state.position, forces);
   }
 
-  NodeField Relaxation::compute_forces(State &state, const Loads &loads)
+  NodeField Relaxation::compute_all_forces(State &state, const Loads &loads)
   {
     NodeField forces = operator_.make_field();
     operator_.compute_internal_forces(state.position, forces);
     if (loads.contact)
       add_contact(state, true, forces);
     add_applied(state, loads, forces);
+    return forces;
+  }
+
+  NodeField Relaxation::compute_forces(State &state, const Loads &loads)
+  {
+    NodeField forces = compute_all_forces(state, loads);
     ConstraintMotion(model_, *state.partition, communicator_)
       .project(state.position, forces, !loads.hold_rotation);
     return forces;
+  }
+
+  std::vector<Reaction> Relaxation::compute_reactions(State &state, const Loads &loads)
+  {
+    const ConstraintMotion constraints(model_, *state.partition, communicator_);
+    const NodeField        forces    = compute_all_forces(state, loads);
+    NodeField              projected = forces;
+    constraints.project(state.position, projected, !loads.hold_rotation);
+
+    std::vector<Reaction> reactions(list_supports(model_).size());
+    constraints.add_static_reactions(state.position, forces, projected, reactions);
+    loads_.add_spring_reactions(state.position, reactions);
+    sum_over_ranks(reactions, communicator_);
+    return reactions;
   }
 
   double

@@ -183,6 +183,22 @@ namespace vfife
     return communicator_.sum(energy);
   }
 
+  void NodalLoads::add_spring_reactions(const NodeField       &positions,
+                                        std::vector<Reaction> &reactions) const
+  {
+    std::size_t spring = model_.constraints.size();
+    for (const Group &group : groups_)
+      if (group.load->kind == LoadKind::spring)
+        {
+          for (const Node &node : group.nodes)
+            if (const Vector3 place = positions.value(node.local); node.owned)
+              reactions[spring].add(place,
+                                    -node.weight *
+                                      group.load->vector.cwiseProduct(place - node.start));
+          ++spring;
+        }
+  }
+
   void NodalLoads::finish(const NodeField &positions, NodeField &forces)
   {
     // Springs are elastic parts, their energy is the ledger's strain: forces_ has the loads alone.

@@ -175,6 +175,7 @@ namespace vfife
         if (due)
           {
             take_energies(measures);
+            take_reactions(state);
             show(observers, last);
           }
         check(state, due, measures);

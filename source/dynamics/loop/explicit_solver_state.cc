@@ -6,6 +6,7 @@
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/dynamics/watch/measurement.h>
+#include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -140,6 +141,16 @@ namespace vfife
     energy_.take_sample(sums_,
                         measures.strain_energy + loads_.compute_spring_energy(observed_.position),
                         contact_.energy() + walls_.energy());
+  }
+
+  void ExplicitSolver::take_reactions(const State &state)
+  {
+    // Of the time of the forces: the update has moved the nodes, and knows both velocities.
+    std::vector<Reaction> reactions(list_supports(model_).size());
+    constraints_.add_reactions(dt_, damping_, forces_, state.velocity, reactions);
+    loads_.add_spring_reactions(observed_.position, reactions);
+    sum_over_ranks(reactions, communicator_);
+    observed_.measured.reactions = std::move(reactions);
   }
 
   void ExplicitSolver::show(Observers &observers, const bool last)

@@ -7,26 +7,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    /**
-     * Of the constraints of a node the one whose kind says how it moves. Those that leave it no
-     * freedom come first, and a rigid hub, with which nothing else but the same goes together. What
-     * holds radius and axial position beside other directions is one more of these.
-     */
-    const Constraint &find_leading(const NodeConstraints &node)
-    {
-      for (const ConstraintKind kind : {ConstraintKind::prescribed_rotation,
-                                        ConstraintKind::held,
-                                        ConstraintKind::rigid_hub,
-                                        ConstraintKind::directions})
-        for (const Constraint *constraint : node.constraints())
-          if (constraint->kind == kind)
-            return *constraint;
-      return *node.constraints().front();
-    }
-  } // namespace
-
   ConstraintMotion::ConstraintMotion(const Model        &model,
                                      const Partition    &partition,
                                      const Communicator &communicator)
@@ -80,7 +60,12 @@ namespace vfife
         node.mass                 = body.node_masses()[i];
         node.moved_mass           = node.mass;
         node.start                = body.placement(body.node_positions()[i]) - body.axis.point;
-        const Constraint &leading = find_leading(constraints);
+        const Constraint &leading = constraints.leading();
+        if (constraints.constraints().size() > 1)
+          {
+            node.shared = static_cast<int>(shared_.size());
+            shared_.push_back(constraints);
+          }
         if (leading.kind == ConstraintKind::directions)
           node.held = constraints.independent();
         groups_[&leading - model_.constraints.data()].nodes.push_back(std::move(node));

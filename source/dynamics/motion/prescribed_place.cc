@@ -114,6 +114,9 @@ namespace vfife
       return is_small ? x : Vector3(axis.point + jump * (x - axis.point));
     };
     const Vector3 old = turned(old_place), free = turned(free_place);
+    // What is not finite stays so, for the guards of the run to tell.
+    if (!free.allFinite())
+      return free;
     // x = free + D mu, D the directions at the old place: Newton's method for mu, one step where
     // all equations are planes.
     //
@@ -121,10 +124,6 @@ namespace vfife
     //           |       o<-----o x*    a radius R alone: back along the old e_r onto its circle, so
     //    across |     / R              that the way across, which is the turn, stays as it is
     //           +---/------> e_r       (e_r, e_theta at the place before the step)
-
-    // What is not finite stays so, for the guards of the run to tell.
-    if (!free.allFinite())
-      return free;
     const unsigned int           n = held.size();
     Columns                      directions(3, n);
     std::array<PlaceEquation, 3> equations;

@@ -131,21 +131,28 @@ namespace vfife
       }
   }
 
+  std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Load           &load,
+                                                             const Discretization &discretization)
+  {
+    std::vector<std::pair<unsigned int, Matrix3>> springs;
+    const Discretization::Part                   *part = discretization.find_part(load.body);
+    if (part == nullptr)
+      return springs;
+    if (discretization.sector_angle() > 0)
+      throw InputError("spring \"" + load.name +
+                       "\": springs to the ground need the whole body, not one sector of it");
+    for (const auto &share : point_shares(load, discretization, *part))
+      springs.emplace_back(share.first, Matrix3((share.second * load.vector).asDiagonal()));
+    return springs;
+  }
+
   std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Discretization &discretization)
   {
     std::vector<std::pair<unsigned int, Matrix3>> springs;
-    const Model                                  &model = discretization.model();
-    for (const Load &load : model.loads)
-      {
-        const Discretization::Part *part = discretization.find_part(load.body);
-        if (load.kind != LoadKind::spring || part == nullptr)
-          continue;
-        if (discretization.sector_angle() > 0)
-          throw InputError("spring \"" + load.name +
-                           "\": springs to the ground need the whole body, not one sector of it");
-        for (const auto &share : point_shares(load, discretization, *part))
-          springs.emplace_back(share.first, Matrix3((share.second * load.vector).asDiagonal()));
-      }
+    for (const Load &load : discretization.model().loads)
+      if (load.kind == LoadKind::spring)
+        for (const auto &spring : find_springs(load, discretization))
+          springs.push_back(spring);
     return springs;
   }
 } // namespace vfife

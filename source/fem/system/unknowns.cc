@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/fem/system/point_constraints.h>
 #include <vfife/fem/system/unknowns.h>
 #include <vfife/model/body_frame.h>
 
@@ -13,21 +14,6 @@ namespace vfife
   namespace
   {
     constexpr unsigned int none = static_cast<unsigned int>(-1);
-
-    /** The constraints of all points that have any, by point. */
-    std::map<unsigned int, NodeConstraints> combine(const Discretization &discretization)
-    {
-      std::map<unsigned int, NodeConstraints> points;
-      const Model                            &model = discretization.model();
-      for (const Constraint &constraint : model.constraints)
-        if (const Discretization::Part *part = discretization.find_part(constraint.body))
-          for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
-            points.try_emplace(p, model.bodies[constraint.body], discretization.points()[p])
-              .first->second.add(constraint);
-      for (const auto &[p, constraints] : points)
-        constraints.check();
-      return points;
-    }
   } // namespace
 
   /** Directions in which a point may move, and the unknowns that belong to them. */
@@ -87,7 +73,7 @@ namespace vfife
     std::vector<LocalAxes>       axes(n_points);
     std::set<const Constraint *> met; // that let points turn
     refuse_led_directions(discretization, options);
-    for (const auto &[p, constraints] : combine(discretization))
+    for (const auto &[p, constraints] : find_point_constraints(discretization))
       {
         LocalAxes &local                = axes[p];
         local                           = LocalAxes(constraints);
@@ -246,7 +232,7 @@ namespace vfife
                                    const std::function<double(const Constraint &)> &factor)
   {
     std::vector<double> u(3 * static_cast<std::size_t>(discretization.n_points()), 0.);
-    for (const auto &[p, constraints] : combine(discretization))
+    for (const auto &[p, constraints] : find_point_constraints(discretization))
       Eigen::Map<Vector3>(u.data() + 3 * std::size_t(p)) = constraints.compute_displacement(factor);
     return u;
   }

@@ -132,6 +132,42 @@ namespace vfife
     return solve(values, "mm");
   }
 
+  std::vector<std::pair<const Constraint *, Vector3>>
+  NodeConstraints::share(const Vector3 &force, const Vector3 &place) const
+  {
+    Eigen::Matrix3Xd directions(3, held_.size());
+    for (std::size_t k = 0; k < held_.size(); ++k)
+      directions.col(k) = present_direction(held_[k], body_->axis, place);
+    const Eigen::VectorXd                               shares = share_force(directions, force);
+    std::vector<std::pair<const Constraint *, Vector3>> parts;
+    Vector3                                             rest = force;
+    for (std::size_t k = 0; k < held_.size(); ++k)
+      {
+        parts.emplace_back(held_[k].constraint, shares[k] * directions.col(k));
+        rest -= parts.back().second;
+      }
+    // The rest acts along the tangent of a hub.
+    const auto hub =
+      std::find_if(constraints_.begin(), constraints_.end(), [](const Constraint *constraint) {
+        return constraint->kind == ConstraintKind::rigid_hub ||
+               constraint->kind == ConstraintKind::free_rotation;
+      });
+    parts.emplace_back(hub == constraints_.end() ? constraints_.front() : *hub, rest);
+    return parts;
+  }
+
+  const Constraint &NodeConstraints::leading() const
+  {
+    for (const ConstraintKind kind : {ConstraintKind::prescribed_rotation,
+                                      ConstraintKind::held,
+                                      ConstraintKind::rigid_hub,
+                                      ConstraintKind::directions})
+      for (const Constraint *constraint : constraints_)
+        if (constraint->kind == kind)
+          return *constraint;
+    return *constraints_.front();
+  }
+
   bool NodeConstraints::has_values_to_compare() const
   {
     return held_.size() > n_held_ &&

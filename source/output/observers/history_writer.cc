@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
-#include <vfife/model/model.h>
+#include <vfife/model/constraints/supports.h>
 #include <vfife/output/observers/history_writer.h>
 
 namespace vfife
@@ -50,8 +50,21 @@ namespace vfife
       add(column::von_mises, "MPa", [](const ProbeValue &value) { return value.von_mises; });
     }
 
+    /** Force and moment of support number @p s of the model, under its name. */
+    void add_reaction(const std::string &support, const std::size_t s, Columns &columns)
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        columns.add(support + " reaction force " + column::fixed_axes[c], "N", [s, c](Now now) {
+          return now.reactions.at(s).force[c];
+        });
+      for (unsigned int c = 0; c < 3; ++c)
+        columns.add(support + " reaction moment " + column::fixed_axes[c], "N mm", [s, c](Now now) {
+          return now.reactions.at(s).moment[c];
+        });
+    }
+
     /** What gear pairs have files and figures of their own for. */
-    void add_motion(const std::vector<Probe> &probes, Columns &columns)
+    void add_motion(const Model &model, Columns &columns)
     {
       for (unsigned int c = 0; c < 3; ++c)
         columns.add(std::string("momentum ") + column::fixed_axes[c], "N s", [c](Now now) {
@@ -61,8 +74,11 @@ namespace vfife
         columns.add(std::string("angular momentum ") + column::fixed_axes[c],
                     "N mm s",
                     [c](Now now) { return now.angular_momentum[c]; });
-      for (std::size_t p = 0; p < probes.size(); ++p)
-        add_probe(probes[p], p, columns);
+      for (std::size_t p = 0; p < model.probes.size(); ++p)
+        add_probe(model.probes[p], p, columns);
+      const std::vector<Support> supports = list_supports(model);
+      for (std::size_t s = 0; s < supports.size(); ++s)
+        add_reaction(supports[s].name, s, columns);
     }
 
     /** All columns in the order of the file. */
@@ -100,7 +116,7 @@ namespace vfife
       });
       add_energies(pair.has_value(), columns);
       if (!pair)
-        add_motion(model.probes, columns);
+        add_motion(model, columns);
       return columns;
     }
   } // namespace

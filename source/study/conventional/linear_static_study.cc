@@ -7,9 +7,10 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/statics/probe_values.h>
+#include <vfife/fem/statics/reactions.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
-#include <vfife/model/constraints/held_direction.h>
+#include <vfife/model/constraints/supports.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
@@ -79,30 +80,23 @@ namespace vfife
         }
     }
 
-    /** A row a constraint: what it exerts on its nodes in the directions that it holds, with all
-     * others that hold the same. */
-    Table list_reactions(const Discretization &discretization, const StaticResult &result)
+    /** A row a support of the bodies looked at: what it exerts on its nodes. */
+    Table list_reactions(const Discretization        &discretization,
+                         const std::vector<Reaction> &reactions)
     {
-      Table        table = make_reaction_table();
-      const Model &model = discretization.model();
-      for (const Constraint &constraint : model.constraints)
-        if (const Discretization::Part *part = discretization.find_part(constraint.body))
+      Table                      table    = make_reaction_table();
+      const Model               &model    = discretization.model();
+      const std::vector<Support> supports = list_supports(model);
+      for (std::size_t s = 0; s < supports.size(); ++s)
+        if (discretization.find_part(supports[s].body) != nullptr)
           {
-            const Body &body   = model.bodies[constraint.body];
-            Vector3     force  = Vector3::Zero();
-            double      torque = 0;
-            for (const unsigned int p : discretization.points_of(*part, constraint.nodes))
-              {
-                const Vector3 place = discretization.points()[p];
-                // Of the reaction at the point only what this constraint holds, by its projector.
-                const Vector3 here =
-                  compute_held_projector(constraint, body, place) *
-                  Eigen::Map<const Vector3>(result.reactions.data() + 3 * std::size_t(p));
-                force += here;
-                torque += body.axis.direction.dot((place - body.axis.point).cross(here));
-              }
+            // The moment about the origin, moved to a point of the axis.
+            const Body    &body  = model.bodies[supports[s].body];
+            const Vector3 &force = reactions[s].force;
+            const double   torque =
+              body.axis.direction.dot(reactions[s].moment - body.axis.point.cross(force));
             table.add_row(
-              {constraint.name, body.name(), force[0], force[1], force[2], 1e-3 * torque});
+              {supports[s].name, body.name(), force[0], force[1], force[2], 1e-3 * torque});
           }
       return table;
     }
@@ -249,6 +243,7 @@ namespace vfife
     State state;
     state.time = options_.at_time ? options_.time : 1.; // as in `static`, the part of the loads
     state.measured.energy.strain = result.strain_energy;
+    state.measured.reactions     = compute_reactions(discretization, result);
     for (const Probe &probe : model.probes)
       state.measured.probes.push_back(
         compute_probe_value(probe, discretization, result.displacements, stresses));
@@ -316,7 +311,10 @@ namespace vfife
     write_probes(folder, model, solver.discretization(), result, stresses);
     if (output_.fields_every > 0)
       write_fields(folder, solver.discretization(), result, stresses);
-    write_csv(folder, "reactions.csv", list_reactions(solver.discretization(), result));
+    write_csv(folder,
+              "reactions.csv",
+              list_reactions(solver.discretization(),
+                             compute_reactions(solver.discretization(), result)));
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
     write_summary(folder, summary);

@@ -127,6 +127,7 @@ namespace vfife
         state.step = step;
         // On all ranks: its sums over the bodies are collective.
         solver.measure_at_rest(state);
+        state.measured.reactions = relaxation.compute_reactions(state, loads);
         for (const auto &observer : observers)
           observer->observe(model, state);
       }

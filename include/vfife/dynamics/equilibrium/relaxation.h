@@ -68,6 +68,10 @@ namespace vfife
      */
     NodeField compute_forces(State &state, const Loads &loads);
 
+    /** What constraints and springs exert in the state that solve() has reached with @p loads.
+     * Collective. */
+    std::vector<Reaction> compute_reactions(State &state, const Loads &loads);
+
     /** Norm of these @p forces over the norm of the applied ones, but what is round-off stays below
      * the tolerance. Collective. */
     double compute_residual(const State &state, const Loads &loads, const NodeField &forces);
@@ -82,6 +86,8 @@ namespace vfife
     }
 
   private:
+    /** Internal and applied ones and, where asked for, those of the contact. */
+    NodeField           compute_all_forces(State &state, const Loads &loads);
     void                add_contact(State &state, bool search, NodeField &forces);
     std::vector<double> compute_masses(const Loads &loads, double dt);
     void                add_applied(const State &state, const Loads &loads, NodeField &forces);

@@ -39,6 +39,10 @@ namespace vfife
      * Collective. */
     double compute_spring_energy(const NodeField &positions) const;
 
+    /** Adds what the model's springs exert on this rank's nodes, to those of @p reactions that
+     * follow the constraints'. */
+    void add_spring_reactions(const NodeField &positions, std::vector<Reaction> &reactions) const;
+
     /** Half of the power of the remembered forces with these velocities on this rank [mJ/s]. */
     double half_power(const NodeField &velocities) const;
 

@@ -116,6 +116,7 @@ namespace vfife
     void       set_damping(const State &state);
     StepPowers update_nodes(State &state);
     void       take_energies(const ElementMeasures &measures);
+    void       take_reactions(const State &state);
     void       show(Observers &observers, bool last);
     void       check(const State &state, bool measured, const ElementMeasures &measures);
     void       advance_bodies(State &state);

@@ -81,6 +81,24 @@ namespace vfife
      * rotation_is_free), of a rigid hub its share of the hub's torque; else nothing. Collective. */
     void project(const NodeField &positions, NodeField &forces, bool rotation_is_free) const;
 
+    /**
+     * Adds to @p reactions (one a constraint) what the constraints exerted on this rank's nodes at
+     * the time before the last apply(), with its @p damping and @p forces: m (v+ - v-)/dt less
+     * these forces and, where the node is free to move, its damping. @p velocities: v+.
+     */
+    void add_reactions(double                          dt,
+                       const std::vector<BodyDamping> &damping,
+                       const NodeField                &forces,
+                       const NodeField                &velocities,
+                       std::vector<Reaction>          &reactions) const;
+
+    /** The same at rest, in the frames that turn with the bodies: what project() has taken out of
+     * @p forces and left as @p projected, with the other sign. */
+    void add_static_reactions(const NodeField       &positions,
+                              const NodeField       &forces,
+                              const NodeField       &projected,
+                              std::vector<Reaction> &reactions) const;
+
   private:
     struct Node
     {
@@ -94,6 +112,7 @@ namespace vfife
 
       HeldDirections held;                            ///< of nodes led in directions
       Vector3        free_velocity = Vector3::Zero(); ///< without the prescribed displacements
+      int            shared        = -1; ///< index in shared_ of nodes in several constraints
     };
 
     struct Group
@@ -131,6 +150,11 @@ namespace vfife
                      const Vector3     &force) const;
     double  turned_angle(const Group &group, double time, MotionFrame frame) const;
 
+    void           add_reaction(const Group           &group,
+                                const Node            &node,
+                                const Vector3         &place,
+                                const Vector3         &reaction,
+                                std::vector<Reaction> &reactions) const;
     static Vector3 turned(const Axis &axis, const Vector3 &start, double angle);
     void
     turn_freely(Group &group, double dt, const BodyDamping &damping, const NodeField &forces) const;
@@ -149,6 +173,7 @@ namespace vfife
     std::vector<Group>           groups_;   ///< one a constraint
     std::vector<UpdateAxis>      axes_;     ///< per body
     std::vector<double>          factors_;  ///< of each constraint's values at present
+    std::vector<NodeConstraints> shared_;   ///< of this rank's nodes in several constraints
     std::vector<NodeConstraints> compared_; ///< nodes whose values may come to contradict
     std::optional<double>        part_;
   };

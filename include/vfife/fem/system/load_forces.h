@@ -21,6 +21,11 @@ namespace vfife
                        double                      factor,
                        std::vector<double>        &forces);
 
+  /** Stiffnesses [N/mm] of a spring to the ground, by point. Throws InputError on one sector of a
+   * body. */
+  std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Load           &load,
+                                                             const Discretization &discretization);
+
   /** Stiffnesses [N/mm] of the model's springs to the ground, by point. Throws InputError for
    * springs on one sector of a body. */
   std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Discretization &discretization);

@@ -3,7 +3,6 @@
 #define vfife_fem_system_unknowns_h
 
 #include <vfife/fem/system/discretization.h>
-#include <vfife/model/constraints/node_constraints.h>
 
 #include <cstdint>
 #include <functional>

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace vfife
@@ -64,6 +65,21 @@ namespace vfife
      * InputError, naming the constraints and their values, where they contradict each other.
      */
     Vector3 compute_displacement(const Factor &factor) const;
+
+    /**
+     * Parts of a @p force that the constraints exert on the node when it is at @p place, along the
+     * directions that they hold there. What none of them holds is what nodes that turn together
+     * exert on each other, or a shaft that is held on a hub.
+     */
+    std::vector<std::pair<const Constraint *, Vector3>> share(const Vector3 &force,
+                                                              const Vector3 &place) const;
+
+    /**
+     * The constraint whose kind says how the node moves. Those that leave it no freedom come first,
+     * and a rigid hub, with which nothing else but the same goes together. What holds radius and
+     * axial position beside other directions is one more of these.
+     */
+    const Constraint &leading() const;
 
     /** Whether values of dependent directions could contradict each other at some time. */
     bool has_values_to_compare() const;

@@ -1,0 +1,30 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_model_constraints_supports_h
+#define vfife_model_constraints_supports_h
+
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+
+  /** What holds nodes of a body and reacts to what acts on them. */
+  struct Support
+  {
+    std::string  name;
+    unsigned int body = 0;
+  };
+
+  /** The constraints of a model, then its springs to the ground: Measurements::reactions has their
+   * order. */
+  std::vector<Support> list_supports(const Model &model);
+
+  /** Replaces reactions of this rank's nodes by those of all ranks. Collective. */
+  void sum_over_ranks(std::vector<Reaction> &reactions, const Communicator &communicator);
+} // namespace vfife
+
+#endif

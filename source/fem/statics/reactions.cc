@@ -1,0 +1,35 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/statics/reactions.h>
+#include <vfife/fem/system/load_forces.h>
+#include <vfife/fem/system/point_constraints.h>
+#include <vfife/model/constraints/supports.h>
+
+namespace vfife
+{
+  std::vector<Reaction> compute_reactions(const Discretization &discretization,
+                                          const StaticResult   &result)
+  {
+    const Model          &model = discretization.model();
+    std::vector<Reaction> reactions(list_supports(model).size());
+    const auto            at = [](const std::vector<double> &field, const unsigned int p) {
+      return Vector3(Eigen::Map<const Vector3>(field.data() + 3 * std::size_t(p)));
+    };
+    // 1. Constraints: what is out of balance at their points.
+    for (const auto &[p, constraints] : find_point_constraints(discretization))
+      {
+        const Vector3 &place = discretization.points()[p];
+        for (const auto &[constraint, part] : constraints.share(at(result.reactions, p), place))
+          reactions[constraint - model.constraints.data()].add(place, part);
+      }
+    // 2. Springs, which follow the constraints: -k u.
+    std::size_t s = model.constraints.size();
+    for (const Load &load : model.loads)
+      if (load.kind == LoadKind::spring)
+        {
+          for (const auto &[p, stiffness] : find_springs(load, discretization))
+            reactions[s].add(discretization.points()[p], -stiffness * at(result.displacements, p));
+          ++s;
+        }
+    return reactions;
+  }
+} // namespace vfife
