@@ -6,8 +6,10 @@
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/case_runner.h>
+#include <vfife/study/other_sections.h>
 #include <vfife/study/study.h>
 #include <vfife/study/study_kinds.h>
 
@@ -27,6 +29,7 @@ namespace vfife
       StudyOptions               options;
       std::unique_ptr<StudyKind> study;
       dealii::ParameterHandler   prm;
+      OtherSections              others; ///< what other kinds read
 
       ReadStudy(const ParameterFile &file, const CaseRunner &runner)
       {
@@ -37,7 +40,8 @@ namespace vfife
         study = options.kind.make(runner);
         options.declare(prm);
         study->declare(prm, file);
-        file.read(prm);
+        others = find_other_sections(file, prm, runner);
+        file.read(prm, others);
       }
     };
 
@@ -48,6 +52,12 @@ namespace vfife
       for (const auto &[word, kind] : study_kinds())
         if (!kind.last_file.empty())
           folder.remove_file(kind.last_file);
+    }
+
+    void log_passed_over(const OtherSections &others, Log &log)
+    {
+      if (!others.passed_over.empty())
+        log.line("not read by this kind of study: ", list_of(others.passed_over));
     }
 
     void read_and_run(const CommandLine   &command_line,
@@ -71,6 +81,7 @@ namespace vfife
       study->check();
       if (command_line.check)
         {
+          log_passed_over(read.others, log);
           study->inspect(communicator, log);
           return;
         }
@@ -89,6 +100,7 @@ namespace vfife
       folder.write_parameters(prm, file.path());
       absolute.reset();
       log.line("vfife: ", file.path(), ", results in ", folder.path());
+      log_passed_over(read.others, log);
       // 4. The study itself, on all ranks.
       study->run(folder, log);
     }

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // General models give the same histories on one rank and on several: bars in contact, a turning
-// body.
+// body, a clamped beam.
 #include "../tests.h"
 #include "quick_pair.h"
 
@@ -51,6 +51,11 @@ namespace
            column.find(" von mises") != std::string::npos;
   }
 
+  bool is_reaction(const std::string &column)
+  {
+    return column.find(" reaction ") != std::string::npos;
+  }
+
   double largest_size(const std::vector<double> &values)
   {
     double size = 0;
@@ -71,11 +76,12 @@ namespace
   {
     double      relative = 0; ///< largest of any column over its largest value
     double      stress   = 0; ///< [MPa]
+    double      reaction = 0; ///< [N], moments over the largest coordinate
     std::string column;       ///< of the first
   };
 
   /** The energy error is left out: round-off of the energy of flight over the little exchanged. */
-  Difference compare(const Columns &one, const Columns &other)
+  Difference compare(const Columns &one, const Columns &other, const double coordinate)
   {
     std::map<std::string, double> size;
     for (const auto &[name, values] : one)
@@ -86,6 +92,11 @@ namespace
         const double difference = largest_difference(values, other.at(name));
         if (is_stress(name))
           result.stress = largest_of(result.stress, difference);
+        else if (is_reaction(name))
+          result.reaction =
+            largest_of(result.reaction,
+                       name.find(" moment ") == std::string::npos ? difference
+                                                                  : difference / coordinate);
         else if (name != "energy error" && difference > result.relative * size[family(name)])
           {
             result.relative = difference / size[family(name)];
@@ -122,7 +133,7 @@ namespace
     check(name + ": same columns and samples", comparable);
     if (!comparable)
       return;
-    const Difference difference = compare(one, other);
+    const Difference difference = compare(one, other, coordinate);
     // A unit in the last place of a coordinate is a strain of eps x/h.
     const double unit = 206000 * std::numeric_limits<double>::epsilon() * coordinate / cell;
     if (tell)
@@ -133,6 +144,10 @@ namespace
     check_below(name + ": histories over their largest values", difference.relative, 1e-8);
     // Some 10^2 to 10^3 steps add up at random to some 10 to 30 of them.
     check_below(name + ": stresses in units in the last place", difference.stress / unit, 200);
+    // Forces of nodes with the stiffness E h.
+    check_below(name + ": reactions in units in the last place",
+                difference.reaction / (unit * cell * cell),
+                200);
   }
 } // namespace
 
@@ -149,4 +164,6 @@ int main(int argc, char **argv)
                 session.world(),
                 tell);
   compare_ranks("tumbling", {"Dynamics/end time=0.05 ms"}, 20., 2., session.world(), tell);
+  compare_ranks(
+    "vibrating_cantilever", {"Dynamics/end time=0.3 ms"}, 100., 2.5, session.world(), tell);
 }

@@ -9,6 +9,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <list>
 #include <ostream>
@@ -29,13 +30,18 @@ namespace vfife
     [[noreturn]] void refuse_section(const std::string     &place,
                                      const std::string     &name,
                                      const DeclaredSection &parent,
-                                     const std::string     &path)
+                                     const std::string     &path,
+                                     const OtherSections   &others)
     {
       const std::vector<std::string> known   = parent.section_names();
       std::string                    message = place + ": \"" + name + "\" is not a section of " +
                             (path.empty() ? "the parameter file" : "\"" + path + "\"");
       message += known.empty() ? " (it has none)" : " (allowed: " + list_of(known) + ")";
-      message += parent.find_entry(name) == nullptr ? did_you_mean(name, known)
+      // Meant may be one that other kinds of study read, which may stand at the top level as well.
+      std::vector<std::string> meant = known;
+      if (path.empty())
+        meant.insert(meant.end(), others.names.begin(), others.names.end());
+      message += parent.find_entry(name) == nullptr ? did_you_mean(name, meant)
                                                     : "; it is an entry: set " + name + " = ...";
       throw InputError(message);
     }
@@ -68,7 +74,8 @@ namespace vfife
      * nullptr. */
     const DeclaredSection *find_section_of(const ParameterStatement &statement,
                                            const DeclaredSection    &top,
-                                           const bool                strict)
+                                           const bool                strict,
+                                           const OtherSections      &others = {})
     {
       const DeclaredSection *section = &top;
       std::string            path;
@@ -76,7 +83,7 @@ namespace vfife
         {
           const DeclaredSection *const inner = section->find_section(name);
           if (inner == nullptr && strict)
-            refuse_section(statement.place, name, *section, path);
+            refuse_section(statement.place, name, *section, path, others);
           if (inner == nullptr)
             return nullptr;
           section = inner;
@@ -123,24 +130,51 @@ namespace vfife
     read_known(prm);
   }
 
-  void ParameterFile::read(dealii::ParameterHandler &prm) const
+  void ParameterFile::read(dealii::ParameterHandler &prm, const OtherSections &others) const
+  {
+    const DeclaredSection           top         = find_declared(prm);
+    const std::vector<std::string> &passed_over = others.passed_over;
+    for (const ParameterStatement &statement : statements_)
+      if (std::find(passed_over.begin(), passed_over.end(), statement.top_section()) ==
+          passed_over.end())
+        set_declared(statement, top, others, prm);
+  }
+
+  void ParameterFile::read_section(const std::string &section, dealii::ParameterHandler &prm) const
   {
     const DeclaredSection top = find_declared(prm);
     for (const ParameterStatement &statement : statements_)
+      if (statement.top_section() == section)
+        set_declared(statement, top, {}, prm);
+  }
+
+  std::vector<std::string> ParameterFile::sections() const
+  {
+    std::vector<std::string> names;
+    for (const ParameterStatement &statement : statements_)
+      if (const std::string name = statement.top_section();
+          !name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+    return names;
+  }
+
+  void ParameterFile::set_declared(const ParameterStatement &statement,
+                                   const DeclaredSection    &top,
+                                   const OtherSections      &others,
+                                   dealii::ParameterHandler &prm) const
+  {
+    const DeclaredSection &section = *find_section_of(statement, top, true, others);
+    if (statement.opens_section)
       {
-        const DeclaredSection &section = *find_section_of(statement, top, true);
-        if (statement.opens_section)
-          {
-            // The last pass knows all there is: what is not declared now is misspelt or out of
-            // place.
-            if (section.find_section(statement.name) == nullptr)
-              refuse_section(statement.place, statement.name, section, statement.section_path());
-          }
-        else if (const auto *const entry = section.find_entry(statement.name))
-          apply(statement, *entry, prm);
-        else
-          refuse_entry(statement, section, top);
+        // The last pass knows all there is: what is not declared now is misspelt or out of place.
+        if (section.find_section(statement.name) == nullptr)
+          refuse_section(
+            statement.place, statement.name, section, statement.section_path(), others);
       }
+    else if (const auto *const entry = section.find_entry(statement.name))
+      apply(statement, *entry, prm);
+    else
+      refuse_entry(statement, section, top);
   }
 
   void ParameterFile::apply(const ParameterStatement     &statement,

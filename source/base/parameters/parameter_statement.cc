@@ -196,6 +196,13 @@ namespace vfife
     return path;
   }
 
+  std::string ParameterStatement::top_section() const
+  {
+    if (!sections.empty())
+      return sections.front();
+    return opens_section ? name : "";
+  }
+
   std::string ParameterStatement::path() const
   {
     return sections.empty() ? name : section_path() + "/" + name;

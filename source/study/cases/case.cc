@@ -3,6 +3,11 @@
 
 namespace vfife
 {
+  void Case::check_bodies() const
+  {
+    check();
+  }
+
   void Case::set_defaults(DynamicsOptions &, OutputOptions &) const
   {
   }

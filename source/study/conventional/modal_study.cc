@@ -37,7 +37,9 @@ namespace vfife
 
       void check() const override
       {
-        case_->check();
+        // Speeds are those of the section Fem, at rest if nothing is said, and nothing loads the
+        // bodies.
+        case_->check_bodies();
         fem_.check("Fem");
       }
 

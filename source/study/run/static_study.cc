@@ -36,6 +36,8 @@ namespace vfife
         case_.set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
         output_.declare(prm);
+        // The end time of a run, whose file may be that of its equilibrium as well.
+        case_.declare_run(prm);
       }
 
       void check() const override

@@ -18,6 +18,13 @@ namespace dealii
 
 namespace vfife
 {
+  /** Sections at the top level of a file that its reader has no use for, but others have. */
+  struct OtherSections
+  {
+    std::vector<std::string> passed_over; ///< of those in the file; others have read them
+    std::vector<std::string> names;       ///< all that others know, for hints in messages
+  };
+
   /**
    * A parameter file with the settings of the command line, which win over it. It can be read
    * several times, into handlers that declare more each time: first the names of bodies, loads and
@@ -41,8 +48,15 @@ namespace vfife
      * words that decide what else is declared. */
     void read_known(const std::function<void(dealii::ParameterHandler &)> &declare) const;
 
-    /** Sets all entries; one that @p prm (at its top level) does not declare is an error. */
-    void read(dealii::ParameterHandler &prm) const;
+    /** Sets all entries; one that @p prm (at its top level) does not declare is an error, unless
+     * it stands in one of the sections that are passed over. */
+    void read(dealii::ParameterHandler &prm, const OtherSections &others = {}) const;
+
+    /** Sets the entries of one section at the top level; one that is not declared is an error. */
+    void read_section(const std::string &section, dealii::ParameterHandler &prm) const;
+
+    /** Names of the sections at the top level, each once, in order. */
+    std::vector<std::string> sections() const;
 
     /** Whether an entry or a section ("Gear pair", "Gear pair/Gear/Blank") stands in the file or
      * the overrides. */
@@ -67,6 +81,10 @@ namespace vfife
     }
 
   private:
+    void                      set_declared(const ParameterStatement &statement,
+                                           const DeclaredSection    &top,
+                                           const OtherSections      &others,
+                                           dealii::ParameterHandler &prm) const;
     void                      apply(const ParameterStatement     &statement,
                                     const DeclaredSection::Entry &entry,
                                     dealii::ParameterHandler     &prm) const;

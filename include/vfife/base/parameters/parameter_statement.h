@@ -21,6 +21,9 @@ namespace vfife
     /** "Section/Sub": the sections it stands in. */
     std::string section_path() const;
 
+    /** The outermost section it stands in or opens; empty at the top level. */
+    std::string top_section() const;
+
     /** "Section/Sub/name" */
     std::string path() const;
   };

@@ -37,6 +37,10 @@ namespace vfife
     /** Throws InputError when entries contradict each other. */
     virtual void check() const = 0;
 
+    /** The part of check() that concerns bodies and materials, not what they are run at: enough for
+     * make_model(). */
+    virtual void check_bodies() const;
+
     /** Meshes the bodies and puts the model together; logs what a user wants to know about them. */
     virtual Model make_model(Log &log) const = 0;
 

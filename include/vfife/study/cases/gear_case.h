@@ -22,6 +22,7 @@ namespace vfife
 
     void         declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
     void         check() const override;
+    void         check_bodies() const override;
     Model        make_model(Log &log) const override;
     void         check_run(const DynamicsOptions &dynamics) const override;
     double       end_time() const override;
@@ -29,9 +30,6 @@ namespace vfife
     double       choose_step(double stable_step, unsigned int samples) const override;
     HertzContact hertz_contact() const override;
     std::vector<std::string> find_contradictions(const RunPlan &plan) const override;
-
-    /** The part of check() that concerns pair, bodies and materials: enough for make_model(). */
-    void check_bodies() const;
 
     /** The pair with everything derived. */
     GearPair make_pair() const;
