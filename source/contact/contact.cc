@@ -66,7 +66,7 @@ namespace vfife
       to.normal_force += from.normal_force;
       to.energy += from.energy;
       to.damping_power += from.damping_power;
-      to.friction_power += from.friction_power;
+      to.friction_loss += from.friction_loss;
     }
   } // namespace
 
@@ -152,10 +152,9 @@ namespace vfife
       mass_per_area_ > 0. ? mass_per_area_ : options_.penalty.mass_per_area_for(penalty_, dt);
     // A node of the area A is critically damped on its spring eps A by c A = 2 sqrt(eps A m).
     SurfaceInteraction interaction{*law_, penalty_};
-    interaction.damping             = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
-    interaction.friction            = options_.friction_coefficient;
-    interaction.regularization      = options_.regularization_velocity;
-    interaction.mass_per_area_by_dt = dt > 0. ? mass / dt : 0.;
+    interaction.damping            = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
+    interaction.friction           = options_.friction.coefficient;
+    interaction.tangential_penalty = options_.friction.stiffness_ratio * penalty_;
     return interaction;
   }
 
@@ -280,6 +279,44 @@ namespace vfife
       pass.serialize(stream);
     if (stream.reads())
       find_active_nodes();
+  }
+
+
+  void Contact::set_friction_mode(const FrictionMode mode)
+  {
+    for (ContactPass &pass : passes_)
+      pass.set_friction_mode(mode);
+  }
+
+
+  std::vector<AnchorOfPoint> Contact::anchors() const
+  {
+    std::vector<AnchorOfPoint> anchors;
+    for (unsigned int i = 0; i < passes_.size(); ++i)
+      passes_[i].append_anchors(i, anchors);
+    return anchors;
+  }
+
+
+  bool Contact::has_place(const AnchorOfPoint &of_point) const
+  {
+    const ContactAnchor &anchor = of_point.anchor;
+    return of_point.pass < passes_.size() &&
+           anchor.facet < passes_[of_point.pass].master().n_facets() &&
+           std::isfinite(anchor.xi + anchor.eta + anchor.elastic + anchor.energy);
+  }
+
+
+  void Contact::restore_anchors(const std::vector<AnchorOfPoint> &anchors)
+  {
+    for (unsigned int i = 0; i < passes_.size(); ++i)
+      {
+        std::vector<AnchorOfPoint> of_pass;
+        for (const AnchorOfPoint &anchor : anchors)
+          if (anchor.pass == i)
+            of_pass.push_back(anchor);
+        passes_[i].restore_anchors(of_pass);
+      }
   }
 
 

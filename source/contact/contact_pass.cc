@@ -191,6 +191,8 @@ namespace vfife
                                 const unsigned int n_ranks)
   {
     ++n_wide_searches_;
+    std::vector<AnchorOfPoint> anchors;
+    append_anchors(0, pair, anchors);
     pair.points.clear();
     pair.touching.clear();
 
@@ -243,6 +245,11 @@ namespace vfife
             pair.points.push_back(point);
           }
       }
+    if (has_friction_)
+      {
+        pair.anchors.assign(pair.points.size(), ContactAnchor());
+        place_anchors(anchors, pair);
+      }
     // None sleeps yet.
     pair.awake_at.assign(pair.points.size(), -std::numeric_limits<double>::infinity());
   }
@@ -289,6 +296,10 @@ namespace vfife
     rank_    = rank;
     n_ranks_ = n_ranks;
 
+    has_friction_ = interaction.friction > 0. && mode_ != FrictionMode::none;
+    for (Pair &pair : pairs_)
+      pair.anchors.resize(has_friction_ ? pair.points.size() : 0);
+
     double     last     = times_ != nullptr ? processor_time() : 0.;
     const auto add_time = [&](double ContactTimes::*part_of_step) {
       if (times_ == nullptr)
@@ -302,6 +313,12 @@ namespace vfife
     update_paths(slave, master);
     add_time(&ContactTimes::motion);
     list_points(rank, n_ranks);
+    if (has_friction_ && !restored_.empty())
+      {
+        for (Pair &pair : pairs_)
+          place_anchors(restored_, pair);
+        restored_.clear();
+      }
     add_time(&ContactTimes::wide_search);
     for (Pair &pair : pairs_)
       find_gaps(pair);

@@ -129,7 +129,11 @@ namespace vfife
         const Vector3 x     = slave_point(point.slave_facet, point.rule_point);
         point.pressure      = 0.;
         if (!locate(pair, point, x, path, pair.awake_at[i]))
-          continue;
+          {
+            if (has_friction_)
+              open(pair, i, false);
+            continue;
+          }
         // lambda counts in lengths of m, the gap between the true surfaces in mm.
         const Projection &p      = point.projection;
         const double      length = master_.state(p.facet).normal(p.xi, p.eta).norm();
@@ -139,7 +143,12 @@ namespace vfife
         if (point.gap >= 0.)
           pair.awake_at[i] = path + sleep_per_gap * point.gap;
         else if (point.gap > -depth_limit_)
-          pair.touching.push_back(i);
+          {
+            pair.touching.push_back(i);
+            continue;
+          }
+        if (has_friction_)
+          open(pair, i, true);
       }
   }
 
@@ -159,18 +168,28 @@ namespace vfife
       }
     interaction.law.evaluate(pressed_);
     for (std::size_t i = 0; i < pressed_.size(); ++i)
-      press(pair.points[pair.touching[i]],
-            pressed_[i],
-            interaction,
-            result,
-            slave_forces,
-            master_forces);
+      {
+        const unsigned int point  = pair.touching[i];
+        ContactAnchor     *anchor = has_friction_ ? &pair.anchors[point] : nullptr;
+        if (!press(pair.points[point],
+                   pressed_[i],
+                   interaction,
+                   anchor,
+                   result,
+                   slave_forces,
+                   master_forces) &&
+            has_friction_)
+          open(pair, point, true);
+      }
+    result.friction_loss += pair.released;
+    pair.released = 0.;
   }
 
 
-  void ContactPass::press(ListedPoint              &point,
+  bool ContactPass::press(ListedPoint              &point,
                           const PressedPoint       &elastic,
                           const SurfaceInteraction &interaction,
+                          ContactAnchor            *anchor,
                           GroupPairResult          &result,
                           double                   *slave_forces,
                           double                   *master_forces)
@@ -182,13 +201,13 @@ namespace vfife
     // Surfaces that do not face each other do not press.
     const Vector3 slave_normal = slave_.vector_area(point.slave_facet);
     if (normal.dot(slave_normal) > facing_cosine * slave_normal.norm())
-      return;
+      return false;
     const Projection &p        = point.projection;
     const Fading      fade     = fading(p);
     const double      area     = point.area * fade.weight;
     result.largest_penetration = std::max(result.largest_penetration, -point.gap);
     if (area <= 0.)
-      return;
+      return false;
 
     const auto        &shape          = rule_[point.rule_point].shape;
     const auto         weights        = bilinear_weights(p.xi, p.eta);
@@ -197,16 +216,15 @@ namespace vfife
     const TangentBasis basis(*this, point, x, normal);
 
     // Pressure: elastic, and damped where the gap's rate counts.
-    double  gap_rate = 0.;
-    Vector3 slip     = Vector3::Zero();
-    if (interaction.damping > 0. || interaction.friction > 0.)
+    double gap_rate = 0.;
+    if (interaction.damping > 0.)
       {
         Vector3 velocity = Vector3::Zero(); // of the slave's point over the master's
         for (unsigned int k = 0; k < 4; ++k)
           velocity += shape[k] * slave_.velocity(slave_corners[k]) -
                       weights[k] * master_.velocity(master_corners[k]);
-        slip     = basis.slip(velocity, normal, master_, master_corners);
-        gap_rate = normal.dot(velocity) - basis.slope_xi * basis.dual_xi.dot(slip) -
+        const Vector3 slip = basis.slip(velocity, normal, master_, master_corners);
+        gap_rate           = normal.dot(velocity) - basis.slope_xi * basis.dual_xi.dot(slip) -
                    basis.slope_eta * basis.dual_eta.dot(slip);
       }
     const double pressure = interaction.pressure(elastic.pressure, gap_rate);
@@ -216,7 +234,7 @@ namespace vfife
     result.energy += elastic.energy * area;
     result.damping_power -= (pressure - elastic.pressure) * gap_rate * area;
     if (pressure <= 0.)
-      return;
+      return false;
 
     // The force is the slope of the energy w E(-g) A of the contact law: along the normal with the
     // gap, and along the facet where gap or weight change as the point slides.
@@ -224,12 +242,8 @@ namespace vfife
     const double along_xi      = pressure * area * basis.slope_xi + weight_energy * fade.slope_xi;
     const double along_eta     = pressure * area * basis.slope_eta + weight_energy * fade.slope_eta;
     Vector3      tangential    = -along_xi * basis.dual_xi - along_eta * basis.dual_eta;
-    if (interaction.friction > 0.)
-      {
-        const Vector3 friction = area * interaction.friction_traction(pressure, slip);
-        result.friction_power -= friction.dot(slip);
-        tangential += friction;
-      }
+    if (anchor != nullptr)
+      tangential += stick(p, normal, basis, pressure, area, interaction, *anchor, result);
     // Opposite forces on the corners of both facets, by the weights of the point in each.
     basis.balance_couple(tangential, normal, master_corners, master_forces);
 
@@ -243,6 +257,7 @@ namespace vfife
     result.moment += x.cross(force);
     result.area += area;
     result.normal_force += pressure * area;
+    return true;
   }
 
 

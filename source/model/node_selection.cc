@@ -22,7 +22,8 @@ namespace vfife
   }
 
   unsigned int NodeSelection::find_body(const std::vector<Body> &bodies,
-                                        const std::string       &section) const
+                                        const std::string       &section,
+                                        const std::string       &entry) const
   {
     std::vector<std::string> names;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -34,7 +35,7 @@ namespace vfife
     // With one body its name may be left out.
     if (body.empty() && bodies.size() == 1)
       return 0;
-    throw InputError(section + "/body",
+    throw InputError(section + "/" + entry,
                      "there is no body \"" + body + "\" (bodies: " + list_of(names) + ")" +
                        did_you_mean(body, names));
   }

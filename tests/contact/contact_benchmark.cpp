@@ -68,7 +68,7 @@ namespace
     MovingSurface  slave(slave_surface), master(sphere_patch(50., 0.25, 30));
     ContactOptions options;
     options.damping_ratio        = damping;
-    options.friction_coefficient = friction;
+    options.friction.coefficient = friction;
     Contact contact(slave.surface, master.surface, options);
     contact.set_penalty(1e5, 2e-9);
     contact.find_candidates({Matrix3::Identity(), Vector3(0., 0., rise)}, {}, 3.);

@@ -84,7 +84,7 @@ int main()
   check("discretization", options.discretization == ContactDiscretization::two_pass);
   check("surface", options.surface == ContactSurfaceKind::flat_facets);
   check("points per facet", options.points_per_facet == 4);
-  check_close("friction coefficient", options.friction_coefficient, 0.08, 0.);
+  check_close("friction coefficient", options.friction.coefficient, 0.08, 0.);
   check_close("search skin [mm]", options.search_skin, 0.05, 1e-15);
   check_close("edge fading keeps its default", options.edge_fading, 0.15, 0.);
   check_close("given penalty", options.penalty.value_for_step(1e-9, 1e-7), 4e6, 0.);

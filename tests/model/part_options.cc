@@ -193,7 +193,8 @@ namespace
     const Model      model = make_model(contact(
       of_bar + "set kind = wall\nset nodes = z-\nset where = x > 8.5\nset wall point = 1, 2, -0.5\n"
                     "set wall normal = 0, 0, 5\nset penalty from step = no\nset penalty = 3e4 N/mm^3\n"
-                    "set penalty fraction = 0.25\n"));
+                    "set penalty fraction = 0.25\nset friction coefficient = 0.2\n"
+                    "set tangential stiffness ratio = 0.5\n"));
     const RigidWall &wall  = model.walls.at(0);
     check("contact with a wall",
           model.contacts.empty() && wall.name == "touch" && wall.body == 0 &&
@@ -202,7 +203,12 @@ namespace
     check("its penalty",
           !wall.penalty.from_step && wall.penalty.value == 3e4 && wall.penalty.fraction == .25);
 
+    check("its friction", wall.friction.coefficient == .2 && wall.friction.stiffness_ratio == .5);
+
     refuse(contact("set slave body = ring\nset slave surface = outer\n"));
+    refuse(contact("set slave body = rink\nset slave surface = outer\n"));
+    refuse(contact(of_bar + "set kind = wall\nset nodes = z-\n"
+                            "set tangential stiffness ratio = 1.5\n"));
     refuse(contact(bodies + "set wall point = 0, 0, 0\n"));
     refuse(contact(bodies + "set edge relief width = 0.1\nset edge relief depth = 0.05\n"));
     refuse(contact(of_bar + "set kind = wall\nset nodes = z-\nset wall normal = 0, 0, 0\n"));

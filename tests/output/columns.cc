@@ -82,6 +82,8 @@ namespace
     Constraint support;
     support.name = "NAME";
     general.constraints.push_back(support);
+    general.walls.emplace_back();
+    general.walls[0].name = "NAME";
 
     const auto history = [&folder](const Model &model) {
       return HistoryWriter(folder, model, 1).table();

@@ -33,7 +33,8 @@ namespace
 
   /** A block of 8 x 8 mm lies @p depth deep in a larger one and slides: after no time at all the
    * pressure is penalty times depth everywhere. */
-  double touch(const std::string &entries, Communicator &world)
+  std::map<std::string, std::vector<double>> run_touch(const std::string &entries,
+                                                       Communicator      &world)
   {
     const std::string text = R"(
 subsection Model
@@ -70,11 +71,70 @@ subsection Dynamics
   set largest number of steps = 1
 end
 subsection Output
+  set history every    = 1
   set pictures         = no
   set checkpoint every = 0
 end
 )";
-    return run_text("touch", text, world)["contact force total"].front();
+    return run_text("touch", text, world);
+  }
+
+  /** Contact force at the start [N]. */
+  double touch(const std::string &entries, Communicator &world)
+  {
+    return run_touch(entries, world)["contact force total"].front();
+  }
+
+  /** A sphere of few facets, 0.3 mm deep in a block. */
+  void press_sphere(Communicator &world)
+  {
+    run_text("sphere",
+             R"(
+subsection Model
+  set bodies   = under, ball
+  set contacts = faces
+  subsection Body under
+    set size x  = 20
+    set size y  = 20
+    set size z  = 4
+    set cells x = 10
+    set cells y = 10
+    set cells z = 1
+  end
+  subsection Body ball
+    set mesh     = sphere
+    set position = 10, 10, 13.7 mm
+  end
+  subsection Contact faces
+    set slave body        = ball
+    set slave surface     = outer
+    set master body       = under
+    set master surface    = z+
+    set penalty from step = no
+    set penalty           = 100
+    set penetration limit = 1
+  end
+end
+subsection Dynamics
+  set end time                = 1
+  set largest number of steps = 1
+end
+subsection Output
+  set pictures         = no
+  set checkpoint every = 0
+end
+)",
+             world);
+  }
+
+  /** Warnings of a run's summary with @p part. */
+  unsigned int count_warnings(const std::string &folder, const std::string &part)
+  {
+    const nlohmann::json summary = read_summary(folder);
+    unsigned int         n       = 0;
+    for (const nlohmann::json &warning : summary.at("warnings"))
+      n += warning.get<std::string>().find(part) != std::string::npos;
+    return n;
   }
 
   void contact(Communicator &world)
@@ -82,18 +142,40 @@ end
     const double force = penalty * depth * area;
     check_close("penalty times depth times area [N]", touch("", world), force, 1e-9);
 
-    // Friction mu p s/sqrt(s^2 + v_r^2) stands normal to the pressure.
-    for (const double regularization : {velocity, 3 * velocity})
+    // Friction stands normal to the pressure: zero at first, then the stiffness ratio times penalty
+    // times the way of a step, on the whole area, until it slides.
+    check_close("friction coefficient: no force at first",
+                touch("set friction coefficient = 0.3\n", world) / force,
+                1.,
+                1e-12);
+    for (const double ratio : {1., 0.25})
       {
-        const double slip = velocity / std::hypot(velocity, regularization);
-        check_close("regularization velocity: force over the normal one",
-                    touch("set friction coefficient = 0.3\nset regularization velocity = " +
-                            std::to_string(regularization) + " mm/s\n",
-                          world) /
-                      force,
-                    std::hypot(1., .3 * slip),
-                    1e-9);
+        const std::string entries =
+          "set friction coefficient = 0.3\nset tangential stiffness ratio = " +
+          std::to_string(ratio) + "\n";
+        auto         rows = run_touch(entries, world);
+        const double dt   = rows["time"].at(1);
+        // The block's own motion along the step is the velocity's but for some 1e-5 of it.
+        check_close("tangential stiffness ratio: force along the way",
+                    rows["faces contact force y"].at(1),
+                    -ratio * penalty * velocity * dt * area,
+                    1e-3 * ratio * penalty * velocity * dt * area);
       }
+    check_close("regularization velocity: read and not used",
+                touch("set friction coefficient = 0.3\nset regularization velocity = 1 mm/s\n",
+                      world) /
+                  force,
+                1.,
+                1e-12);
+
+    check("regularization velocity: warned of once",
+          count_warnings("touch", "\"regularization velocity\" is no longer used") == 1);
+    check("a contact that fills its surface has any width",
+          count_warnings("touch", "mm wide") == 0);
+    // A sphere of facets of 4 mm, pressed in until a few points touch.
+    press_sphere(world);
+    check("a contact narrower than two facets: warned of",
+          count_warnings("sphere", "mm wide") == 1);
 
     // (1 - d/2)^2 over the outer facets of 2 mm, d the distance to the border: a third of the depth
     // where one side is the border, and 11/18 at corners, where d is bilinear.

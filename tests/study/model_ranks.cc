@@ -38,6 +38,7 @@ namespace
   {
     static const std::vector<std::string> families = {"angular momentum",
                                                       "momentum",
+                                                      " contact force ",
                                                       " displacement "};
     for (const std::string &one : families)
       if (column.find(one) != std::string::npos)

@@ -69,8 +69,8 @@ namespace vfife
 
     /**
      * Penalty [N/mm^3], see PenaltyOptions::value_for_step, and the least nodal mass per tributary
-     * area [t/mm^2], which scales the gap-rate damping c = 2 ratio sqrt(eps m/A) and bounds the
-     * friction's slope. Without it (0) that of PenaltyOptions::mass_per_area_for the step is taken.
+     * area [t/mm^2], which scales the gap-rate damping c = 2 ratio sqrt(eps m/A). Without it (0)
+     * that of PenaltyOptions::mass_per_area_for the step is taken.
      */
     void   set_penalty(double penalty, double mass_per_area = 0.);
     double penalty() const
@@ -158,6 +158,18 @@ namespace vfife
      * options that reads it goes on to the last digit, if its rank is the same.
      */
     void serialize(ByteStream &stream);
+
+    /** Whether points that slide take their anchors along (as it is at first), see FrictionMode. */
+    void set_friction_mode(FrictionMode mode);
+
+    /** Where the points of this rank stick. */
+    std::vector<AnchorOfPoint> anchors() const;
+
+    /** Whether there is such a place: what a checkpoint holds must be looked at. */
+    bool has_place(const AnchorOfPoint &anchor) const;
+
+    /** Goes on with the @p anchors of all ranks in the next add_forces(). */
+    void restore_anchors(const std::vector<AnchorOfPoint> &anchors);
 
     /** Motion between wide searches [mm]. */
     double search_skin() const;

@@ -2,6 +2,7 @@
 #ifndef vfife_contact_contact_pass_h
 #define vfife_contact_contact_pass_h
 
+#include <vfife/contact/contact_anchor.h>
 #include <vfife/contact/contact_results.h>
 #include <vfife/contact/contact_times.h>
 #include <vfife/contact/law/contact_spring.h>
@@ -72,13 +73,14 @@ namespace vfife
 
     /** For checkpoints: lists with their last projections, and paths. */
     void serialize(ByteStream &stream);
-
-    /** Finds the carried areas anew, the motion taking the slave's undeformed frame into the
-     * master's. */
+    /** See Contact::set_friction_mode, Contact::anchors. */
+    void set_friction_mode(FrictionMode mode);
+    void append_anchors(unsigned int pass, std::vector<AnchorOfPoint> &anchors) const;
+    void restore_anchors(const std::vector<AnchorOfPoint> &anchors);
+    /** See Contact::place; the slave's undeformed frame into the master's. */
     void place(const RigidMotion &slave_to_master);
 
-    /** Area that a spring of the contact acts on at each node at most, its stiffness there over the
-     * penalty [mm^2]: of the slave its own, of the master what can fall on it (CarriedArea). */
+    /** Area of points that a node carries at most [mm^2] (CarriedArea). */
     const std::vector<double> &slave_carried_areas() const
     {
       return slave_carried_areas_;
@@ -169,8 +171,10 @@ namespace vfife
       /** Path of the pair at which each point must be looked at again [mm]. */
       std::vector<double>       awake_at;
       std::vector<unsigned int> touching; ///< points with a gap below zero in this step
+      /** Of each point, where there is friction; energy of those that have opened [mJ]. */
+      std::vector<ContactAnchor> anchors;
+      double                     released = 0.;
     };
-
     /** Smallest gap over a slave facet, from its smallest sample on. */
     ContactPoint refined_gap(const ListedPoint &sample);
     void         bound_master_areas(const FacetDirections &directions);
@@ -195,17 +199,32 @@ namespace vfife
     void find_gaps(Pair &pair);
     bool
     locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);
-    void          press_pair(Pair                     &pair,
-                             const SurfaceInteraction &interaction,
-                             GroupPairResult          &result,
-                             double                   *slave_forces,
-                             double                   *master_forces);
-    void          press(ListedPoint              &point,
-                        const PressedPoint       &elastic,
-                        const SurfaceInteraction &interaction,
-                        GroupPairResult          &result,
-                        double                   *slave_forces,
-                        double                   *master_forces);
+    /** For a point that does not touch; @p located: its projection is known. */
+    void open(Pair &pair, unsigned int i, bool located);
+    /** Friction force on the slave [N]. */
+    Vector3 stick(const Projection         &p,
+                  const Vector3            &normal,
+                  const TangentBasis       &basis,
+                  double                    pressure,
+                  double                    area,
+                  const SurfaceInteraction &interaction,
+                  ContactAnchor            &anchor,
+                  GroupPairResult          &result);
+    static void
+         append_anchors(unsigned int pass, const Pair &pair, std::vector<AnchorOfPoint> &anchors);
+    void place_anchors(const std::vector<AnchorOfPoint> &anchors, Pair &pair) const;
+    void press_pair(Pair                     &pair,
+                    const SurfaceInteraction &interaction,
+                    GroupPairResult          &result,
+                    double                   *slave_forces,
+                    double                   *master_forces);
+    bool press(ListedPoint              &point,
+               const PressedPoint       &elastic,
+               const SurfaceInteraction &interaction,
+               ContactAnchor            *anchor,
+               GroupPairResult          &result,
+               double                   *slave_forces,
+               double                   *master_forces);
     ContactSpring make_spring(const ListedPoint &point, const PressedPoint &elastic);
     Fading        fading(const Projection &projection) const;
 
@@ -222,6 +241,9 @@ namespace vfife
     unsigned int                 rank_ = 0, n_ranks_ = 0;
     std::size_t                  n_wide_searches_ = 0;
     ContactTimes                *times_           = nullptr;
+    FrictionMode                 mode_            = FrictionMode::follows;
+    bool                         has_friction_    = false; ///< in this evaluation
+    std::vector<AnchorOfPoint>   restored_;                ///< of a checkpoint, until they are used
   };
 } // namespace vfife
 

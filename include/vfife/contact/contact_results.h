@@ -21,9 +21,9 @@ namespace vfife
     double area                = 0.; ///< carrying, weighted by edge fading [mm^2]
     double normal_force        = 0.; ///< integral of p dA [N]
     double largest_penetration = 0.; ///< [mm], positive
-    double energy              = 0.; ///< of the penalty [mJ]
+    double energy              = 0.; ///< of the penalty, and of points that stick [mJ]
     double damping_power       = 0.; ///< dissipated by the gap-rate damping [mJ/s]
-    double friction_power      = 0.; ///< dissipated by friction [mJ/s]
+    double friction_loss       = 0.; ///< dissipated by friction since the evaluation before [mJ]
   };
 
   /** One contact point, for output. */

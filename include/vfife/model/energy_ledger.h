@@ -11,7 +11,7 @@ namespace vfife
     double kinetic           = 0; ///< now
     double kinetic_relative  = 0; ///< of the motion relative to the rigidly turning bodies, now
     double strain            = 0; ///< of bodies and springs to the ground, now
-    double contact           = 0; ///< stored in the contact springs, now
+    double contact           = 0; ///< stored in the contact's springs, those of stick included, now
     double drive_work        = 0;
     double torque_work       = 0;
     double damping_loss      = 0;
@@ -21,6 +21,7 @@ namespace vfife
     double scale             = 0; ///< largest value so far that the error is divided by; at least
                                   ///< scale_floor of the kinetic energy at the start, and the
                                   ///< energy of approach of flying bodies that have touched
+    double friction_loss = 0;     ///< part of contact_loss; last, as checkpoints keep the order
     /** Round-off of the kinetic energy of rigid flight or spin is some 1e-15 of it and must not be
      * the measure of itself. */
     static constexpr double scale_floor = 1e-10;

@@ -4,6 +4,7 @@
 
 #include <vfife/base/parameters/parameter_history.h>
 #include <vfife/base/types.h>
+#include <vfife/contact/law/friction_options.h>
 #include <vfife/contact/law/penalty_options.h>
 
 #include <string>
@@ -45,7 +46,7 @@ namespace vfife
   /**
    * A rigid plane at rest that nodes of a body must not pass: a node at the depth d > 0 behind it
    * is pushed back by A p(d) of the contact law along the normal (linear: eps A d), A being the
-   * area that belongs to the node.
+   * area that belongs to the node, and held along the wall by friction.
    */
   struct RigidWall
   {
@@ -55,6 +56,7 @@ namespace vfife
     Vector3                   point  = Vector3::Zero();  ///< of the plane [mm]
     Vector3                   normal = Vector3::UnitX(); ///< unit, out of the wall
     PenaltyOptions            penalty{1};
+    FrictionOptions           friction;
   };
 } // namespace vfife
 

@@ -25,7 +25,9 @@ namespace vfife
     void declare(dealii::ParameterHandler &prm);
 
     /** Index of the body in @p bodies; throws InputError (entries under @p section). */
-    unsigned int find_body(const std::vector<Body> &bodies, const std::string &section) const;
+    unsigned int find_body(const std::vector<Body> &bodies,
+                           const std::string       &section,
+                           const std::string       &entry = "body") const;
 
     /** The nodes, sorted; throws InputError where there are none. */
     std::vector<unsigned int> find_nodes(const Body &body, const std::string &section) const;

@@ -46,6 +46,9 @@ namespace vfife
     double       largest_pressure = 0; ///< [MPa]
     double       area             = 0; ///< [mm^2]
     double       penetration      = 0; ///< largest [mm]
+    /** Across the narrower way, that of a strip with Hertz's pressures and the same second moment
+     * of the points' pressures about their centre [mm]. */
+    double width = 0;
   };
 
   struct ProbeValue
@@ -81,9 +84,11 @@ namespace vfife
     double                    largest_penetration = 0; ///< [mm]
     EnergyLedger              energy;
     std::vector<ToothContact> teeth;
-    std::vector<ProbeValue>   probes;
-    std::vector<Reaction>     reactions;  ///< in the order of list_supports()
-    std::vector<double>       body_rates; ///< momentum rate of each body about its axis [rad/s]
+    /** On the slave of each contact pair and, behind these, on the body at each wall [N]. */
+    std::vector<Vector3>    contact_forces;
+    std::vector<ProbeValue> probes;
+    std::vector<Reaction>   reactions;  ///< in the order of list_supports()
+    std::vector<double>     body_rates; ///< momentum rate of each body about its axis [rad/s]
     /** Of all bodies, velocities half a step back: sum m v [t mm/s = N s], and sum m x x v about
      * the fixed origin [N mm s]. */
     Vector3 momentum = Vector3::Zero(), angular_momentum = Vector3::Zero();

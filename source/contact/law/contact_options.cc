@@ -55,17 +55,14 @@ namespace vfife
                    damping_ratio,
                    "Gap-rate damping over the critical damping of a surface node on the penalty",
                    Range::between(0., 1.));
-    declare_number(prm,
-                   "friction coefficient",
-                   friction_coefficient,
-                   "Coulomb friction",
-                   Range::between(0., 2.));
+    friction.declare(prm);
     declare_quantity(prm,
                      "regularization velocity",
                      regularization_velocity,
                      "mm/s",
-                     "Sliding speed at which friction has reached 0.7 of its full value",
-                     Range::positive());
+                     "No longer used: friction sticks elastically (tangential stiffness ratio); "
+                     "allowed for older files",
+                     Range::not_negative());
     declare_number(prm,
                    "edge fading",
                    edge_fading,
@@ -114,11 +111,7 @@ namespace vfife
     penalty.check(section);
     if (!(damping_ratio >= 0. && damping_ratio <= 1.))
       throw InputError(entry("damping ratio"), "the damping ratio must lie between 0 and 1");
-    if (!(friction_coefficient >= 0.))
-      throw InputError(entry("friction coefficient"), "friction must not be negative");
-    if (friction_coefficient > 0. && !(regularization_velocity > 0.))
-      throw InputError(entry("regularization velocity"),
-                       "friction needs a positive regularization velocity");
+    friction.check(section);
     if (!(edge_fading >= 0. && edge_fading <= 1.))
       throw InputError(entry("edge fading"), "the fading part must lie between 0 and 1");
     if (!(edge_relief_depth >= 0. && edge_relief_width >= 0.))

@@ -143,10 +143,18 @@ namespace vfife
     // The contact sees bodies at rest: no motion ahead for the search, no velocities for damping
     // and friction.
     const std::vector<RigidVelocity> at_rest(model_.bodies.size());
+    // The preload of a gear pair is without friction; else points stick where the load step began.
+    set_friction_mode(model_.transmission ? FrictionMode::none : FrictionMode::held);
     if (search)
       contact_.search(state.body_motion, at_rest, state.position, 0.);
     contact_.add_forces(state.body_motion, state.position, no_velocity_, state.dt, forces);
     walls_.add_forces(state.position, forces);
+  }
+
+  void Relaxation::set_friction_mode(const FrictionMode mode)
+  {
+    contact_.set_friction_mode(mode);
+    walls_.set_friction_mode(mode);
   }
 
   NodeField Relaxation::compute_all_forces(State &state, const Loads &loads)
@@ -156,6 +164,7 @@ namespace vfife
     if (loads.contact)
       add_contact(state, true, forces);
     add_applied(state, loads, forces);
+    set_friction_mode(FrictionMode::follows);
     return forces;
   }
 
@@ -303,6 +312,8 @@ namespace vfife
         previous = forces_;
         move(state, masses, damping, constraints, velocity);
       }
+    // Whoever evaluates this state next takes the anchors along with what has slid.
+    set_friction_mode(FrictionMode::follows);
     return report;
   }
 

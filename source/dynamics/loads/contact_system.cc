@@ -60,8 +60,7 @@ namespace vfife
     for (const ContactPair &pair : model.contacts)
       {
         pairs_.push_back(std::make_unique<ContactOfPair>(pair, model, partition, safety));
-        needs_velocities_ = needs_velocities_ || pair.options.damping_ratio > 0. ||
-                            pair.options.friction_coefficient > 0.;
+        needs_velocities_ = needs_velocities_ || pair.options.damping_ratio > 0.;
       }
   }
 
@@ -137,6 +136,28 @@ namespace vfife
       pair->contact.serialize(stream);
   }
 
+  void ContactSystem::serialize_friction(ByteStream &stream)
+  {
+    for (const auto &pair : pairs_)
+      {
+        std::vector<AnchorOfPoint> anchors;
+        if (!stream.reads())
+          anchors = communicator_.all_gather(pair->contact.anchors());
+        stream.pass(anchors);
+        if (!stream.reads())
+          continue;
+        for (const AnchorOfPoint &anchor : anchors)
+          stream.require(pair->contact.has_place(anchor), "friction at a place that is not there");
+        pair->contact.restore_anchors(anchors);
+      }
+  }
+
+  void ContactSystem::set_friction_mode(const FrictionMode mode)
+  {
+    for (const auto &pair : pairs_)
+      pair->contact.set_friction_mode(mode);
+  }
+
   void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,
                                  const NodeField                &positions,
                                  const NodeField                &velocities,
@@ -156,7 +177,7 @@ namespace vfife
     // 2. Forces of this rank's share of the points; energy, lost power, and whether one is too
     // deep.
     largest_penetration_ = 0;
-    sums_                = {{0., 0., 0.}};
+    sums_                = {{0., 0., 0., 0.}};
     for (const auto &pair : pairs_)
       {
         ContactSurface &s = pair->slave, &m = pair->master;
@@ -170,7 +191,8 @@ namespace vfife
         for (const GroupPairResult &result : pair->contact.results())
           {
             sums_[0] += result.energy;
-            sums_[1] += result.damping_power + result.friction_power;
+            sums_[1] += result.damping_power;
+            sums_[3] += result.friction_loss;
             largest_penetration_ = std::max(largest_penetration_, result.largest_penetration);
             if (result.largest_penetration > pair->penetration_limit())
               sums_[2] = 1;

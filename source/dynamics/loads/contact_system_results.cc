@@ -5,7 +5,10 @@
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/model/tooth_contact.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace vfife
@@ -14,6 +17,56 @@ namespace vfife
   {
     /** Ratio of mean facet sizes, slave to master, from which a user is told. */
     constexpr double clearly_coarser = 1.5;
+
+    /** Of the pressed points of a pair of groups by their pressure: 1, x, y, z, xx, yy, zz, xy, yz,
+     * zx. */
+    using PatchMoments = std::array<double, 10>;
+
+    std::vector<PatchMoments> add_patches(const ContactOfPair &pair)
+    {
+      const auto               &results = pair.contact.results();
+      std::vector<PatchMoments> patches(results.size(), PatchMoments{});
+      for (const ContactPoint &point : pair.contact.points())
+        {
+          const FacetSurface &from = point.swapped ? *pair.master.facets : *pair.slave.facets;
+          const FacetSurface &to   = point.swapped ? *pair.slave.facets : *pair.master.facets;
+          unsigned int slave = from.group[point.slave_facet], master = to.group[point.master_facet];
+          if (point.swapped)
+            std::swap(slave, master);
+          for (std::size_t i = 0; i < results.size(); ++i)
+            if (results[i].slave_group == slave && results[i].master_group == master)
+              {
+                const Vector3     &x     = point.position;
+                const PatchMoments added = {{1.,
+                                             x[0],
+                                             x[1],
+                                             x[2],
+                                             x[0] * x[0],
+                                             x[1] * x[1],
+                                             x[2] * x[2],
+                                             x[0] * x[1],
+                                             x[1] * x[2],
+                                             x[2] * x[0]}};
+                for (std::size_t k = 0; k < added.size(); ++k)
+                  patches[i][k] += point.pressure * added[k];
+              }
+        }
+      return patches;
+    }
+
+    /** Of a strip with Hertz's elliptical pressures, <x^2> = (width/2)^2/4, across the narrower way
+     * of the patch: along the middle one of the axes of inertia, the least being the normal. */
+    double compute_width(const PatchMoments &m)
+    {
+      if (!(m[0] > 0.))
+        return 0.;
+      const Vector3 centre = Vector3(m[1], m[2], m[3]) / m[0];
+      Matrix3       second;
+      second << m[4], m[7], m[9], m[7], m[5], m[8], m[9], m[8], m[6];
+      second = second / m[0] - centre * centre.transpose();
+      const Eigen::SelfAdjointEigenSolver<Matrix3> axes(second, Eigen::EigenvaluesOnly);
+      return 4. * std::sqrt(std::max(0., axes.eigenvalues()[1]));
+    }
   } // namespace
 
   double ContactSystem::energy() const
@@ -24,6 +77,11 @@ namespace vfife
   double ContactSystem::lost_power() const
   {
     return sums_[1];
+  }
+
+  double ContactSystem::friction_loss() const
+  {
+    return sums_[3];
   }
 
   double ContactSystem::largest_local_penetration() const
@@ -100,7 +158,11 @@ namespace vfife
       {
         // Pairs of groups are the same on all ranks: one sum and one maximum over the ranks for
         // all.
-        const auto         &results = pair->contact.results();
+        const auto &results = pair->contact.results();
+        // How wide contacts are is asked of general models: Hertz tells of gear pairs.
+        std::vector<PatchMoments> patches;
+        if (!model_.transmission)
+          patches = add_patches(*pair);
         std::vector<double> sums, maxima;
         for (const GroupPairResult &r : results)
           {
@@ -119,6 +181,8 @@ namespace vfife
           }
         communicator_.sum(sums);
         communicator_.max(maxima);
+        for (PatchMoments &patch : patches)
+          communicator_.sum(patch.data(), patch.size());
 
         // Those that press, s[6] being the normal force.
         for (std::size_t i = 0; i < results.size(); ++i)
@@ -134,9 +198,21 @@ namespace vfife
             sum.largest_pressure    = maxima[2 * i];
             sum.largest_penetration = maxima[2 * i + 1];
             teeth.push_back(make_tooth_contact(model_, pair->definition, sum));
+            if (!patches.empty())
+              teeth.back().width = compute_width(patches[i]);
           }
       }
     return teeth;
+  }
+
+  std::vector<Vector3> ContactSystem::collect_forces(const std::vector<ToothContact> &teeth) const
+  {
+    std::vector<Vector3> forces(pairs_.size(), Vector3::Zero());
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      for (const ToothContact &tooth : teeth)
+        if (tooth.side == pairs_[i]->definition.side)
+          forces[i] += tooth.force;
+    return forces;
   }
 
   void ContactSystem::measure_times(ContactTimes *times)

@@ -42,7 +42,7 @@ namespace vfife
               largest_area              = std::max(largest_area, areas[i]);
               const std::uint32_t local = partition.local_node[body.first_node + node];
               if (local != Partition::absent)
-                wall.nodes.push_back({local, partition.owned[local] != 0, areas[i], node});
+                wall.nodes.push_back({local, partition.owned[local] != 0, areas[i], node, i});
             }
         if (!std::isfinite(wall.mass_per_area))
           throw InputError("contact \"" + definition.name +
@@ -78,32 +78,38 @@ namespace vfife
 
   void RigidWalls::add_forces(const NodeField &positions, NodeField &forces)
   {
-    sums_ = {{0., 0., 0.}};
+    sums_ = {{0., 0., 0., 0.}};
     for (Wall &wall : walls_)
       {
         //   n ^                       1. depth = -n . (x - p) of every node behind the plane
         //     |                       2. forces by the contact law, penalty times the node's area
-        //  ---p--------+---- plane    3. they act along n alone: a wall has no friction
+        //  ---p--------+---- plane    3. they act along n, friction along the plane
         //              | depth
         //              o x
         const Vector3 &n = wall.definition->normal, &p = wall.definition->point;
+        const bool has_friction = wall.definition->friction.acts() && mode_ != FrictionMode::none;
         wall.touching.clear();
         wall.pressed.clear();
-        for (const Node &node : wall.nodes)
+        wall.force = wall.energy = wall.penetration = wall.friction_loss = 0;
+        wall.friction.setZero();
+        for (Node &node : wall.nodes)
           {
-            const double depth = -n.dot(positions.value(node.local) - p);
-            if (!(depth > 0))
-              continue;
-            wall.touching.push_back(&node);
-            wall.pressed.push_back({depth, wall.penalty * node.area});
+            const Vector3 x     = positions.value(node.local);
+            const double  depth = -n.dot(x - p);
+            if (depth > 0)
+              {
+                wall.touching.push_back(&node);
+                wall.pressed.push_back({depth, wall.penalty * node.area});
+              }
+            else if (has_friction)
+              open(wall, node, x);
           }
         wall.law->evaluate(wall.pressed);
 
         // All copies of a node take its force; force and energy are sums, which the owner counts.
-        wall.force = wall.energy = wall.penetration = 0;
         for (std::size_t k = 0; k < wall.pressed.size(); ++k)
           {
-            const Node         &node    = *wall.touching[k];
+            Node               &node    = *wall.touching[k];
             const PressedPoint &pressed = wall.pressed[k];
             forces.add(node.local, pressed.pressure * n);
             wall.penetration = std::max(wall.penetration, pressed.penetration);
@@ -113,9 +119,16 @@ namespace vfife
                 wall.energy += pressed.energy;
                 sums_[2] += pressed.penetration > wall.depth_limit ? 1. : 0.;
               }
+            if (!has_friction)
+              continue;
+            const Vector3 friction = stick(wall, node, pressed, positions.value(node.local));
+            forces.add(node.local, friction);
+            if (node.owned)
+              wall.friction += friction;
           }
         sums_[0] += wall.force;
         sums_[1] += wall.energy;
+        sums_[3] += wall.friction_loss;
       }
     if (!walls_.empty())
       communicator_.sum(sums_.data(), sums_.size());
@@ -150,11 +163,23 @@ namespace vfife
     Results results;
     if (walls_.empty())
       return results;
+    // Of each wall the normal force and friction.
+    std::vector<double> sums;
     for (const Wall &wall : walls_)
-      results.penetration = std::max(results.penetration, wall.penetration);
-    results.force       = sums_[0];
+      {
+        sums.insert(sums.end(), {wall.force, wall.friction[0], wall.friction[1], wall.friction[2]});
+        results.penetration = std::max(results.penetration, wall.penetration);
+      }
+    communicator_.sum(sums);
     results.energy      = sums_[1];
     results.penetration = communicator_.max(results.penetration);
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+      {
+        const double *s = sums.data() + 4 * w;
+        const Vector3 friction(s[1], s[2], s[3]);
+        results.forces.push_back(s[0] * walls_[w].definition->normal + friction);
+        results.force += std::hypot(s[0], friction.norm());
+      }
     return results;
   }
 } // namespace vfife

@@ -159,6 +159,9 @@ namespace vfife
         // it.
         const ElementMeasures measures = compute_forces(state, due);
         watch_contact(state);
+        // What friction took before the beginning is no loss of this run.
+        if (!first)
+          energy_.add_friction_loss(contact_.friction_loss() + walls_.friction_loss());
         if (due)
           {
             take_measurements(state);

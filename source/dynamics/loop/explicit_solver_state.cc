@@ -223,6 +223,10 @@ namespace vfife
     common.pass_required_part("energy", [&](ByteStream &part) { energy_.serialize(part); });
     common.pass_part("damping", [&](ByteStream &part) { damping_watch_.serialize(part); });
     common.pass_part("contact", [&](ByteStream &part) { contact_watch_.serialize(part); });
+    common.pass_part("friction", [&](ByteStream &part) {
+      contact_.serialize_friction(part);
+      walls_.serialize(part);
+    });
     // What this rank knows of the pairs that may touch.
     if (own != nullptr)
       own->pass_required_part("contact", [&](ByteStream &part) { contact_.serialize(part); });

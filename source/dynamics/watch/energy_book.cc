@@ -42,6 +42,12 @@ namespace vfife
     ledger_.contact_loss += time * powers.contact;
   }
 
+  void EnergyBook::add_friction_loss(const double loss)
+  {
+    ledger_.contact_loss += loss;
+    ledger_.friction_loss += loss;
+  }
+
   void EnergyBook::observe_contact(const bool touching)
   {
     has_touched_ = has_touched_ || touching;

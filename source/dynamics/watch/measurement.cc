@@ -95,6 +95,10 @@ namespace vfife
       }
     // Walls have no teeth.
     const RigidWalls::Results wall = walls.collect_results();
+    measured.contact_forces        = contact.collect_forces(measured.teeth);
+    measured.contact_forces.insert(measured.contact_forces.end(),
+                                   wall.forces.begin(),
+                                   wall.forces.end());
     measured.contact_force += wall.force;
     measured.largest_penetration = std::max(measured.largest_penetration, wall.penetration);
   }

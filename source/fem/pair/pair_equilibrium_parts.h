@@ -53,6 +53,8 @@ namespace vfife
       , contact(slave.facets, master.facets, pair.options)
     {
       contact.set_penalty(penalty, contact.mass_per_area(slave.mass, master.mass));
+      // Newton's method is one of springs along the normals.
+      contact.set_friction_mode(FrictionMode::none);
     }
 
     const std::vector<unsigned int> &active(const Surface &surface) const

@@ -40,6 +40,7 @@ namespace vfife
     declare_vector(prm, "wall point", wall.point, "mm", "Point of the wall");
     declare_vector(prm, "wall normal", wall.normal, "-", "Direction out of the wall");
     wall.penalty.declare(prm);
+    wall.friction.declare(prm);
   }
 
   void ContactPairOptions::check(const std::string &section) const
@@ -50,6 +51,7 @@ namespace vfife
         return;
       }
     wall.penalty.check(section);
+    wall.friction.check(section);
     if (wall.normal.norm() == 0)
       throw InputError(section + "/wall normal", "a direction of length zero");
   }
@@ -75,9 +77,9 @@ namespace vfife
     master.body = master_body;
     ContactPair pair;
     pair.side           = name;
-    pair.slave_body     = slave.find_body(model.bodies, section);
+    pair.slave_body     = slave.find_body(model.bodies, section, "slave body");
     pair.slave_surface  = slave_surface;
-    pair.master_body    = master.find_body(model.bodies, section);
+    pair.master_body    = master.find_body(model.bodies, section, "master body");
     pair.master_surface = master_surface;
     pair.options        = contact;
     model.contacts.push_back(pair);

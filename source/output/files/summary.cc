@@ -104,6 +104,7 @@ namespace vfife
       energy["damping loss"]                = figure_json(ledger.damping_loss, "mJ");
       energy["mesh damping loss"]           = figure_json(ledger.mesh_damping_loss, "mJ");
       energy["contact loss"]                = figure_json(ledger.contact_loss, "mJ");
+      energy["contact loss by friction"]    = figure_json(ledger.friction_loss, "mJ");
       energy["residual"]                    = figure_json(ledger.residual(), "mJ");
       at(summary_place::energy_error, json) = figure_json(ledger.error(), "-");
     }

@@ -63,6 +63,21 @@ namespace vfife
         });
     }
 
+    /** Force of each contact on its slave or on the body at its wall. */
+    void add_contacts(const Model &model, Columns &columns)
+    {
+      std::vector<std::string> names;
+      for (const ContactPair &pair : model.contacts)
+        names.push_back(pair.side);
+      for (const RigidWall &wall : model.walls)
+        names.push_back(wall.name);
+      for (std::size_t i = 0; i < names.size(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          columns.add(names[i] + " contact force " + column::fixed_axes[c], "N", [i, c](Now now) {
+            return now.contact_forces.at(i)[c];
+          });
+    }
+
     /** What gear pairs have files and figures of their own for. */
     void add_motion(const Model &model, Columns &columns)
     {
@@ -116,7 +131,10 @@ namespace vfife
       });
       add_energies(pair.has_value(), columns);
       if (!pair)
-        add_motion(model, columns);
+        {
+          add_contacts(model, columns);
+          add_motion(model, columns);
+        }
       return columns;
     }
   } // namespace

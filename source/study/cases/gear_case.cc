@@ -9,6 +9,7 @@
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/study/cases/body_figures.h>
+#include <vfife/study/cases/contact_resolution.h>
 #include <vfife/study/cases/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -241,6 +242,7 @@ namespace vfife
     add_probes(model);
     for (const BodyFigures &figures : measure_bodies(model))
       figures.write_to(log);
+    warn_of_unused_entries(model, log);
     return model;
   }
 

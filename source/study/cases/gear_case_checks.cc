@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of GearCase that finds what a user will not expect; doc/study.md lists the checks.
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/mesh/body_mesh.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
+#include <vfife/study/cases/contact_resolution.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_plan.h>
 
@@ -23,20 +23,6 @@ namespace vfife
       message.precision(4);
       (message << ... << parts);
       return message.str();
-    }
-
-    /** Mean length of the shorter sides of a surface's facets [mm]. */
-    double compute_facet_width(const FacetSurface &surface)
-    {
-      double sum = 0;
-      for (const auto &facet : surface.facets)
-        {
-          const auto side = [&](const unsigned int i) {
-            return (surface.positions[facet[(i + 1) % 4]] - surface.positions[facet[i]]).norm();
-          };
-          sum += 0.5 * std::min(side(0) + side(2), side(1) + side(3));
-        }
-      return sum / surface.facets.size();
     }
 
     /** A sentence, or nothing where all is well. */
@@ -95,24 +81,16 @@ namespace vfife
 
     std::string check_hertz(const GearCase &gear_case, const RunPlan &plan)
     {
-      const ContactPair  &drive = plan.model.contacts.front();
-      const FacetSurface &flank =
-        plan.model.bodies[drive.slave_body].mesh().surfaces.at(drive.slave_surface);
       // Hertz's contact of one tooth pair under the whole torque, T over the arm, is two smaller
-      // semi-axes wide. Fewer than two points across it are single forces.
-      const double width   = 2 * gear_case.hertz_contact().semi_axes(load_torque(plan.model) /
+      // semi-axes wide.
+      const double width = 2 * gear_case.hertz_contact().semi_axes(load_torque(plan.model) /
                                                                    plan.model.transmission->arm)[1];
-      const double facet   = compute_facet_width(flank);
-      const double spacing = facet / drive.options.points_per_facet;
-      if (spacing > 0.5 * width)
-        return text("contact points lie ",
-                    spacing,
-                    " mm apart, Hertz's contact is ",
-                    width,
-                    " mm wide: pressures are those of single points and the force ripples");
-      if (facet > width)
+      const ContactResolution seen(plan.model, plan.model.contacts.front(), width);
+      if (seen.has_single_points())
+        return seen.describe_points("Hertz's contact");
+      if (seen.facet > width)
         return text("flank elements of ",
-                    facet,
+                    seen.facet,
                     " mm are wider than Hertz's contact of ",
                     width,
                     " mm: forces are meaningful, pressures and subsurface stresses are not");

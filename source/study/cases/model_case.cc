@@ -6,6 +6,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/mesh_quality.h>
 #include <vfife/output/output_options.h>
+#include <vfife/study/cases/contact_resolution.h>
 #include <vfife/study/cases/model_case.h>
 
 #include <cmath>
@@ -49,6 +50,7 @@ namespace vfife
   {
     Model model = options_.make_model();
     log_bodies(model, log);
+    warn_of_unused_entries(model, log);
     return model;
   }
 

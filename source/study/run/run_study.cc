@@ -13,6 +13,7 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/cases/run_plan.h>
+#include <vfife/study/run/contact_width_watch.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
@@ -198,6 +199,8 @@ namespace vfife
         summary.figures = pair->list_figures(stepped.solver);
         pair->log_hertz(log);
       }
+    else if (!model.contacts.empty())
+      stepping.add<ContactWidthWatch>(model, history_steps, log);
     stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
     summary.contradictions = report_contradictions(
       model, stepped, stepped.expect_run_time(stepping.state(), end_time / dt), log);

@@ -13,6 +13,7 @@
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/model_case.h>
+#include <vfife/study/run/contact_width_watch.h>
 #include <vfife/study/run/static_study.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/start_summary.h>
@@ -59,7 +60,7 @@ namespace vfife
 
     private:
       Model     make_model(Log &log) const;
-      Observers make_observers(const OutputFolder &folder, const Model &model) const;
+      Observers make_observers(const OutputFolder &folder, const Model &model, Log &log) const;
 
       ModelCase       case_;
       DynamicsOptions dynamics_;
@@ -74,7 +75,8 @@ namespace vfife
     return model;
   }
 
-  Observers StaticStudy::make_observers(const OutputFolder &folder, const Model &model) const
+  Observers
+  StaticStudy::make_observers(const OutputFolder &folder, const Model &model, Log &log) const
   {
     // A sample each load step.
     Observers observers;
@@ -82,6 +84,7 @@ namespace vfife
     if (output_.fields_every > 0)
       observers.push_back(
         std::make_unique<FieldWriter>(folder, model, 1, dynamics_.stiffness, dynamics_.frame));
+    observers.push_back(std::make_unique<ContactWidthWatch>(folder, model, 1, log));
     return observers;
   }
 
@@ -95,7 +98,7 @@ namespace vfife
 
     ExplicitSolver &solver    = stepped.solver;
     RunSummary      summary   = start_summary("static", model, solver, stepped.dt, folder);
-    Observers       observers = make_observers(folder, model);
+    Observers       observers = make_observers(folder, model, log);
     Relaxation      relaxation(model,
                           dynamics_.relaxation,
                           solver.vfife_operator(),

@@ -3,6 +3,7 @@
 #define vfife_contact_law_contact_options_h
 
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/contact/law/friction_options.h>
 #include <vfife/contact/law/penalty_options.h>
 
 #include <string>
@@ -37,9 +38,11 @@ namespace vfife
 
     PenaltyOptions penalty;
 
-    double damping_ratio           = 0.; ///< of the critical gap-rate damping of a surface node [-]
-    double friction_coefficient    = 0.; ///< [-]
-    double regularization_velocity = 100.; ///< of the friction [mm/s]
+    double damping_ratio = 0.; ///< of the critical gap-rate damping of a surface node [-]
+
+    FrictionOptions friction;
+    /** Of an earlier law of friction; read and not used [mm/s]. */
+    double regularization_velocity = 0.;
 
     double edge_fading = 0.15; ///< part of a master border facet over which the pressure fades [-]
     double edge_relief_width = 0.; ///< of both flanks along free edges [mm]; 0: no relief

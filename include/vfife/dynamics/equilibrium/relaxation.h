@@ -86,6 +86,7 @@ namespace vfife
     }
 
   private:
+    void                set_friction_mode(FrictionMode mode);
     /** Internal and applied ones and, where asked for, those of the contact. */
     NodeField           compute_all_forces(State &state, const Loads &loads);
     void                add_contact(State &state, bool search, NodeField &forces);

@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_loads_contact_system_h
 #define vfife_dynamics_loads_contact_system_h
 
+#include <vfife/contact/law/coulomb_slider.h>
 #include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/model/state.h>
 
@@ -73,9 +74,14 @@ namespace vfife
 
     /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. */
     double energy() const;
-    /** Power lost in contact damping and friction at the last add_forces() [mW = mJ/s]; all ranks.
-     */
+    /** Power lost in contact damping at the last add_forces() [mW = mJ/s]; all ranks. */
     double lost_power() const;
+    /** Lost in friction between the last two add_forces() [mJ]; all ranks. */
+    double friction_loss() const;
+
+    /** Whether points that slide take their anchors along, see FrictionMode; they do at first. */
+    void set_friction_mode(FrictionMode mode);
+
     /** Largest penetration at the last add_forces() on this rank [mm]. */
     double largest_local_penetration() const;
 
@@ -90,8 +96,13 @@ namespace vfife
     /** Pairs of surface groups that press on each other, summed over ranks. Collective. */
     std::vector<ToothContact> collect_results() const;
 
+    /** Force on the slave of each pair [N], of the results @p teeth. */
+    std::vector<Vector3> collect_forces(const std::vector<ToothContact> &teeth) const;
+
     /** For checkpoints: what this rank knows of the pairs that may touch. */
     void serialize(ByteStream &stream);
+    /** For checkpoints: where points stick, of all ranks. Collective. */
+    void serialize_friction(ByteStream &stream);
 
     /** Adds the stabilizing mass that penalty springs need in a relaxation with pseudo time step 1.
      */
@@ -109,12 +120,12 @@ namespace vfife
     const Partition                            &partition_;
     const Communicator                         &communicator_;
     std::vector<std::unique_ptr<ContactOfPair>> pairs_;
-    bool                needs_velocities_ = false; ///< a pair has damping or friction
-    std::vector<double> buffer_;
-    double              largest_penetration_ = 0;
+    bool                                        needs_velocities_ = false; ///< a pair has damping
+    std::vector<double>                         buffer_;
+    double                                      largest_penetration_ = 0;
     /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
-     * that is too deep. */
-    std::array<double, 3> sums_  = {{0., 0., 0.}};
+     * that is too deep, friction loss. */
+    std::array<double, 4> sums_  = {{0., 0., 0., 0.}};
     ContactTimes         *times_ = nullptr;
   };
 } // namespace vfife

@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_loads_rigid_walls_h
 #define vfife_dynamics_loads_rigid_walls_h
 
+#include <vfife/contact/law/coulomb_slider.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
@@ -12,9 +13,11 @@
 
 namespace vfife
 {
+  class ByteStream;
   class Communicator;
 
-  /** The rigid walls of a model: unilateral penalty forces on the nodes of this rank. */
+  /** The rigid walls of a model: unilateral penalty forces and friction on the nodes of this rank.
+   */
   class RigidWalls
   {
   public:
@@ -39,10 +42,23 @@ namespace vfife
     /** Adds the forces to @p forces (all copies of a node). Collective where there are walls. */
     void add_forces(const NodeField &positions, NodeField &forces);
 
-    /** Energy stored in the penalty springs at the last add_forces() [mJ]; all ranks. */
+    /** Whether nodes that slide take their anchors along, see FrictionMode; they do at first. */
+    void set_friction_mode(FrictionMode mode)
+    {
+      mode_ = mode;
+    }
+
+    /** Energy stored in the springs of penalty and stick at the last add_forces() [mJ]; all ranks.
+     */
     double energy() const
     {
       return sums_[1];
+    }
+
+    /** Lost in friction between the last two add_forces() [mJ]; all ranks. */
+    double friction_loss() const
+    {
+      return sums_[3];
     }
 
     /**
@@ -61,11 +77,15 @@ namespace vfife
     /** Of the last add_forces(), over all ranks; collective. */
     struct Results
     {
-      double force       = 0; ///< sum over the walls of the forces' magnitudes [N]
-      double energy      = 0; ///< stored in the penalty springs [mJ]
-      double penetration = 0; ///< largest [mm]
+      double               force       = 0; ///< sum over the walls of the forces' magnitudes [N]
+      double               energy      = 0; ///< stored in the springs of penalty and stick [mJ]
+      double               penetration = 0; ///< largest [mm]
+      std::vector<Vector3> forces;          ///< of each wall on its body [N]
     };
     Results collect_results() const;
+
+    /** For checkpoints: where nodes stick, of all ranks. Collective. */
+    void serialize(ByteStream &stream);
 
   private:
     struct Node
@@ -73,7 +93,13 @@ namespace vfife
       std::uint32_t local;
       bool          owned;
       double        area;
-      unsigned int  node; ///< of the body
+      unsigned int  node;  ///< of the body
+      std::size_t   index; ///< in the wall's definition
+      /** Where it sticks while it touches; displacement from there and energy of the spring when it
+       * last moved on [mm], [mJ]. */
+      bool    sticks  = false;
+      Vector3 anchor  = Vector3::Zero();
+      double  elastic = 0, energy = 0;
     };
     struct Wall
     {
@@ -93,15 +119,21 @@ namespace vfife
 
       /** Of the last add_forces(), this rank: nodes behind the wall and what the law says of them,
        * with the penalty times their area; sums. */
-      std::vector<const Node *> touching;
+      std::vector<Node *>       touching;
       std::vector<PressedPoint> pressed;
-      double                    force = 0, energy = 0, penetration = 0;
+      double                    force = 0, energy = 0, penetration = 0, friction_loss = 0;
+      Vector3                   friction = Vector3::Zero(); ///< [N]
     };
+
+    void    open(Wall &wall, Node &node, const Vector3 &x);
+    Vector3 stick(Wall &wall, Node &node, const PressedPoint &pressed, const Vector3 &x);
 
     const Communicator &communicator_;
     std::vector<Wall>   walls_;
-    /** Of the last add_forces(), all ranks: force, energy, number of nodes that are too deep. */
-    std::array<double, 3> sums_ = {{0., 0., 0.}};
+    FrictionMode        mode_ = FrictionMode::follows;
+    /** Of the last add_forces(), all ranks: normal force, energy, number of nodes that are too
+     * deep, friction loss. */
+    std::array<double, 4> sums_ = {{0., 0., 0., 0.}};
   };
 } // namespace vfife
 

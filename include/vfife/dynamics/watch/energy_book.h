@@ -37,6 +37,10 @@ namespace vfife
     /** Adds what @p powers do in @p time [s]. */
     void add_work(const StepPowers &powers, double time);
 
+    /** Adds what friction has taken since the step before [mJ], over all ranks: a whole increment,
+     * as forces of both ends of the step are in it. */
+    void add_friction_loss(double loss);
+
     /** Looks at a step in which contact presses, or does not: from the first touch on the energy of
      * approach counts in the scale. */
     void observe_contact(bool touching);

@@ -1,0 +1,33 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_contact_law_friction_options_h
+#define vfife_contact_law_friction_options_h
+
+#include <vfife/base/parameters/parameters.h>
+
+#include <string>
+
+namespace vfife
+{
+  /** Coulomb's friction with elastic stick, between two bodies or at a rigid wall. */
+  struct FrictionOptions
+  {
+    double coefficient = 0.; ///< mu [-]
+    /** Tangential penalty over the normal one [-]. Up to 1 it costs nothing of the step: the
+     * point's stiffness in any direction is at most the normal one. */
+    double stiffness_ratio = 1.;
+
+    bool acts() const
+    {
+      return coefficient > 0.;
+    }
+
+    /** Declares the entries in the subsection entered. */
+    void declare(dealii::ParameterHandler &prm);
+
+    /** Throws InputError naming the entry relative to @p section where a value is out of its range.
+     */
+    void check(const std::string &section) const;
+  };
+} // namespace vfife
+
+#endif

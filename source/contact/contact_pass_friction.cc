@@ -1,0 +1,136 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of ContactPass that sticks and slides.
+#include <vfife/contact/contact_pass.h>
+
+#include <limits>
+#include <unordered_map>
+
+namespace vfife
+{
+  void ContactPass::set_friction_mode(const FrictionMode mode)
+  {
+    if (mode == mode_)
+      return;
+    mode_ = mode;
+    // A point that sleeps is to be looked at: held anchors are put under all points, and those of
+    // open points go when sliding goes on.
+    for (Pair &pair : pairs_)
+      pair.awake_at.assign(pair.points.size(), -std::numeric_limits<double>::infinity());
+  }
+
+
+  void ContactPass::open(Pair &pair, const unsigned int i, const bool located)
+  {
+    ContactAnchor &anchor = pair.anchors[i];
+    if (mode_ == FrictionMode::follows)
+      {
+        // The spring lets go.
+        pair.released += anchor.energy;
+        anchor = ContactAnchor();
+      }
+    else if (located && !anchor.holds())
+      {
+        // Where a load step begins, for points that may come to touch within it.
+        const Projection &p = pair.points[i].projection;
+        anchor.facet        = p.facet;
+        anchor.xi           = p.xi;
+        anchor.eta          = p.eta;
+      }
+  }
+
+
+  Vector3 ContactPass::stick(const Projection         &p,
+                             const Vector3            &normal,
+                             const TangentBasis       &basis,
+                             const double              pressure,
+                             const double              area,
+                             const SurfaceInteraction &interaction,
+                             ContactAnchor            &anchor,
+                             GroupPairResult          &result)
+  {
+    // 1. The displacement along the surface since the point came to stick, between two places of
+    // the master: zero in any common rigid motion.
+    if (!anchor.holds())
+      {
+        anchor.facet = p.facet;
+        anchor.xi    = p.xi;
+        anchor.eta   = p.eta;
+      }
+    Vector3 displacement = master_.state(p.facet).position(p.xi, p.eta) -
+                           master_.state(anchor.facet).position(anchor.xi, anchor.eta);
+    displacement -= normal.dot(displacement) * normal;
+
+    // 2. Spring and slider.
+    const double         k = interaction.tangential_penalty;
+    const SliderResponse response =
+      slide(displacement.norm(), interaction.friction * pressure, k, anchor.elastic);
+    const Vector3 elastic = response.elastic_part * displacement;
+    result.energy += response.energy * area;
+
+    // 3. In time the anchor follows a point that slides, at the distance that the spring keeps.
+    if (mode_ == FrictionMode::follows)
+      {
+        result.friction_loss += response.loss * area;
+        if (response.slid > 0.)
+          {
+            anchor.facet = p.facet;
+            anchor.xi    = p.xi - basis.dual_xi.dot(elastic);
+            anchor.eta   = p.eta - basis.dual_eta.dot(elastic);
+          }
+        anchor.elastic = response.elastic;
+        anchor.energy  = response.energy * area;
+      }
+    return (-k * area) * elastic;
+  }
+
+
+  void ContactPass::append_anchors(const unsigned int          pass,
+                                   const Pair                 &pair,
+                                   std::vector<AnchorOfPoint> &anchors)
+  {
+    for (std::size_t i = 0; i < pair.anchors.size(); ++i)
+      if (pair.anchors[i].holds())
+        anchors.push_back({pass,
+                           pair.slave_group,
+                           pair.master_group,
+                           pair.points[i].slave_facet,
+                           pair.points[i].rule_point,
+                           pair.anchors[i]});
+  }
+
+
+  void ContactPass::append_anchors(const unsigned int          pass,
+                                   std::vector<AnchorOfPoint> &anchors) const
+  {
+    for (const Pair &pair : pairs_)
+      append_anchors(pass, pair, anchors);
+  }
+
+
+  void ContactPass::restore_anchors(const std::vector<AnchorOfPoint> &anchors)
+  {
+    restored_ = anchors;
+  }
+
+
+  void ContactPass::place_anchors(const std::vector<AnchorOfPoint> &anchors, Pair &pair) const
+  {
+    if (anchors.empty())
+      return;
+    // By facet and point of the slave.
+    const auto key = [this](const unsigned int facet, const unsigned int rule_point) {
+      return static_cast<std::uint64_t>(facet) * rule_.size() + rule_point;
+    };
+    std::unordered_map<std::uint64_t, const ContactAnchor *> by_point;
+    for (const AnchorOfPoint &a : anchors)
+      if (a.slave_group == pair.slave_group && a.master_group == pair.master_group)
+        by_point[key(a.slave_facet, a.rule_point)] = &a.anchor;
+    for (std::size_t i = 0; i < pair.points.size(); ++i)
+      {
+        const auto found =
+          by_point.find(key(pair.points[i].slave_facet, pair.points[i].rule_point));
+        if (found != by_point.end())
+          pair.anchors[i] = *found->second;
+      }
+  }
+} // namespace vfife

@@ -1,0 +1,28 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/contact/law/friction_options.h>
+
+namespace vfife
+{
+  void FrictionOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_number(
+      prm, "friction coefficient", coefficient, "Coulomb friction", Range::between(0., 2.));
+    declare_number(prm,
+                   "tangential stiffness ratio",
+                   stiffness_ratio,
+                   "Stiffness with which friction sticks, over the penalty",
+                   Range{0., 1., true});
+  }
+
+
+  void FrictionOptions::check(const std::string &section) const
+  {
+    const std::string before = section.empty() ? "" : section + "/";
+    if (!(coefficient >= 0.))
+      throw InputError(before + "friction coefficient", "friction must not be negative");
+    if (!(stiffness_ratio > 0. && stiffness_ratio <= 1.))
+      throw InputError(before + "tangential stiffness ratio",
+                       "the ratio must be positive and at most 1");
+  }
+} // namespace vfife
