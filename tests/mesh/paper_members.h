@@ -10,7 +10,7 @@
  * as derived. */
 namespace paper
 {
-  /** A flank as cut by these settings: cradle, machine root angle in degrees. */
+  /** A flank as cut by these settings, with a ratio of roll. */
   inline vfife::Flank
   flank(vfife::MachineSettings settings, const double ratio_of_roll, const vfife::Blank &blank)
   {
