@@ -6,9 +6,10 @@
 
 #include <initializer_list>
 
-/** The parts of a test that run with MPI, one after the other: what main() does. */
-inline void
-run_parts(int argc, char **argv, const std::initializer_list<void (*)(vfife::Communicator &)> parts)
+/** The parts of a test that run with MPI, one after the other: what main() does. They are handed
+ * the ranks, const or not. */
+template <typename World>
+void run_parts(int argc, char **argv, const std::initializer_list<void (*)(World &)> parts)
 {
   vfife::MpiSession session(argc, argv);
   for (const auto part : parts)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace vfife
@@ -26,6 +27,14 @@ namespace vfife
       else
         passes.emplace_back(slave, master, options, 1.);
       return passes;
+    }
+
+    /** Of two passes node by node. */
+    std::vector<double> sum_of(std::vector<double> areas, const std::vector<double> &of_other_pass)
+    {
+      std::transform(
+        areas.begin(), areas.end(), of_other_pass.begin(), areas.begin(), std::plus<>());
+      return areas;
     }
 
     /** From the slave's undeformed frame into the master's. */
@@ -232,21 +241,17 @@ namespace vfife
 
   std::vector<double> Contact::slave_carried_areas() const
   {
-    std::vector<double> areas = passes_[0].slave_carried_areas();
-    if (passes_.size() == 2)
-      for (std::size_t i = 0; i < areas.size(); ++i)
-        areas[i] += passes_[1].master_carried_areas()[i];
-    return areas;
+    return passes_.size() == 1
+             ? passes_[0].slave_carried_areas()
+             : sum_of(passes_[0].slave_carried_areas(), passes_[1].master_carried_areas());
   }
 
 
   std::vector<double> Contact::master_carried_areas() const
   {
-    std::vector<double> areas = passes_[0].master_carried_areas();
-    if (passes_.size() == 2)
-      for (std::size_t i = 0; i < areas.size(); ++i)
-        areas[i] += passes_[1].slave_carried_areas()[i];
-    return areas;
+    return passes_.size() == 1
+             ? passes_[0].master_carried_areas()
+             : sum_of(passes_[0].master_carried_areas(), passes_[1].slave_carried_areas());
   }
 
 

@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Vibrations at speed: membrane limit of a disc, Coriolis splitting of a ring, sector against body.
+#include "../parts.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
-#include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/modes/campbell.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/mesh/primitives/primitives.h>
@@ -228,10 +228,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession          session(argc, argv);
-  const Communicator &communicator = session.world();
-  disc(communicator);
-  ring(communicator);
-  sector_axes(communicator);
-  half_the_sectors(communicator);
+  run_parts(argc, argv, {disc, ring, sector_axes, half_the_sectors});
 }

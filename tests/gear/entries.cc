@@ -92,9 +92,8 @@ namespace
   void flanks()
   {
     // The gear's blade and position stay; what both flanks share goes into each of them.
-    const GearPairOptions both = read(paper::options(), R"(
-subsection Gear
-  subsection Both flanks
+    const auto settings = [](const std::string &member, const std::string &flank) {
+      return "subsection " + member + "\n subsection " + flank + R"(
     set blank offset = 1 mm
     set machine center to back = -2 mm
     set ratio of roll = 3
@@ -104,24 +103,14 @@ subsection Gear
     set cutter swivel = -20 deg
   end
 end
-)")
-                                   .completed();
+)";
+    };
+    const GearPairOptions both =
+      read(paper::options(), settings("Gear", "Both flanks")).completed();
     check_settings("both flanks, concave", both.gear.concave);
     check_settings("both flanks, convex", both.gear.convex);
     check("both flanks: the pinion's are left", both.pinion.concave.cutter_tilt == 0.);
-    const GearPairOptions one = read(paper::options(), R"(
-subsection Pinion
-  subsection Convex flank
-    set blank offset = 1 mm
-    set machine center to back = -2 mm
-    set ratio of roll = 3
-    set modified roll second order = 0.2
-    set modified roll third order = -0.5
-    set cutter tilt = 10 deg
-    set cutter swivel = -20 deg
-  end
-end
-)");
+    const GearPairOptions one = read(paper::options(), settings("Pinion", "Convex flank"));
     check_settings("one flank", one.pinion.convex);
     check("one flank: the other is left", one.pinion.concave.second_order_roll == 0.);
   }

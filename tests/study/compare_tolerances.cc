@@ -42,18 +42,25 @@ namespace
     return "missing";
   }
 
-  using Compare = ComparisonRows (*)(const ComparedCases &, const ComparisonTolerances &);
-
-  /** Prints the verdict on a quantity with each of some entries of section Compare. */
-  void judge(const Compare                            compare,
-             const ComparedCases                     &cases,
-             const std::string                       &quantity,
-             const std::initializer_list<std::string> entries)
+  /** Prints verdicts on a quantity with entries of section Compare, the last of them at some
+   * values. */
+  struct Judge
   {
-    for (const std::string &lines : entries)
-      std::cout << lines.substr(0, lines.find('\n')) << ": "
-                << verdict(compare(cases, tolerances(lines)), quantity) << std::endl;
-  }
+    ComparisonRows (*compare)(const ComparedCases &, const ComparisonTolerances &);
+    ComparedCases cases;
+
+    void operator()(const std::string                       &quantity,
+                    const std::string                       &entry,
+                    const std::initializer_list<std::string> values) const
+    {
+      for (const std::string &value : values)
+        {
+          const std::string lines = entry + value + "\n";
+          std::cout << lines.substr(0, lines.find('\n')) << ": "
+                    << verdict(compare(cases, tolerances(lines)), quantity) << std::endl;
+        }
+    }
+  };
 
   /** A slow pair with a mean transmission error 1 % and a mean force 0.4 % off. */
   void pair()
@@ -68,24 +75,16 @@ namespace
     write(
       "tolerances_loaded/loaded_contact.csv",
       "position [tooth meshes],transmission error [arcsec],contact force total [N]\n0,-100,1000\n");
-    const ComparedCases cases = {
-      {"run", "tolerances_run", "run", true},
-      {"loaded", "tolerances_loaded", "loaded tooth contact analysis", true}};
-    judge(&compare_pair,
-          cases,
-          "mean dte",
-          {"set transmission error tolerance = 0.011\n",
-           "set transmission error tolerance = 0.009\n",
-           "set slow = 499 rpm\nset transmission error tolerance = 0.011\n",
-           "set slow = 501 rpm\nset transmission error tolerance = 0.011\n"});
-    judge(&compare_pair,
-          cases,
-          "mean contact force",
-          {"set force tolerance = 0.0041\n", "set force tolerance = 0.0039\n"});
-    judge(&compare_pair,
-          cases,
-          "mean contact torque on the gear",
-          {"set force tolerance = 0.0011\n", "set force tolerance = 0.0009\n"});
+    const Judge       judge = {&compare_pair,
+                               {{"run", "tolerances_run", "run", true},
+                                {"loaded", "tolerances_loaded", "loaded tooth contact analysis", true}}};
+    const std::string error = "set transmission error tolerance = ",
+                      force = "set force tolerance = ";
+    judge("mean dte", error, {"0.011", "0.009"});
+    judge("mean dte", "set slow = 499 rpm\n" + error, {"0.011"});
+    judge("mean dte", "set slow = 501 rpm\n" + error, {"0.011"});
+    judge("mean contact force", force, {"0.0041", "0.0039"});
+    judge("mean contact torque on the gear", force, {"0.0011", "0.0009"});
   }
 
   /** A static curve of four positions, of which the steady part of a run passes two, all or none.
@@ -131,17 +130,12 @@ namespace
   {
     write("tolerances_rest/history.csv", probe_header() + "1,0,0,1.003,102,0,0,0,0,0,102\n");
     write("tolerances_linear/history.csv", probe_header() + "1,0,0,1,100,0,0,0,0,0,100\n");
-    const ComparedCases cases = {{"rest", "tolerances_rest", "static", false},
-                                 {"linear", "tolerances_linear", "linear static", false}};
-    judge(&compare_models,
-          cases,
-          "tip displacement z, static",
-          {"set displacement tolerance = 0.0031\n", "set displacement tolerance = 0.0029\n"});
-    judge(&compare_models,
-          cases,
-          "tip stress x, static",
-          {"set stress tolerance = 2.1e-2\n", "set stress tolerance = 1.9e-2\n"});
-    judge(&compare_models, cases, "tip von mises, static", {"set stress tolerance = 1.9e-2\n"});
+    const Judge judge = {&compare_models,
+                         {{"rest", "tolerances_rest", "static", false},
+                          {"linear", "tolerances_linear", "linear static", false}}};
+    judge("tip displacement z, static", "set displacement tolerance = ", {"0.0031", "0.0029"});
+    judge("tip stress x, static", "set stress tolerance = ", {"2.1e-2", "1.9e-2"});
+    judge("tip von mises, static", "set stress tolerance = ", {"1.9e-2"});
   }
 
   /** A line of 1010 Hz beside a mode of 1000 Hz, in a record of 100 ms. */
@@ -153,12 +147,11 @@ namespace
                  ",0,0,0,0,0,0,0\n";
     write("tolerances_ringing/history.csv", ringing);
     write("tolerances_modes/modes.csv", "speed [rpm],frequency [Hz]\n0,0\n0,1000\n0,3000\n");
-    const ComparedCases cases = {{"ringing", "tolerances_ringing", "run", false},
-                                 {"modes", "tolerances_modes", "modal", false}};
-    judge(&compare_models,
-          cases,
-          "tip displacement z, line of the spectrum",
-          {"set frequency tolerance = 0.011\n", "set frequency tolerance = 0.009\n"});
+    const Judge judge = {&compare_models,
+                         {{"ringing", "tolerances_ringing", "run", false},
+                          {"modes", "tolerances_modes", "modal", false}}};
+    judge(
+      "tip displacement z, line of the spectrum", "set frequency tolerance = ", {"0.011", "0.009"});
   }
 } // namespace
 

@@ -102,24 +102,13 @@ end
   {
     auto         swinging = run_text("preloaded",
                              R"(
-subsection Study
-  set kind = run
-end
 subsection Model
   set bodies      = cube
   set constraints = springs, more springs
   set loads       = weight
   set probes      = corner
-  subsection Body cube
-    set mesh               = block
-    set size x             = 5 mm
-    set size y             = 5 mm
-    set size z             = 5 mm
-    set cells x            = 1
-    set cells y            = 1
-    set cells z            = 1
-    set initial velocity y = 30
-  end
+)" + model_text::block("cube", {{5, 5, 5}}, {{1, 1, 1}}, "set initial velocity y = 30\n") +
+                               R"(
   subsection Constraint springs
     set kind      = spring
     set nodes     = all
@@ -135,9 +124,8 @@ subsection Model
     set nodes        = all
     set acceleration = 0, -1e6, 0 mm/s^2
   end
-  subsection Probe corner
-    set point = 0, 0, 0 mm
-  end
+)" + model_text::probe("corner", "0, 0, 0 mm") +
+                               R"(
 end
 subsection Dynamics
   set start    = static preload
