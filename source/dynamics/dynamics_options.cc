@@ -12,7 +12,7 @@ namespace vfife
                                                 {"mean speed", DampingRate::mean_speed}};
 
     const Choices<StepBound> step_bounds = {{"element", StepBound::element},
-                                            {"power iteration", StepBound::power_iteration}};
+                                            {"assembly", StepBound::assembly}};
 
     const Choices<bool> precisions = {{"double", false}, {"single", true}};
 
@@ -70,8 +70,9 @@ namespace vfife
       "step bound",
       step_bound,
       step_bounds,
-      "Largest frequency that bounds the step: of the worst free element (safe), or of "
-      "the whole model by power iteration (larger steps, an estimate)");
+      "Largest frequency that bounds the step: of the worst free element, or of the whole model "
+      "without constraints (larger steps; a run that becomes unstable goes back and on with half "
+      "of it)");
     declare_number(
       prm, "safety", safety, "Time step over the largest stable one", Range::between(0.01, 1.));
     declare_quantity(

@@ -266,7 +266,7 @@ end
 
     // In a row of cubes all elements can stretch in turn with their highest frequency, 2 c/h.
     check_close("step of cubes over h/c", dt / std::sqrt(7.85e-9 / 206000), 1., 1e-5);
-    const nlohmann::json row = run_bar(8, "  set step bound = power iteration\n", world);
+    const nlohmann::json row = run_bar(8, "  set step bound = assembly\n", world);
     check_close("step bound: the same for a row of cubes", step_of(row) / dt, 1., .01);
   }
 
@@ -371,7 +371,7 @@ subsection Dynamics
     // The elements beside the worst one do not give way as a free element does.
     run_text("ball", ball(""), world);
     const double by_element = step_of(read_summary("ball"));
-    auto         history    = run_text("ball", ball("  set step bound = power iteration\n"), world);
+    auto         history    = run_text("ball", ball("  set step bound = assembly\n"), world);
     check("step bound: much larger where elements differ",
           step_of(read_summary("ball")) > 1.3 * by_element);
     check_below("step bound: and the run is stable", history["energy error"].back(), .02);

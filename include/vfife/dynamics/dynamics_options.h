@@ -24,8 +24,8 @@ namespace vfife
   /** What the stable step of the elements follows from. */
   enum class StepBound
   {
-    element,        ///< the largest frequency of the worst free element: safe for any assembly
-    power_iteration ///< the largest frequency of the whole model, estimated
+    element, ///< the largest frequency of the worst free element: safe for any assembly
+    assembly ///< a bound of the largest frequency of the whole model at rest
   };
 
   enum class Start
@@ -65,7 +65,7 @@ namespace vfife
     /** Hourglass blocks of elements without congruent copies in single precision. */
     bool         single_stiffness = false;
     StepBound    step_bound       = StepBound::element;
-    double       safety           = 0.9;   ///< step over the stable step of the worst element
+    double       safety           = 0.9;   ///< step over the stable step by that bound
     double       damping          = 1000.; ///< zeta [1/s]
     double       mesh_damping     = 2000.; ///< zeta_k [1/s]
     DampingRate  damping_rate     = DampingRate::momentum;

@@ -75,12 +75,17 @@ namespace vfife
     return walls_;
   }
 
-  double ExplicitSolver::stable_step()
+  double ExplicitSolver::vote_on_step(const double element_step)
   {
     // Squares of frequencies add up: of elements, of contact springs, of springs to the ground,
     // walls.
     return walls_.vote_on_step(
-      loads_.vote_on_step(contact_.vote_on_step(options_.safety * element_step_)));
+      loads_.vote_on_step(contact_.vote_on_step(options_.safety * element_step)));
+  }
+
+  double ExplicitSolver::stable_step()
+  {
+    return vote_on_step(element_step_);
   }
 
   double ExplicitSolver::element_step() const
@@ -90,35 +95,64 @@ namespace vfife
 
   void ExplicitSolver::set_step(const double dt)
   {
-    dt_ = dt;
+    dt_         = dt;
+    n_substeps_ = 1;
     // Penalties that follow from the step, eps = f (m/A)/dt^2, change with it.
     contact_.set_penalties(dt);
     walls_.set_penalties(dt);
+    safe_step_ = vote_on_step(operator_.limiting_element().stable_step());
+  }
+
+  bool ExplicitSolver::may_be_unstable() const
+  {
+    return dt_ > safe_step_ * (1. + 1e-9);
+  }
+
+  unsigned int ExplicitSolver::n_substeps() const
+  {
+    return n_substeps_;
+  }
+
+  void ExplicitSolver::divide_step(State &state, const unsigned int n)
+  {
+    const double earlier = dt_;
+    n_substeps_          = n;
+    dt_                  = state.dt / n;
+    compute_forces(state, false);
+    for (const std::uint32_t i : state.partition->nodes())
+      state.velocity.add(i, 0.5 * (earlier - dt_) * state.position.number(i) * forces_.value(i));
   }
 
   void ExplicitSolver::run(State            &state,
                            const double      end_time,
                            Observers        &observers,
-                           const BeforeStep &before_step)
+                           const BeforeStep &before_step,
+                           const Recover    &recover)
   {
     // A run that goes on has begun before: serialize() knows where.
     if (!beginning_)
       begin_run(state);
     // Counted from the beginning, so that a run in parts has the steps of the whole one.
     const std::uint64_t last_step =
-      beginning_->step + std::llround((end_time - beginning_->time) / dt_);
+      beginning_->step + std::llround((end_time - beginning_->time) / state.dt);
     if (state.step > last_step)
       throw InputError("the run has come to step " + std::to_string(state.step) +
                        " and cannot end at step " + std::to_string(last_step));
 
     std::exception_ptr failure;
-    try
+    for (bool goes_on = true; goes_on;)
       {
-        integrate(state, last_step, observers, before_step);
-      }
-    catch (const NumericalError &)
-      {
-        failure = std::current_exception();
+        goes_on = false;
+        failure = nullptr;
+        try
+          {
+            integrate(state, last_step, observers, before_step);
+          }
+        catch (const NumericalError &error)
+          {
+            failure = std::current_exception();
+            goes_on = recover && recover(error);
+          }
       }
 
     // However it has ended: what was seen last is what there is.
@@ -134,7 +168,7 @@ namespace vfife
   {
     // Angles of free rotations and the bodies' rates follow from positions and velocities.
     beginning_ = Beginning{state.step, state.time};
-    state.dt   = dt_;
+    state.dt   = dt_ * n_substeps_;
     constraints_.read(state, MotionFrame::fixed);
     rigid_ = compute_rigid_rates(state);
     energy_.reset();
@@ -147,13 +181,15 @@ namespace vfife
                                  Observers          &observers,
                                  const BeforeStep   &before_step)
   {
-    for (;;)
+    for (unsigned int substep = 0;;)
       {
-        // Checkpoints and signals see the state before its step.
-        if (before_step)
+        // Checkpoints, signals and observers see the state before its step and nothing of substeps.
+        const bool whole = substep == 0;
+        if (whole && before_step)
           before_step(state);
-        const bool first = state.step == beginning_->step, last = state.step == last_step;
-        const bool due = first || last || any_due(observers, state);
+        const bool first = whole && state.step == beginning_->step;
+        const bool last  = whole && state.step == last_step;
+        const bool due   = first || last || (whole && any_due(observers, state));
 
         // Forces of the state at t_n, and what is seen of it while it is there: the update moves
         // it.
@@ -188,9 +224,13 @@ namespace vfife
         if (last)
           break;
         advance_bodies(state);
+        substep = (substep + 1) % n_substeps_;
+        if (substep == 0)
+          ++state.step;
         // A product and no sum of steps, which would collect round-off.
-        ++state.step;
-        state.time = beginning_->time + (state.step - beginning_->step) * dt_;
+        const double n_steps =
+          (state.step - beginning_->step) + static_cast<double>(substep) / n_substeps_;
+        state.time = beginning_->time + n_steps * state.dt;
       }
   }
 
@@ -210,10 +250,10 @@ namespace vfife
     {
       const auto scope = timers_.time(timers_.section("contact"));
       if (state.step % search_interval == 0)
-        contact_.search(state.body_motion, rigid_, state.position, search_interval * dt_);
+        contact_.search(state.body_motion, rigid_, state.position, search_interval * state.dt);
       if (measured)
         state.contact_force = forces_;
-      contact_.add_forces(state.body_motion, state.position, state.velocity, dt_, forces_);
+      contact_.add_forces(state.body_motion, state.position, state.velocity, state.dt, forces_);
       if (measured)
         state.contact_force = forces_ - std::move(state.contact_force);
     }

@@ -227,6 +227,11 @@ namespace vfife
       contact_.serialize_friction(part);
       walls_.serialize(part);
     });
+    unsigned int n_substeps = n_substeps_;
+    common.pass_part("substeps", [&](ByteStream &part) {
+      part.pass(n_substeps);
+      part.require(n_substeps > 0, "no step in the place of one");
+    });
     // What this rank knows of the pairs that may touch.
     if (own != nullptr)
       own->pass_required_part("contact", [&](ByteStream &part) { contact_.serialize(part); });
@@ -235,8 +240,10 @@ namespace vfife
 
     beginning_ = beginning;
     set_step(state.dt);
+    n_substeps_ = n_substeps;
+    dt_         = state.dt / n_substeps;
     if (own == nullptr) // other ranks know other parts of the pairs
-      contact_.search(state.body_motion, rigid_, state.position, search_interval * dt_);
+      contact_.search(state.body_motion, rigid_, state.position, search_interval * state.dt);
     // What a failure before the next measurement would show.
     observed_                 = state;
     observed_.measured.energy = energy_.ledger();

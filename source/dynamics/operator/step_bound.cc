@@ -5,16 +5,19 @@
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/model/model.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace vfife
 {
   namespace
   {
-    // Of the Rayleigh quotient omega^2: 1 % of it is 0.5 % of the step.
-    constexpr unsigned int least_iterations = 20, most_iterations = 400;
-    constexpr double       wanted_deviation = 0.01;
+    // Of omega^2: 1 % of it is 0.5 % of the step.
+    constexpr double wanted_error = 0.01, failure_probability = 1e-9;
 
     NodeField undeformed_positions(const Model &model, const VfifeOperator &vfife)
     {
@@ -30,19 +33,20 @@ namespace vfife
       return positions;
     }
 
-    /** Numbers between -1 and 1 without a pattern, the same on all copies of a node. */
-    NodeField start_vector(const VfifeOperator &vfife)
+    /** Normally distributed numbers, so that no direction is preferred; the same on all copies of a
+     * node. */
+    NodeField random_vector(const Model &model, const VfifeOperator &vfife)
     {
-      const Partition &partition = vfife.partition();
-      NodeField        v         = vfife.make_field();
+      const Partition                 &partition = vfife.partition();
+      std::vector<Vector3>             values(model.n_nodes());
+      std::mt19937_64                  generator;
+      std::normal_distribution<double> number;
+      for (Vector3 &value : values)
+        for (double &component : value)
+          component = number(generator);
+      NodeField v = vfife.make_field();
       for (const std::uint32_t i : partition.nodes())
-        {
-          Vector3 value;
-          for (unsigned int c = 0; c < 3; ++c)
-            value[c] = std::sin(12.9898 * (3. * partition.global_node[i] + c) + 1.) *
-                       std::cos(78.233 * (3. * partition.global_node[i] + c));
-          v.set(i, value);
-        }
+        v.set(i, values[partition.global_node[i]]);
       return v;
     }
 
@@ -59,57 +63,129 @@ namespace vfife
   } // namespace
 
 
-  AssembledFrequency iterate_largest_frequency(const Model        &model,
-                                               VfifeOperator      &vfife,
-                                               const Communicator &communicator)
+  namespace
+  {
+    /** A = M^-1/2 K M^-1/2 for vectors that nodes hold, and their scalar product over all ranks. */
+    class ScaledStiffness
+    {
+    public:
+      ScaledStiffness(const Model &model, VfifeOperator &vfife, const Communicator &communicator)
+        : vfife_(vfife)
+        , communicator_(communicator)
+        , amplitude_(find_amplitude(model, vfife))
+        , undeformed_(undeformed_positions(model, vfife))
+        , x_(undeformed_)
+        , forces_(vfife.make_field())
+      {
+      }
+
+      double dot(const NodeField &a, const NodeField &b) const
+      {
+        const Partition &partition = vfife_.partition();
+        double           sum       = 0;
+        for (const std::uint32_t i : partition.nodes())
+          if (partition.owned[i])
+            sum += a.value(i).dot(b.value(i));
+        return communicator_.sum(sum);
+      }
+
+      /** Sets @p product to A q. */
+      void multiply(const NodeField &q, NodeField &product)
+      {
+        // v = M^-1/2 q to the amplitude that differences of forces want; K v = -f(x0 + v), as the
+        // undeformed bodies have no forces.
+        const Partition &partition = vfife_.partition();
+        double           largest   = 0;
+        for (const std::uint32_t i : partition.nodes())
+          largest = std::max(largest, q.value(i).cwiseAbs().maxCoeff() / root_mass(i));
+        const double scale = amplitude_ / communicator_.max(largest);
+        for (const std::uint32_t i : partition.nodes())
+          x_.set(i, undeformed_.value(i) + scale / root_mass(i) * q.value(i));
+        vfife_.compute_internal_forces(x_, forces_);
+        for (const std::uint32_t i : partition.nodes())
+          product.set(i, -1. / (scale * root_mass(i)) * forces_.value(i));
+      }
+
+    private:
+      double root_mass(const std::uint32_t i) const
+      {
+        return std::sqrt(vfife_.masses()[i]);
+      }
+
+      VfifeOperator      &vfife_;
+      const Communicator &communicator_;
+      double              amplitude_;
+      NodeField           undeformed_, x_, forces_;
+    };
+
+    /** a <- a - factor b at all nodes of the rank. */
+    void subtract(const Partition &partition, const double factor, const NodeField &b, NodeField &a)
+    {
+      for (const std::uint32_t i : partition.nodes())
+        a.add(i, -factor * b.value(i));
+    }
+
+    void scale(const Partition &partition, const double factor, NodeField &a)
+    {
+      for (const std::uint32_t i : partition.nodes())
+        a.set(i, factor * a.value(i));
+    }
+
+    double largest_eigenvalue(const std::vector<double> &diagonal,
+                              const std::vector<double> &beside)
+    {
+      const auto                                     n = static_cast<Eigen::Index>(diagonal.size());
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+      solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), n),
+                                    Eigen::Map<const Eigen::VectorXd>(beside.data(), n - 1),
+                                    Eigen::EigenvaluesOnly);
+      return solver.eigenvalues()[n - 1];
+    }
+  } // namespace
+
+
+  AssembledFrequency bound_largest_frequency(const Model        &model,
+                                             VfifeOperator      &vfife,
+                                             const Communicator &communicator)
   {
     const Partition &partition = vfife.partition();
-    const NodeField  x0        = undeformed_positions(model, vfife);
-    NodeField        v = start_vector(vfife), x = x0, forces = vfife.make_field();
-    const double     amplitude = find_amplitude(model, vfife);
+    ScaledStiffness  A(model, vfife, communicator);
+    // 1. As many steps as the probability asks for; of a small model all there are.
+    const double n_unknowns = 3. * model.n_nodes();
+    const auto   n_steps    = static_cast<unsigned int>(
+      std::min(n_unknowns,
+               std::ceil(0.5 + std::log(1.648 * std::sqrt(n_unknowns) / failure_probability) /
+                                 (2. * std::sqrt(wanted_error)))));
 
-    AssembledFrequency result;
-    // v <- M^-1 K v turns towards the shape of the largest omega^2, K v = omega^2 M v.
-    for (unsigned int iteration = 1; iteration <= most_iterations; ++iteration)
+    // 2. q_k+1 = (A q_k - alpha_k q_k - beta_k-1 q_k-1)/beta_k. The vectors lose their
+    // orthogonality in time, which repeats Ritz values and makes none of them too large.
+    NodeField q = random_vector(model, vfife), before = vfife.make_field(),
+              next = vfife.make_field();
+    scale(partition, 1. / std::sqrt(A.dot(q, q)), q);
+    std::vector<double> alpha, beta;
+    for (;;)
       {
-        // 1. v to the amplitude that differences of forces want, x = x0 + v.
-        double largest = 0;
-        for (const std::uint32_t i : partition.nodes())
-          largest = std::max(largest, v.value(i).cwiseAbs().maxCoeff());
-        const double scale = amplitude / communicator.max(largest);
-        for (const std::uint32_t i : partition.nodes())
-          {
-            v.set(i, scale * v.value(i));
-            x.set(i, x0.value(i) + v.value(i));
-          }
-        vfife.compute_internal_forces(x, forces);
-
-        // 2. K v = -f, as the undeformed bodies have no forces; the next v is M^-1 K v.
-        std::vector<double> sums(3, 0.); // v.M v, v.K v, K v . M^-1 K v
-        for (const std::uint32_t i : partition.nodes())
-          {
-            const double  m   = vfife.masses()[i];
-            const Vector3 v_i = v.value(i), Kv = -forces.value(i);
-            for (unsigned int c = 0; partition.owned[i] && c < 3; ++c)
-              {
-                sums[0] += m * v_i[c] * v_i[c];
-                sums[1] += v_i[c] * Kv[c];
-                sums[2] += Kv[c] * Kv[c] / m;
-              }
-            v.set(i, Kv / m);
-          }
-        // 3. Rayleigh quotient q = v.K v / v.M v and deviation, s^2 = |M^-1/2 K v|^2 / v.M v - q^2.
-        communicator.sum(sums);
-        result.quotient = sums[1] / sums[0];
-        result.deviation =
-          std::sqrt(std::max(0., sums[2] / sums[0] - result.quotient * result.quotient));
-        result.iterations = iteration;
-        if (iteration >= least_iterations && result.deviation < wanted_deviation * result.quotient)
+        A.multiply(q, next);
+        if (!beta.empty())
+          subtract(partition, beta.back(), before, next);
+        alpha.push_back(A.dot(q, next));
+        subtract(partition, alpha.back(), q, next);
+        const double rest = std::sqrt(A.dot(next, next));
+        // Without a rest the vectors are a whole invariant space.
+        if (alpha.size() == n_steps || rest < 1e-5 * alpha.front())
           break;
+        beta.push_back(rest);
+        scale(partition, 1. / rest, next);
+        std::swap(before, q);
+        std::swap(q, next);
       }
-    // omega^2 = q + s, for some eigenvalue lies within s of q; never above the worst element's
-    result.frequency =
-      std::min(std::sqrt(result.quotient + result.deviation), vfife.limiting_element().frequency);
+
+    // 3. The bound, which no mesh needs that its worst element bounds better.
+    AssembledFrequency result;
+    result.iterations = static_cast<unsigned int>(alpha.size());
+    result.ritz_value = largest_eigenvalue(alpha, beta);
+    result.frequency  = std::min(std::sqrt(result.ritz_value / (1. - wanted_error)),
+                                vfife.limiting_element().frequency);
     return result;
   }
 
@@ -123,17 +199,15 @@ namespace vfife
     const double worst = vfife.limiting_element().stable_step();
     if (bound == StepBound::element)
       return worst;
-    const AssembledFrequency assembled = iterate_largest_frequency(model, vfife, communicator);
+    const AssembledFrequency assembled = bound_largest_frequency(model, vfife, communicator);
     const double             step      = 2. / assembled.frequency;
-    log.line("power iteration: stable step ",
+    log.line("stable step of the assembly ",
              1e9 * step,
              " ns, ",
              step / worst,
              " of that of the worst element, after ",
              assembled.iterations,
-             " iterations; an eigenvalue is within ",
-             100 * assembled.deviation / assembled.quotient,
-             " % of the quotient");
+             " steps of Lanczos' method");
     return step;
   }
 } // namespace vfife

@@ -22,6 +22,9 @@ namespace vfife
     /** Signals and clock are looked at every so many steps: ranks must agree on them. */
     constexpr unsigned int look_interval = 10;
 
+    /** Steps between checkpoints in memory: cheap beside them, and what goes wrong is noticed. */
+    constexpr unsigned int snapshot_interval = 1000;
+
     /** Time and step of a state, for messages. */
     std::string where(const State &state)
     {
@@ -146,6 +149,41 @@ namespace vfife
                 ")");
   }
 
+  void Stepping::keep_snapshot()
+  {
+    // The older of two: a motion that grows may have begun before the last one.
+    ByteStream common, own;
+    serialize(common, &own);
+    snapshots_.push_back({common.bytes(), own.bytes()});
+    if (snapshots_.size() > 2)
+      snapshots_.pop_front();
+  }
+
+  bool Stepping::go_back(const NumericalError &error)
+  {
+    if (!solver_.may_be_unstable() || snapshots_.empty())
+      return false;
+    const unsigned int n_substeps = 2 * solver_.n_substeps();
+    const std::string  failure    = error.what();
+    const double       so_far     = run_time();
+    snapshots_.resize(1);
+    ByteStream common(snapshots_[0].common, "memory"), own(snapshots_[0].own, "memory");
+    serialize(common, &own);
+    earlier_time_ = so_far;
+    begin_        = WallClock::now();
+    solver_.divide_step(state_, n_substeps);
+    log_.warning("a step of ",
+                 1e9 * state_.dt,
+                 " ns, longer than that of the worst element, came to an end (",
+                 failure,
+                 "): goes on from ",
+                 where(state_),
+                 ", with ",
+                 n_substeps,
+                 " steps in the place of one");
+    return true;
+  }
+
   void Stepping::stop(const int signal) const
   {
     // The command with which this run goes on, ready to be copied.
@@ -158,6 +196,8 @@ namespace vfife
 
   void Stepping::before_step(RunSignals &signals, const std::uint64_t last_step)
   {
+    if (state_.step % snapshot_interval == 0 && solver_.may_be_unstable())
+      keep_snapshot();
     const bool writes = output_.checkpoint_every > 0;
     // After the equilibrium before the start, which takes long, and at the end, so that a run can
     // be made longer.
@@ -223,9 +263,12 @@ namespace vfife
         begin_ = last_checkpoint_     = WallClock::now();
         const std::uint64_t last_step = std::llround(end_time / state_.dt);
         RunSignals          signals;
-        solver_.run(state_, end_time, observers_, [&](State &) {
-          before_step(signals, last_step);
-        });
+        solver_.run(
+          state_,
+          end_time,
+          observers_,
+          [&](State &) { before_step(signals, last_step); },
+          [this](const NumericalError &error) { return go_back(error); });
       }
     // 3. The end. A failure is stated in the summary before others hear of it; an interruption
     // passes by, as its checkpoint is all that it leaves.

@@ -21,6 +21,7 @@ namespace vfife
 {
   class ByteStream;
   class Log;
+  class NumericalError;
   class Timers;
 
   /**
@@ -61,6 +62,10 @@ namespace vfife
     /** Called with the state before each step; may throw to end a run there. All ranks. */
     using BeforeStep = std::function<void(State &)>;
 
+    /** Called when the run has failed; returns whether it is to go on from the state that it has
+     * been taken back to, by serialize(). All ranks. */
+    using Recover = std::function<bool(const NumericalError &)>;
+
     /**
      * Integrates from state.time (after serialize() with a reading stream: goes on) to @p end_time,
      * counted from where the run began; @p state is then the one that was measured last. Throws
@@ -70,7 +75,22 @@ namespace vfife
     void run(State            &state,
              double            end_time,
              Observers        &observers,
-             const BeforeStep &before_step = nullptr);
+             const BeforeStep &before_step = nullptr,
+             const Recover    &recover     = nullptr);
+
+    /** Whether the step may be too long for the bodies, which are stable with that of the worst
+     * element. */
+    bool may_be_unstable() const;
+
+    /** Steps that are made in the place of one, see divide_step(). */
+    unsigned int n_substeps() const;
+
+    /**
+     * From here on makes @p n steps in the place of one, which go on being counted, sampled and
+     * shown as one; penalties stay as they are. Velocities move from half of the earlier step
+     * before the state to half of the new one. Collective.
+     */
+    void divide_step(State &state, unsigned int n);
 
     /**
      * Passes all that a run needs to go on to the last digit, from BeforeStep or to a state that
@@ -103,7 +123,9 @@ namespace vfife
       double        time = 0; ///< [s]
     };
 
-    void begin_run(State &state);
+    /** After the votes of contact and loads [s]. */
+    double vote_on_step(double element_step);
+    void   begin_run(State &state);
     /** Steps of the loop up to and with @p last_step. */
     void            integrate(State            &state,
                               std::uint64_t     last_step,
@@ -134,8 +156,10 @@ namespace vfife
     TorqueLoads      torques_;
     NodalLoads       loads_;
     ConstraintMotion constraints_;
-    double           element_step_; ///< [s]
-    double           dt_ = 0;       ///< [s]
+    double           element_step_;   ///< [s]
+    double           dt_         = 0; ///< of a substep [s]
+    unsigned int     n_substeps_ = 1; ///< in State::dt
+    double           safe_step_  = 0; ///< by the worst element [s]
 
     // One step; rates, damping and sums of each body.
     NodeField                  forces_;

@@ -8,6 +8,7 @@
 #include <vfife/output/files/summary.h>
 #include <vfife/output/output_options.h>
 
+#include <deque>
 #include <functional>
 #include <memory>
 
@@ -18,6 +19,7 @@ namespace vfife
   class ExplicitSolver;
   class FieldWriter;
   class Log;
+  class NumericalError;
   class OutputFolder;
   class RunSignals;
   class RunStart;
@@ -72,6 +74,14 @@ namespace vfife
              const std::function<void()> &complete);
 
   private:
+    /** A checkpoint in memory, of this rank. */
+    struct Snapshot
+    {
+      std::string common, own;
+    };
+
+    void   keep_snapshot();
+    bool   go_back(const NumericalError &error);
     void   before_step(RunSignals &signals, std::uint64_t last_step);
     void   stop(int signal) const;
     void   write();
@@ -97,6 +107,7 @@ namespace vfife
     WallClock::time_point begin_, last_checkpoint_;
     double                earlier_time_   = 0;     ///< run time before the checkpoint [s]
     bool                  has_checkpoint_ = false; ///< of this run
+    std::deque<Snapshot>  snapshots_;              ///< the last two, while the step may be too long
   };
 } // namespace vfife
 
