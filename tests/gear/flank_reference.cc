@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Flanks and fillets of the paper's pair against independently computed points and normals.
+// Flanks and fillets of the paper's pair against independently computed points and normals:
+// make_reference.py writes the tables beside this file.
 #include "../tests.h"
 #include "paper_pair.h"
 
