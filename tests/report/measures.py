@@ -20,7 +20,8 @@ from vfife_report.measures.lines import find_harmonics, find_lines
 from vfife_report.measures.passages import find_engagement, find_passage
 from vfife_report.measures.periodicity import fold_meshes, measure_periodicity
 from vfife_report.measures.spectrum import compute_directed_spectrum
-from vfife_report.measures.waves import list_wave_lines, read_wave, split_wave
+from vfife_report.measures.waves import (
+    list_wave_lines, list_wave_spectra, measure_waves, read_wave, split_wave)
 from vfife_report.page.words import make_title
 
 # As the program wrote it before there was a parameters.json.
@@ -160,6 +161,74 @@ class Waves(unittest.TestCase):
             self.assertEqual(lines[0][1], "against the turning of the gear")
             self.assertAlmostEqual(lines[0][2], 9000, delta=100)
             self.assertAlmostEqual(lines[0][3], 0.1, delta=0.002)
+
+
+class MadeUpRim(dict):
+    """rim.csv of waves that are written down: those of z are asked for."""
+
+    RATE = -2 * np.pi * 114  # 6835 rpm, against its axis
+    TIME = np.arange(1000) / 1000 * 10 / 114  # ten revolutions
+
+    def __init__(self):
+        super().__init__(time=self.TIME)
+        turn = self.RATE * self.TIME
+        # u(alpha) = Re(C exp(-i n alpha)) in the turning gear. What stands in space, cos n (alpha + turn) and so on, has
+        # C = exp(-i n turn); a wave with the axis has positive frequencies.
+        waves = {0: 7 + 0.4 * np.cos(40 * turn),
+                 1: 20 * np.exp(-1j * (turn + 0.3)) + 0.6 * np.exp(25j * turn),
+                 2: 5 * np.exp(-2j * turn) + 0.8 * np.cos(30 * turn)}
+        for component, factor in (("r", 2), ("theta", 0), ("z", 1)):
+            for n, wave in waves.items():
+                self[f"{component} cos {n}"] = factor * wave.real
+                if n:
+                    self[f"{component} sin {n}"] = factor * wave.imag
+
+    @property
+    def columns(self):
+        return list(self)
+
+
+class MadeUpRimRun:
+    rim = MadeUpRim()
+
+    def steady_rows(self, table):
+        return slice(None)
+
+    def gear_rate(self):
+        return MadeUpRim.RATE
+
+
+class WaveShares(unittest.TestCase):
+    def test_shares(self):
+        """What stands in space is the amplitude of one wave, the rest its root mean square: a travelling wave's amplitude, a
+        vibration's over the root of two."""
+        standing, moving = measure_waves(MadeUpRimRun.rim, slice(None), MadeUpRim.RATE)
+        self.assertEqual(standing.shape, (3, 3))
+        known = np.array([7, 20, 5])
+        rest = np.array([0.4 / np.sqrt(2), 0.6, 0.8 / np.sqrt(2)])
+        for k, factor in enumerate((2, 0, 1)):  # radial, tangential, axial
+            self.assertLess(np.abs(standing[k] - factor * known).max(), 1e-9)
+            self.assertLess(np.abs(moving[k] - factor * rest).max(), 1e-9)
+
+    def test_spectra(self):
+        """Lines in their direction: 0.6 at 25 turns a second of a gear that turns against its axis, with which the
+        wave runs; 0.8 in the gear are 0.4 in either direction; without diameters there is one direction with all of it."""
+        def top(n):
+            return {name: (frequency[np.argmax(amplitude)], amplitude.max())
+                    for name, frequency, amplitude in list_wave_spectra(MadeUpRimRun(), n)}
+
+        self.assertEqual(list(top(0)), ["against the turning of the gear"])
+        frequency, amplitude = top(0)["against the turning of the gear"]
+        self.assertAlmostEqual(frequency, 40 * 114, delta=12)
+        self.assertAlmostEqual(amplitude, 0.4, delta=0.01)
+        frequency, amplitude = top(1)["with it"]
+        self.assertAlmostEqual(frequency, 25 * 114, delta=12)
+        self.assertAlmostEqual(amplitude, 0.6, delta=0.02)
+        self.assertLess(top(1)["against the turning of the gear"][1], 0.05)
+        for name in ("with it", "against the turning of the gear"):
+            frequency, amplitude = top(2)[name]
+            self.assertAlmostEqual(frequency, 30 * 114, delta=12)
+            self.assertAlmostEqual(amplitude, 0.4, delta=0.02)
 
 
 class Texts(unittest.TestCase):
