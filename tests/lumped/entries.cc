@@ -130,6 +130,62 @@ end
                 1e-14);
     check("damping ratio: of its own support",
           pair.supports[1].damping_ratio == .05 && pair.supports[0].damping_ratio != .05);
+    // kg, N/mm; kg mm^2, MN m/rad
+    check_close("mass [t]", pair.supports[0].inertia, 2e-3, 1e-18);
+    check_close("stiffness [N/mm]", pair.supports[0].stiffness, 1e6, 1e-9);
+    check_close("inertia [t mm^2]", pair.supports[1].inertia, 9., 1e-15);
+    check_close("tilt stiffness [N mm/rad]", pair.supports[1].stiffness, 1e9, 1e-6);
+    check("motion: which one tilts", !pair.supports[0].tilts && pair.supports[1].tilts);
+  }
+
+  /** What is given as it stands, in internal units. */
+  void numbers()
+  {
+    const LumpedPair pair =
+      Read("set speed damping = 120\nset damping ratio = 0.07\nset pinion inertia = 800\n").pair();
+    check("teeth", pair.driver_teeth == 27 && pair.driven_teeth == 79 && pair.ratio() == 27. / 79);
+    check_close("torque [N mm]", pair.torque, 8e5, 0.);
+    check_close("gear inertia [t mm^2]", pair.driven_inertia, 20., 1e-14);
+    check_close("pinion inertia [t mm^2]", pair.driver_inertia, .8, 1e-15);
+    check_close("arm [mm]", pair.arm, 90., 0.);
+    check_close("speed damping [1/s]", pair.speed_damping, 120., 0.);
+    check_close("damping ratio", pair.damping_ratio, .07, 0.);
+    check("pinion: prescribed unless free",
+          !pair.driver_is_free &&
+            Read("set pinion = free\nset pinion inertia = 1\n").pair().driver_is_free);
+  }
+
+  /** Of a table: 800 N m wind the gear up by 55 arcsec at both positions. */
+  void load_laws()
+  {
+    std::ofstream("table.csv")
+      << "position [tooth meshes],unloaded transmission error [arcsec],transmission error [arcsec],"
+         "contact torque on the gear [N m],tangent stiffness [N m/rad]\n"
+         "0,1,-54,800,3.8e6\n0.5,-1,-56,800,3.7e6\n";
+    const double secant = 8e5 / (55 * arcsecond);
+    for (const std::string law : {"power", "tangent", "secant"})
+      {
+        const LumpedPair pair =
+          Read("set mesh = loaded contact\nset table = table.csv\nset load law = " + law + "\n")
+            .pair();
+        for (const double x : {0., .5})
+          {
+            const double tangent = x == 0 ? 3.8e9 : 3.7e9, touch = x == 0 ? arcsecond : -arcsecond;
+            check_close("load law " + law + ": stiffness",
+                        pair.law.stiffness.value(x) / (law == "tangent" ? tangent : secant),
+                        1.,
+                        1e-12);
+            check_close("load law " + law + ": exponent",
+                        pair.law.exponent.value(x),
+                        law == "power" ? tangent / secant : 1.,
+                        1e-12);
+            // The tangent meets no torque where it would, not where the flanks touch.
+            check_close("load law " + law + ": error without load [rad]",
+                        pair.law.unloaded_error.value(x),
+                        law == "tangent" ? touch - 55 * arcsecond + 8e5 / tangent : touch,
+                        1e-18);
+          }
+      }
   }
 
   void damper()
@@ -203,6 +259,8 @@ int main()
   series();
   inertias();
   supports();
+  numbers();
+  load_laws();
   damper();
   run();
 }
