@@ -143,27 +143,79 @@ namespace
     check_below("shares of 2, 3, 4 ranks add up to the whole: resultants", result_error, 1e-14);
   }
 
+  /** What both surfaces do together changes nothing between them: with a rotation R in between,
+   * forces of springs, dampers and stick are R times those before. */
   void check_common_motion()
   {
     MovingSurface slave(sphere_patch_down(30., 0.12, 7)), master(sphere_patch(50., 0.1, 6));
     random_state(slave, master);
-    const Vector3 omega(2000., -500., 700.), v0(1e4, 2e3, -5e3);
     for (auto *surface : {&slave, &master})
-      for (unsigned int n = 0; n < surface->surface.positions.size(); ++n)
-        MovingSurface::at(surface->velocities, n) =
-          v0 + omega.cross(Vector3(MovingSurface::at(surface->positions, n)));
+      std::fill(surface->velocities.begin(), surface->velocities.end(), 0.);
     Contact contact(slave.surface, master.surface, hard_options());
+    contact.set_penalty(1e6, 2e-9);
+    contact.find_candidates(slave.body, master.body, 1.);
+    // Points come to stick and are strained then, some of them until they slide.
+    add_forces(contact, slave, master);
+    const Vector3 normal = contact.results().at(0).force.normalized();
+    const Vector3 way    = 0.001 * normal.cross(random_vector(1.)).normalized();
+    for (std::size_t i = 0; i < slave.positions.size(); ++i)
+      slave.positions[i] += way[i % 3];
+    slave.clear_forces();
+    master.clear_forces();
+    add_forces(contact, slave, master);
+    const auto   &result = contact.results().at(0);
+    const double  scale  = result.normal_force;
+    const Vector3 before = result.force, before_moment = result.moment;
+    check("common rigid motion: surfaces touch", scale > 1.);
+    check("common rigid motion: friction holds",
+          (before - normal * normal.dot(before)).norm() > 1e-2 * scale);
+
+    // Everything turns by 0.7 rad and goes elsewhere, and goes on doing so.
+    RigidMotion common;
+    common.rotation    = rotation_about(Vector3(2., -1., 3.).normalized(), 0.7);
+    common.translation = Vector3(30., -20., 10.);
+    const Vector3 omega(2000., -500., 700.), v0(1e4, 2e3, -5e3);
+    const auto    forces_before = std::make_pair(slave.forces, master.forces);
+    for (auto *surface : {&slave, &master})
+      {
+        surface->body.rotation    = common.rotation * surface->body.rotation;
+        surface->body.translation = common(surface->body.translation);
+        for (unsigned int n = 0; n < surface->surface.positions.size(); ++n)
+          {
+            auto x                                    = MovingSurface::at(surface->positions, n);
+            x                                         = common(Vector3(x));
+            MovingSurface::at(surface->velocities, n) = v0 + omega.cross(Vector3(x));
+          }
+        surface->clear_forces();
+      }
     contact.find_candidates(slave.body, master.body, 1.);
     add_forces(contact, slave, master);
-    const auto  &result = contact.results().at(0);
-    const double scale  = result.normal_force;
-    check("common rigid motion: surfaces touch", scale > 1.);
-    // speeds of 3e5 mm/s times round-off 1e-16; points have just come to stick
-    check_below("common rigid motion: tangential over normal force",
-                (result.force - result.force.normalized() * result.force.norm()).norm() / scale,
-                1e-9);
+    double error = 0.;
+    for (auto *surface : {&slave, &master})
+      {
+        const auto &old = surface == &slave ? forces_before.first : forces_before.second;
+        for (unsigned int n = 0; n < surface->surface.positions.size(); ++n)
+          error = largest_of(error,
+                             (Vector3(MovingSurface::at(surface->forces, n)) -
+                              common.rotation * Eigen::Map<const Vector3>(old.data() + 3 * n))
+                                 .norm() /
+                               scale);
+      }
+    // Speeds of 3e5 mm/s times round-off 1e-16, and that of coordinates of 100 mm times a penalty
+    // of 1e6 N/mm^3.
+    check_below("common rigid motion: nodal forces turn with it", error, 1e-8);
+    const auto &after = contact.results().at(0);
+    check_below("common rigid motion: resultant",
+                (after.force - common.rotation * before).norm() / scale,
+                1e-8);
+    check_below("common rigid motion: moment, over 100 mm",
+                (after.moment - common.rotation * before_moment -
+                 common.translation.cross(common.rotation * before))
+                    .norm() /
+                  (100. * scale),
+                1e-8);
     check_below("common rigid motion: dissipation [mJ/s per N]",
-                (std::abs(result.friction_loss) + std::abs(result.damping_power)) / scale,
+                (std::abs(after.friction_loss) + std::abs(after.damping_power)) / scale,
                 1e-6);
   }
 
