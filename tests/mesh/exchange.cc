@@ -17,7 +17,10 @@
 
 #include <deal.II/grid/grid_out.h>
 
+#include <algorithm>
 #include <fstream>
+#include <limits>
+#include <sstream>
 
 using namespace vfife;
 
@@ -50,6 +53,57 @@ namespace
     return compute_mesh_quality(mesh.triangulation).volume;
   }
 
+  /** Sorted by coordinates, rounded so that 15 digits do not change the order. */
+  using Places = std::vector<Eigen::VectorXd>;
+
+  Places sorted(Places places)
+  {
+    std::sort(places.begin(), places.end(), [](const auto &a, const auto &b) {
+      for (Eigen::Index c = 0; c < a.size(); ++c)
+        if (std::abs(a[c] - b[c]) > 1e-7)
+          return a[c] < b[c];
+      return false;
+    });
+    return places;
+  }
+
+  /** Of the nodes of a set, from the mesh itself [mm]. */
+  Places places(const BodyMesh &mesh, const std::vector<unsigned int> &nodes)
+  {
+    Places list;
+    for (const unsigned int node : nodes)
+      {
+        const auto &x = mesh.triangulation.get_vertices()[node];
+        list.emplace_back(Vector3(x[0], x[1], x[2]));
+      }
+    return sorted(list);
+  }
+
+  /** Middle and vector area of each facet: which way it looks is part of a surface. */
+  Places vector_areas(const FacetSurface &surface)
+  {
+    Places list;
+    for (const auto &facet : surface.facets)
+      {
+        const auto      at = [&](const unsigned int i) { return surface.positions[facet[i]]; };
+        Eigen::VectorXd both(6);
+        both << (at(0) + at(1) + at(2) + at(3)) / 4, (at(2) - at(0)).cross(at(3) - at(1)) / 2;
+        list.push_back(both);
+      }
+    return sorted(list);
+  }
+
+  /** Largest difference of two lists, infinity where one is longer. */
+  double apart(const Places &one, const Places &other)
+  {
+    if (one.size() != other.size())
+      return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+      largest = largest_of(largest, (one[i] - other[i]).norm());
+    return largest;
+  }
+
   /** The message's last part names the file; nothing but InputError may come. */
   std::string message_of(const std::string &path)
   {
@@ -73,19 +127,28 @@ namespace
     const auto inp = read_body("pinion.inp"), msh = read_body("pinion.msh");
     check_close("inp: volume", volume(*inp) / volume(*pinion), 1., round_off);
     check_close("msh: volume", volume(*msh) / volume(*pinion), 1., round_off);
-    bool sets = true;
+    bool   sets      = true;
+    double inp_nodes = 0, msh_nodes = 0;
     for (const auto &set : pinion->node_sets)
-      sets =
-        sets && inp->node_sets.at(abaqus_name("pinion " + set.first)).size() == set.second.size();
+      {
+        const auto &nodes = inp->node_sets.at(abaqus_name("pinion " + set.first));
+        sets              = sets && nodes.size() == set.second.size();
+        inp_nodes = largest_of(inp_nodes, apart(places(*pinion, set.second), places(*inp, nodes)));
+      }
     check("inp: node sets", sets);
+    check_below("inp: places of the sets' nodes [mm]", inp_nodes, 1e-9);
     bool point_sets = true;
     for (const auto &set : pinion->node_sets)
       {
         const auto found = msh->node_sets.find("pinion " + set.first);
         point_sets =
           point_sets && found != msh->node_sets.end() && found->second.size() == set.second.size();
+        if (found != msh->node_sets.end())
+          msh_nodes =
+            largest_of(msh_nodes, apart(places(*pinion, set.second), places(*msh, found->second)));
       }
     check("msh: node sets", point_sets);
+    check_below("msh: places of the sets' nodes [mm]", msh_nodes, 1e-9);
     bool surfaces = true;
     for (const char *side : {surface_name::concave, surface_name::convex})
       surfaces =
@@ -95,9 +158,76 @@ namespace
         msh->surfaces.at(std::string("pinion ") + side).facets.size() ==
           pinion->surfaces.at(side).facets.size();
     check("inp and msh: surfaces", surfaces);
+    double facets = 0;
+    for (const char *side : {surface_name::concave, surface_name::convex})
+      for (const FacetSurface *read :
+           {&inp->surfaces.at(abaqus_name(std::string("pinion ") + side) + "_SURFACE"),
+            &msh->surfaces.at(std::string("pinion ") + side)})
+        facets =
+          largest_of(facets, apart(vector_areas(pinion->surfaces.at(side)), vector_areas(*read)));
+    check_below("inp and msh: facets' middles and areas [mm, mm^2]", facets, 1e-9);
     check("inp and msh: regions",
           inp->regions.size() >= 2 && inp->node_sets.count("PINION_TEETH") == 1 &&
             msh->regions.size() == 2 && msh->node_sets.count("pinion rim") == 1);
+  }
+
+  /** Numbers of an array in the text of a .vtu file, by what stands in its tag. */
+  std::vector<double> read_array(const std::string &text, const std::string &tag)
+  {
+    const std::size_t   at = text.find(tag);
+    std::vector<double> numbers;
+    if (at == std::string::npos)
+      return numbers;
+    const std::size_t  begin = text.find('>', at) + 1;
+    std::istringstream words(text.substr(begin, text.find("</DataArray>", begin) - begin));
+    for (double number; words >> number;)
+      numbers.push_back(number);
+    return numbers;
+  }
+
+  /** The block of 1 x 2 x 3 mm and the ring about (10, 0): volumes of the cells, corners of faces
+   * and sets of points where they belong. */
+  void check_vtu(const std::string &text)
+  {
+    const auto points  = read_array(text, "NumberOfComponents=\"3\""),
+               corners = read_array(text, "Name=\"connectivity\""),
+               body    = read_array(text, "Name=\"body\""),
+               inner   = read_array(text, "Name=\"surface ring inner\""),
+               upper   = read_array(text, "Name=\"set block y+\"");
+    const auto point   = [&points](const double node) {
+      return Vector3(Eigen::Map<const Vector3>(points.data() + 3 * static_cast<std::size_t>(node)));
+    };
+    double volumes[] = {0, 0};
+    for (unsigned int cell = 0; cell < 14; ++cell)
+      {
+        // Corners go round the bottom, then round the top; prisms have the determinant of their
+        // middle.
+        const auto    x      = [&](const unsigned int i) { return point(corners[8 * cell + i]); };
+        const Vector3 along  = x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7),
+                      across = x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5),
+                      up     = x(4) + x(5) + x(6) + x(7) - x(0) - x(1) - x(2) - x(3);
+        volumes[body[cell] == 0 ? 0 : 1] += along.cross(across).dot(up) / 64;
+      }
+    check_close("vtu: volume of the block", volumes[0], 6., 1e-12);
+    // Eight chords: 8 sin(pi/4)/2 (2^2 - 1^2).
+    check_close("vtu: volume of the ring", volumes[1], 12 * std::sin(pi / 4), 1e-12);
+    unsigned int n_faces = 0, n_points = 0;
+    bool         on_face = true, in_set = true;
+    for (unsigned int cell = 14; cell < inner.size(); ++cell)
+      for (unsigned int i = 0; inner[cell] == 1 && i < 4; ++i)
+        {
+          const Vector3 x = point(corners[8 * 14 + 4 * (cell - 14) + i]);
+          on_face         = on_face && std::abs(std::hypot(x[0] - 10, x[1]) - 1) < 1e-12;
+          n_faces += i == 0;
+        }
+    for (unsigned int node = 0; node < upper.size(); ++node)
+      if (upper[node] == 1)
+        {
+          in_set = in_set && point(node)[1] == 2.;
+          ++n_points;
+        }
+    check("vtu: faces of a surface", on_face && n_faces == 8);
+    check("vtu: points of a set", in_set && n_points == 8);
   }
 
   void check_assembly()
@@ -111,6 +241,18 @@ namespace
           both->node_sets.at("BLOCK_X_MINUS").size() == 12 &&
             both->node_sets.at("RING_OUTER").size() == 16 &&
             both->node_sets.at("RING").size() == 32);
+    // The ring stands 10 mm aside; both bodies' nodes are where they were.
+    bool   on_side = true;
+    double radii   = 0;
+    for (const unsigned int node : both->node_sets.at("BLOCK_X_MINUS"))
+      on_side = on_side && both->triangulation.get_vertices()[node][0] == 0.;
+    for (const unsigned int node : both->node_sets.at("RING_OUTER"))
+      {
+        const auto &x = both->triangulation.get_vertices()[node];
+        radii         = largest_of(radii, std::abs(std::hypot(x[0] - 10., x[1]) - 2.));
+      }
+    check("assembly: block's side at x = 0", on_side);
+    check_below("assembly: outer radius about x = 10 mm", radii, 1e-12);
 
     write("assembly.vtu", {exported(*block), exported(*ring, {10., 0., 0.})});
     std::ifstream     in("assembly.vtu");
@@ -120,6 +262,7 @@ namespace
     check("vtu: named arrays",
           text.find("Name=\"surface ring inner\"") != std::string::npos &&
             text.find("Name=\"set block y+\"") != std::string::npos);
+    check_vtu(text);
 
     for (const std::string end : {"vtk", "ucd"})
       {
