@@ -1,0 +1,185 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// A made-up summary whose numbers all differ: what is written where, in which units, and which of
+// them a table of runs shows in which column.
+#include "../tests.h"
+
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/base/types.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/run_figures.h>
+#include <vfife/output/files/summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  const std::string folder_name = "run_figures_results";
+
+  EnergyLedger make_ledger()
+  {
+    EnergyLedger ledger;
+    ledger.kinetic           = 101;
+    ledger.kinetic_relative  = 102;
+    ledger.strain            = 103;
+    ledger.contact           = 104;
+    ledger.drive_work        = 205;
+    ledger.torque_work       = -56;
+    ledger.damping_loss      = 7;
+    ledger.mesh_damping_loss = 8;
+    ledger.contact_loss      = 9;
+    ledger.start             = 110;
+    ledger.scale             = 200;
+    ledger.friction_loss     = 4;
+    return ledger;
+  }
+
+  // What is there now, less the start and what was supplied, with what was lost.
+  constexpr double residual = 101 + 103 + 104 - 110 - (205 - 56) + 7 + 8 + 9;
+
+  RunSummary make_summary()
+  {
+    RunSummary summary;
+    summary.study              = "run";
+    summary.bodies             = {{"pinion", 1000, 1200, 1e-3, 2., 10 * pi / 3, 2e-4},
+                                  {"gear", 3000, 4000, 5e-3, 40., -5 * pi, 0.}};
+    summary.dt                 = 5e-8;
+    summary.time               = .0125;
+    summary.steps              = 250000;
+    summary.run_time           = 80;
+    summary.figures            = {{"swing frequency, estimated", {1412, "Hz"}},
+                                  {"torque over effective arm", {8911, "N"}}};
+    summary.transmission_error = {{"total at the start", {-88.5, "arcsec"}},
+                                  {"teeth and rest", {-40.25, "arcsec"}},
+                                  {"web windup", {-20.5, "arcsec"}},
+                                  {"rim tilt and shift", {-18.75, "arcsec"}},
+                                  {"centrifugal shift", {-9., "arcsec"}}};
+    SteadyPart part;
+    part.found             = true;
+    part.start_time        = .004;
+    part.end_time          = .012;
+    part.cycles            = 72;
+    part.period            = 6;
+    part.largest_change    = .007;
+    part.columns           = {{"contact force total", "N", 8900, 310, 80},
+                              {"dte", "arcsec", -88, 2.5, .6},
+                              {"rim dte", "arcsec", -61, 2.25, .5}};
+    summary.steady         = part;
+    summary.energy         = make_ledger();
+    summary.damping        = {{"gear", 2000, 5e6, pi / 30, -pi / 10}};
+    summary.contact_losses = {3, .005, .0002};
+    return summary;
+  }
+
+  void places(const OutputFolder &folder)
+  {
+    const std::string path  = folder.file("summary.json");
+    const auto        close = [&path](const std::string &pointer, const double expected) {
+      check_close(pointer, read_figure(path, pointer), expected, 1e-13 * std::abs(expected));
+    };
+    close("/mesh/cells", 4000);
+    close("/mesh/nodes", 5200);
+    close("/mesh/bodies/0/mass", 1);             // t -> kg
+    close("/mesh/bodies/0/added mass", .2);      // t -> kg
+    close("/mesh/bodies/0/axial inertia", .002); // t mm^2 -> kg m^2
+    close("/mesh/bodies/0/speed at the start", 100);
+    close("/mesh/bodies/1/speed at the start", -150);
+    close("/run/step", 5e-8);
+    close("/run/element-steps per second", 4000. * 250000 / 80);
+    close("/steady part/start", .004);
+    close("/steady part/end", .012);
+    close("/steady part/mesh cycles", 72);
+    close("/steady part/swing period", 6);
+    close("/steady part/largest change of the means", .007);
+    close("/steady part/columns/dte/mean", -88);
+    close("/steady part/columns/dte/peak to peak", 2.5);
+    close("/steady part/columns/dte/standard deviation", .6);
+    close("/energy/kinetic", 101);
+    close("/energy/kinetic, relative to the turning bodies", 102);
+    close("/energy/strain", 103);
+    close("/energy/contact", 104);
+    close("/energy/start", 110);
+    close("/energy/work of the drive", 205);
+    close("/energy/work of the torques", -56);
+    close("/energy/damping loss", 7);
+    close("/energy/mesh damping loss", 8);
+    close("/energy/contact loss", 9);
+    close("/energy/contact loss by friction", 4);
+    close("/energy/residual", residual);
+    close("/energy/error", residual / 200);
+    close("/damping audit/0/net torque", 2); // N mm -> N m
+    close("/damping audit/0/power", 5000);   // mJ/s -> W
+    close("/damping audit/0/spin drift", 1); // rad/s -> rpm
+    close("/damping audit/0/mean speed rate minus momentum rate", -3);
+    close("/contact losses/count", 3);
+    close("/contact losses/first", .005);
+    close("/contact losses/time without contact", .0002);
+  }
+
+  void table_of_runs(const OutputFolder &folder)
+  {
+    const std::map<std::string, Figure> expected = {{"steps", {250000, "-"}},
+                                                    {"time", {.0125, "s"}},
+                                                    {"run time", {80, "s"}},
+                                                    {"energy error", {residual / 200, "-"}},
+                                                    {"contact losses", {3, "-"}},
+                                                    {"steady", {1, "-"}},
+                                                    {"contact force mean", {8900, "N"}},
+                                                    {"contact force peak to peak", {310, "N"}},
+                                                    {"dte mean", {-88, "arcsec"}},
+                                                    {"dte peak to peak", {2.5, "arcsec"}},
+                                                    {"rim dte mean", {-61, "arcsec"}},
+                                                    {"rim dte peak to peak", {2.25, "arcsec"}},
+                                                    {"dte at the start", {-88.5, "arcsec"}},
+                                                    {"teeth and rest", {-40.25, "arcsec"}},
+                                                    {"web windup", {-20.5, "arcsec"}},
+                                                    {"rim tilt and shift", {-18.75, "arcsec"}},
+                                                    {"centrifugal shift", {-9., "arcsec"}},
+                                                    {"swing frequency", {1412, "Hz"}}};
+    const RunFigures                    run      = read_run_figures(folder.path());
+    check("it has finished", run.status == "finished" && run.failure.empty());
+    check("as many columns", run.figures.size() == expected.size());
+    for (const auto &named : run.figures)
+      {
+        const auto found = expected.find(named.first);
+        check("column " + named.first,
+              found != expected.end() && named.second.value == found->second.value &&
+                named.second.unit == found->second.unit);
+      }
+  }
+
+  void failed(const OutputFolder &folder)
+  {
+    RunSummary summary    = make_summary();
+    summary.status        = "failed";
+    summary.failure       = "the energy error is 0.6";
+    summary.steady->found = false;
+    summary.transmission_error.clear();
+    write_summary(folder, summary);
+    const RunFigures run = read_run_figures(folder.path());
+    check("a failed run says of what",
+          run.status == "failed" && run.failure == "the energy error is 0.6");
+    for (const auto &named : run.figures)
+      {
+        if (named.first == "steady")
+          check("not steady", named.second.value == 0);
+        if (named.first == "web windup")
+          check("what it does not have is no number", std::isnan(named.second.value));
+      }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  std::filesystem::remove_all(folder_name);
+  const OutputFolder folder(folder_name, session.world());
+  write_summary(folder, make_summary());
+  places(folder);
+  table_of_runs(folder);
+  failed(folder);
+}
