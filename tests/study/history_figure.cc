@@ -58,6 +58,43 @@ namespace
                 1e-3);
   }
 
+  /** Of a record whose samples all differ: which of them, or how many times which. */
+  void single_values()
+  {
+    Table table;
+    table.add_column("time", "s");
+    table.add_column("energy", "mJ");
+    // Unequal steps: means and extremes are of the samples, whenever they were.
+    const double samples[] = {8, -10, 4, 9, -1};
+    const double times[]   = {0, 1, 1.5, 4, 4.5};
+    for (unsigned int i = 0; i < 5; ++i)
+      table.add_row({times[i], samples[i]});
+    const auto taken =
+      [&table](const FigureValue value, const std::string &unit, const double expected) {
+        HistoryFigure figure;
+        figure.column     = "energy";
+        figure.value      = value;
+        const Figure here = figure.compute(table);
+        check_close(word_of(value, figure_value_choices()), here.value, expected, 1e-14);
+        check(word_of(value, figure_value_choices()) + ": its unit", here.unit == unit);
+      };
+    taken(FigureValue::last, "mJ", -1);
+    taken(FigureValue::first, "mJ", 8);
+    taken(FigureValue::mean, "mJ", 2);
+    taken(FigureValue::largest, "mJ", 9);
+    taken(FigureValue::smallest, "mJ", -10);
+    taken(FigureValue::largest_size, "mJ", 10);
+    taken(FigureValue::change, "-", -1. / 8 - 1);
+    // 8 and 9 lie above 4.5.
+    taken(FigureValue::mean_above_half, "mJ", 8.5);
+    // It begins above, goes down through 4.5 after 3.5/18 s, up a tenth of 2.5 s after 1.5 s, down
+    // 0.45 of 0.5 s after 4 s.
+    taken(FigureValue::time_above_half, "s", 3.5 / 18 + (4 + .225) - (1.5 + .25));
+    // Three crossings are two half periods: the first after 8/18 s, the last 0.9 of 0.5 s after 4
+    // s.
+    taken(FigureValue::zero_crossing_rate, "Hz", .5 * 2 / (4.45 - 8. / 18));
+  }
+
   void orders()
   {
     HistoryFigure figure;
@@ -94,6 +131,7 @@ namespace
 int main()
 {
   values();
+  single_values();
   orders();
   HistoryFigure figure;
   show_error(figure);
