@@ -1,11 +1,15 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Study kind lumped: by values with a sweep, and with inertias of a gear pair's bodies and a table.
+// Study kind lumped: by values with a sweep, and with inertias of a gear pair's bodies and a table;
+// lumped.json of made-up results.
+#include "../lumped/pair.h"
 #include "../refusal.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
+#include <vfife/lumped/speed_sweep.h>
+#include <vfife/study/gear/lumped_study.h>
 
 #include <nlohmann/json.hpp>
 
@@ -28,6 +32,78 @@ namespace
     return json.at(part).at(name).at("value").get<double>();
   }
 
+  /** One inertia on one spring, with a sweep of three speeds up and down. */
+  void made_up_results()
+  {
+    LumpedPair pair   = linear_pair();
+    pair.law.backlash = 300 * arcsecond;
+    const LumpedModel model(pair);
+    LumpedResponse    r;
+    r.mean_error          = 11 * arcsecond;
+    r.rms_error           = 12 * arcsecond;
+    r.pp_error            = 13 * arcsecond;
+    r.mean_force          = 14;
+    r.rms_force           = 15;
+    r.pp_force            = 16;
+    r.losses              = 18;
+    r.time_apart          = .19;
+    r.time_coast          = .2;
+    r.energy_error        = .21;
+    Table        sweep    = make_resonance_response_table();
+    const double speeds[] = {100, 200, 300, 300, 200, 100}; // [rad/s]
+    const double swings[] = {4, 5, 20, 21, 30, 4.5};        // [arcsec]
+    for (unsigned int i = 0; i < 6; ++i)
+      {
+        LumpedResponse at_speed;
+        at_speed.pp_error   = swings[i] * arcsecond;
+        at_speed.time_apart = i == 4 ? .3 : 0;
+        add_response(model, i < 3 ? "up" : "down", speeds[i], at_speed, sweep);
+      }
+    const nlohmann::json json = make_lumped_json(model, r, 100 * pi, sweep);
+    const auto close          = [&json](const char *part, const char *name, const double expected) {
+      check_close(std::string("made up: ") + name,
+                  number(json, part, name),
+                  expected,
+                  1e-12 * expected);
+    };
+    close("model", "torque on the gear", 800); // N m
+    close("model", "gear inertia", 20000);     // kg mm^2
+    close("model", "pinion inertia", 300);
+    close("model", "inertia of the swing, at the gear", 20000); // the pinion turns as prescribed
+    close("model", "mesh stiffness, mean at the torque", 2.2e6);
+    close("model", "arm", 90);
+    close("model", "backlash, turn of the gear", 300);
+    close("response", "speed", 3000);
+    close("response", "mean dte", 11);
+    close("response", "rms dte", 12);
+    close("response", "peak to peak dte", 13);
+    close("response", "mean force", 14);
+    close("response", "rms force", 15);
+    close("response", "peak to peak force", 16);
+    close("response", "losses of contact", 18);
+    close("response", "time apart", .19);
+    close("response", "time on coast flanks", .2);
+    close("response", "energy error", .21);
+    // The pinion's speeds at which harmonics 1, 2, 3 of 27 teeth meet the swing.
+    const double frequency = std::sqrt(2.2e9 / 20) / (2 * pi);
+    const auto  &critical =
+      json.at("modes")[0].at("critical pinion speeds of mesh orders 1, 2, 3 [rpm]");
+    for (unsigned int k = 1; k <= 3; ++k)
+      check_close("made up: critical speed [rpm]",
+                  critical[k - 1].get<double>(),
+                  60 * frequency / (27. * k),
+                  1e-8);
+    close("sweep", "largest peak to peak dte", 30);
+    close("sweep", "at the speed", 200 * 30 / pi);
+    // At 200 rad/s 5 going up, 30 going down.
+    close("sweep", "largest difference of both directions", 25);
+    close("sweep", "difference at the speed", 200 * 30 / pi);
+    const auto &lost = json.at("sweep").at("contact lost at");
+    check("made up: contact lost once",
+          lost.size() == 1 && lost[0].at("direction") == "down" &&
+            std::abs(lost[0].at("speed [rpm]").get<double>() - 200 * 30 / pi) < 1e-9);
+  }
+
   void refuse(const std::string &lines, Communicator &world)
   {
     std::ofstream("wrong.prm") << "subsection Study\n set kind = lumped\nend\n"
@@ -42,6 +118,7 @@ int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
   std::filesystem::remove_all("lumped_results");
+  made_up_results();
   std::ofstream("values.prm") << "include " << SOURCE_DIR
                               << "/../../prm/lumped/torsional_pair.prm\n"
                                  "subsection Lumped\n set speeds = 5\n set settling meshes = 300\n"
@@ -89,7 +166,15 @@ int main(int argc, char **argv)
               number(pair, "model", "mesh stiffness, mean at the torque"),
               3.75e6,
               2e3);
-  check("backlash of the pair", number(pair, "model", "backlash, turn of the gear") > 100);
+  // 0.12 mm along the normal at the mean point; the arms of both sides differ a little.
+  check_close("backlash of the pair [arcsec]",
+              number(pair, "model", "backlash, turn of the gear") * arcsecond,
+              .12 / number(pair, "model", "arm"),
+              2e-2 * .12 / 90);
+  check_close("arm of the pair: force under the torque [N]",
+              number(pair, "response", "mean force"),
+              8e5 / number(pair, "model", "arm"),
+              .01 * 8e5 / 90);
   check_below("energy error", number(pair, "response", "energy error"), 1e-6);
 
   refuse(" set stiffness = 2 MN m/rad\n", session.world());
