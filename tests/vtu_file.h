@@ -1,0 +1,91 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_tests_vtu_file_h
+#define vfife_tests_vtu_file_h
+
+#include <vfife/base/types.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/** The numbers of a .vtu file as deal.II writes it: points, eight a cell, and the data there. */
+class VtuFile
+{
+public:
+  explicit VtuFile(const std::string &path)
+  {
+    boost::property_tree::ptree vtu;
+    boost::property_tree::read_xml(path, vtu);
+    const auto &piece = vtu.get_child("VTKFile.UnstructuredGrid.Piece");
+    for (const auto &array : piece.get_child("PointData"))
+      if (array.first == "DataArray")
+        arrays_[array.second.get<std::string>("<xmlattr>.Name")] = read_array(array.second);
+    points_ = read_array(piece.get_child("Points.DataArray"));
+  }
+
+  std::size_t n_points() const
+  {
+    return points_.size() / 3;
+  }
+
+  std::size_t n_arrays() const
+  {
+    return arrays_.size();
+  }
+
+  vfife::Vector3 point(const std::size_t i) const
+  {
+    return component(points_, i);
+  }
+
+  double number(const std::string &name, const std::size_t point) const
+  {
+    return arrays_.at(name).at(point);
+  }
+
+  vfife::Vector3 vector(const std::string &name, const std::size_t point) const
+  {
+    return component(arrays_.at(name), point);
+  }
+
+private:
+  static vfife::Vector3 component(const std::vector<double> &values, const std::size_t i)
+  {
+    return {values.at(3 * i), values.at(3 * i + 1), values.at(3 * i + 2)};
+  }
+
+  /** One compressed block, its sizes before it. */
+  static std::vector<double> read_array(const boost::property_tree::ptree &array)
+  {
+    std::string text = array.get_value<std::string>();
+    text.erase(std::remove_if(text.begin(), text.end(), [](const char c) { return c <= ' '; }),
+               text.end());
+    // 16 bytes of four counts are 24 letters: blocks, their size, that of the last, compressed.
+    const auto    head = dealii::Utilities::decode_base64(text.substr(0, 24));
+    std::uint32_t counts[4];
+    std::memcpy(counts, head.data(), sizeof counts);
+    const auto         packed = dealii::Utilities::decode_base64(text.substr(24));
+    std::vector<float> numbers(counts[2] / sizeof(float));
+    uLongf             size = counts[2];
+    if (array.get<std::string>("<xmlattr>.type") != "Float32" || counts[0] != 1 ||
+        uncompress(reinterpret_cast<Bytef *>(numbers.data()), &size, packed.data(), counts[3]) !=
+          Z_OK)
+      throw std::runtime_error("an array of the .vtu file cannot be read");
+    return {numbers.begin(), numbers.end()};
+  }
+
+  std::vector<double>                        points_;
+  std::map<std::string, std::vector<double>> arrays_;
+};
+
+#endif
