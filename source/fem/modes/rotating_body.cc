@@ -22,12 +22,17 @@ namespace vfife
       return [rate](unsigned int) { return rate; };
     }
 
-    /** Both parts by one factor: the largest component of the complex shape becomes one. */
+    /** Both parts by one factor: the largest displacement of a node of the complex shape becomes
+     * one. */
     void scale_to_one(std::vector<double> &shape, std::vector<double> &imaginary)
     {
       double largest = 0;
-      for (std::size_t i = 0; i < shape.size(); ++i)
-        largest = std::max(largest, std::hypot(shape[i], imaginary[i]));
+      // Of the nodes' displacements, not of their components: those depend on the axes.
+      for (std::size_t i = 0; i < shape.size(); i += 3)
+        largest =
+          std::max(largest,
+                   std::sqrt(Eigen::Map<const Vector3>(shape.data() + i).squaredNorm() +
+                             Eigen::Map<const Vector3>(imaginary.data() + i).squaredNorm()));
       for (std::size_t i = 0; i < shape.size(); ++i)
         {
           shape[i] /= largest;
