@@ -3,6 +3,7 @@
 // stand in space against waves of the turning gear; tangent stiffness; the study writes them.
 #include "../parts.h"
 #include "../tests.h"
+#include "../vtu_file.h"
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
@@ -74,6 +75,10 @@ namespace
     check_close("it is the whole turn", modes.turning[0].share_of_turn, 1., 1e-2);
     check_close("of the gear alone", modes.turning[0].driven_energy, 1., 1e-2);
     check("modes are counted", modes.counted);
+    double shares = 0;
+    for (const CoupledMode &mode : modes.turning)
+      shares += mode.share_of_turn;
+    check("shares of the turn are not more than all", shares < 1 + 1e-9);
 
     try
       {
@@ -125,6 +130,11 @@ namespace
         ++compared;
       }
     check("waves were compared", compared >= 4);
+    // All turn is that of the hub against the weak tie: one motion that is no wave of the body.
+    double turn = 0;
+    for (const CoupledMode &mode : modes.standing)
+      turn = largest_of(turn, mode.share_of_turn);
+    check_close("the static turn is the hub's against the contact", turn, 1., 1e-3);
     // Derivatives over 79 sectors, two waves: (2 h)^4/30 = 2e-5; the basis of 28 modes; the weak
     // tie.
     check_below("standing shapes are the waves of the turning gear", largest, 1e-3);
@@ -138,13 +148,74 @@ namespace
       << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
       << "subsection Loaded contact\n set positions = 1\n set coupled modes = 4\nend\n";
     run_pair("coupled.prm", "coupled_modes_results", world);
-    for (const char *file : {"coupled_modes.csv", "modes/coupled_gear.vtu"})
-      check(std::string(file) + " is written",
-            std::filesystem::exists(std::string("coupled_modes_results/") + file));
+    const Table modes = read_result_table("coupled_modes_results/coupled_modes.csv");
+    const auto &axes  = modes.column("axes").texts;
+    check("four modes each, in turning axes and standing",
+          modes.n_rows() == 8 && std::count(axes.begin(), axes.end(), "turning") == 4 &&
+            std::count(axes.begin(), axes.end(), "standing") == 4);
+    // The pair swings as the gear on the mesh, the pinion held at its bore: without a web the gear
+    // is nearly rigid beside the contact. The stiffness is that of the loaded equilibrium.
+    auto         positions = read_columns("coupled_modes_results/loaded_contact.csv");
+    const double stiffness = positions["tangent stiffness"][0]; // [N m/rad]
+    const Model  model     = make_model("set web = none", "set rim rows = 2", "", world);
+    const double inertia =
+      1e-3 * model.bodies[model.transmission->driven].axial_inertia(); // [kg m^2]
+    double shares = 0, apart = 1;
+    for (std::size_t i = 0; i < 4; ++i)
+      {
+        check("numbered", modes.numbers("mode")[i] == i + 1);
+        shares += modes.numbers("share of the static turn")[i];
+        if (modes.numbers("share of the static turn")[i] > .5)
+          apart = modes.numbers("frequency")[i] / (std::sqrt(stiffness / inertia) / (2 * pi)) - 1;
+      }
+    check_below("swing over one inertia on one spring, less one", apart, .1);
+    check("shares of the turn: less than all", shares > .8 && shares < 1);
+    // Real parts of the standing shapes are drawn, scaled over both bodies.
+    const VtuFile gear("coupled_modes_results/modes/coupled_gear.vtu"),
+      pinion("coupled_modes_results/modes/coupled_pinion.vtu");
+    for (unsigned int k = 1; k <= 4; ++k)
+      {
+        double largest = 0;
+        for (const VtuFile *file : {&gear, &pinion})
+          for (std::size_t i = 0; i < file->n_points(); ++i)
+            largest = largest_of(largest, file->vector("mode " + std::to_string(k), i).norm());
+        check("shapes of at most 1 mm", largest > .1 && largest < 1 + 1e-6);
+      }
+  }
+
+  /** Made-up modes whose numbers all differ. */
+  void table(Communicator &)
+  {
+    CoupledModes modes;
+    modes.turning.resize(2);
+    modes.standing.resize(1);
+    CoupledMode &mode           = modes.turning[1];
+    mode.frequency              = 101;
+    mode.share_of_turn          = .02;
+    mode.driven_energy          = .03;
+    mode.driven.nodal_diameter  = 4;
+    mode.driven.share           = .05;
+    mode.driven.axial           = .06;
+    mode.driven.radial          = .07;
+    mode.driven.tangential      = .08;
+    modes.standing[0].frequency = 109;
+    Table table                 = make_coupled_mode_table();
+    add_coupled_modes(modes, table);
+    const auto value = [&table](const char *name) { return table.numbers(name)[1]; };
+    check("table: rows",
+          table.column("axes").texts ==
+              std::vector<std::string>({"turning", "turning", "standing"}) &&
+            table.numbers("mode") == std::vector<double>({1, 2, 1}));
+    check("table: each number in its column",
+          value("frequency") == 101 && value("share of the static turn") == .02 &&
+            value("energy in the gear") == .03 && value("nodal diameter of the gear") == 4 &&
+            value("share of the diameter") == .05 && value("axial") == .06 &&
+            value("radial") == .07 && value("tangential") == .08 &&
+            table.numbers("frequency")[2] == 109);
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {stiff_bodies, standing_waves, study});
+  run_parts(argc, argv, {stiff_bodies, standing_waves, study, table});
 }
