@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Kernels of every instruction set against the dense Eigen reference; empty lanes; choice of the
-// set.
+// Kernels of an instruction set (generic, or the one that is named) against the dense Eigen
+// reference; empty lanes; choice of the set.
+#include "../instruction_sets.h"
 #include "../tests.h"
 #include "samples.h"
 
@@ -164,33 +165,24 @@ namespace
     unsetenv("VFIFE_INSTRUCTION_SET");
     return refused;
   }
-} // namespace
 
-int main(int argc, char **)
-{
-  const bool verbose = argc > 1;
-  for (const InstructionSet set : {InstructionSet::generic,
-                                   InstructionSet::sse2,
-                                   InstructionSet::avx2,
-                                   InstructionSet::avx512})
+  /** With @p verbose the numbers themselves. */
+  void compare_all(const InstructionSet set, const bool verbose)
+  {
     for (const auto &choice : frame_choices())
       {
         const FrameKind frame = choice.second;
         Differences     worst;
-        double          large_strain = 0., repeated = 0.;
-        // A machine without the set has nothing to compare: the lines stay the same.
-        if (is_available(set))
+        double          large_strain = 0.;
+        for (const bool shared : {false, true})
           {
-            for (const bool shared : {false, true})
-              {
-                const Differences d = compare(set, frame, shared, 1e-3);
-                worst.force         = largest_of(worst.force, d.force);
-                worst.energy        = largest_of(worst.energy, d.energy);
-                worst.jacobian      = largest_of(worst.jacobian, d.jacobian);
-                large_strain = largest_of(large_strain, compare(set, frame, shared, 2e-2).force);
-              }
-            repeated = shared_nodes(set);
+            const Differences d = compare(set, frame, shared, 1e-3);
+            worst.force         = largest_of(worst.force, d.force);
+            worst.energy        = largest_of(worst.energy, d.energy);
+            worst.jacobian      = largest_of(worst.jacobian, d.jacobian);
+            large_strain        = largest_of(large_strain, compare(set, frame, shared, 2e-2).force);
           }
+        const double      repeated = shared_nodes(set);
         const std::string name = std::string(name_of(set)) + ", " + word_of(frame, frame_choices());
         if (verbose)
           std::cout << name << ' ' << worst.force << ' ' << worst.energy << ' ' << worst.jacobian
@@ -203,7 +195,15 @@ int main(int argc, char **)
         check_below("forces at strains of a few percent of " + name, large_strain, 2e-15);
         check_below("lanes that share nodes of " + name, repeated, 1e-10);
       }
+  }
+} // namespace
 
+int main(int argc, char **argv)
+{
+  if (argc > 1)
+    return run_instruction_set(argv[1],
+                               [argc](const InstructionSet set) { compare_all(set, argc > 2); });
+  compare_all(InstructionSet::generic, false);
   check("a nonsense instruction set is refused", choice_refused("mmx"));
   check("generic can be asked for", !choice_refused("generic"));
 }
