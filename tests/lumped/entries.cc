@@ -24,16 +24,17 @@ namespace
     /** @p lines of the section, and more of the file. */
     explicit Read(const std::string &lines,
                   const std::string &more     = "",
-                  const std::string &backlash = "90 um")
+                  const std::string &backlash = "90 um",
+                  const std::string &mesh     = "set stiffness = 2 MN m/rad")
     {
       std::ofstream("lumped.prm") << R"(subsection Lumped
   set pinion teeth = 27
   set gear teeth   = 79
   set gear inertia = 20000 kg mm^2
   set arm          = 90 mm
-  set stiffness    = 2 MN m/rad
   set backlash     = )" << backlash
                                   << "\n"
+                                  << mesh << "\n"
                                   << lines << "end\n"
                                   << more;
       const ParameterFile      file("lumped.prm");
@@ -74,6 +75,34 @@ namespace
                     1e-18);
       }
     check_close("backlash: turn of the gear [rad]", pair.law.backlash, 1e-3, 1e-17);
+  }
+
+  /** Torque where the flanks have moved back by half of what they are pressed together at 800 N m,
+   * 55 arcsec, with the tangent of 3.8 MN m/rad there. */
+  void load_laws()
+  {
+    std::ofstream("table.csv")
+      << "position [tooth meshes],unloaded transmission error [arcsec],transmission error "
+         "[arcsec],contact torque on the gear [N m],tangent stiffness [N m/rad]\n"
+         "0,1,-54,800,3.8e6\n0.5,-1,-56,800,3.8e6\n";
+    const double pressed = 55 * arcsecond, tangent = 3.8e9, torque = 8e5;
+    for (const std::string &law :
+         {std::string("power"), std::string("tangent"), std::string("secant")})
+      {
+        const LumpedPair pair = Read("set load law = " + law + "\n",
+                                     "",
+                                     "90 um",
+                                     "set mesh = loaded contact\nset table = table.csv")
+                                  .pair();
+        const double compression = pair.law.compression(torque, 0.);
+        const double expected    = law == "power"    ? std::pow(.5, tangent * pressed / torque)
+                                   : law == "secant" ? .5
+                                                     : 1 - tangent * pressed / 2 / torque;
+        check_close("load law " + law + ": torque half way back over 800 N m",
+                    pair.law.torque(compression - pressed / 2, 0.) / torque,
+                    expected,
+                    1e-10);
+      }
   }
 
   void inertias()
@@ -257,6 +286,7 @@ subsection Lumped
 int main()
 {
   series();
+  load_laws();
   inertias();
   supports();
   numbers();

@@ -96,6 +96,63 @@ namespace
           count("set fillet rows = 3\n") - count("set fillet rows = 1\n") == 2 * (6 + 2) * 2);
   }
 
+  /** Ends of the web's foot on the rim's underside, which is a straight line in the meridian. */
+  void attachments(const GearMember &gear)
+  {
+    const Blank &blank     = gear.blank();
+    const auto   underside = [&](const double L) {
+      return blank.meridian_point({L, -blank.dedendum(L) - GearBodyOptions().rim_thickness});
+    };
+    const Vector2 inner = underside(blank.inner_cone_distance()),
+                  outer = underside(blank.outer_cone_distance);
+    for (const std::string &place : {std::string("middle"), std::string("heel")})
+      {
+        const GearBodyOptions options =
+          read(coarse(GearBodyOptions()),
+               "set web attachment = " + place + "\nset web thickness = 4\n");
+        const ConicalWeb cone(blank,
+                              options,
+                              -blank.dedendum(blank.inner_cone_distance()),
+                              -blank.dedendum(blank.outer_cone_distance));
+        const Vector2    first = cone.wall_point(cone.wall_place(0.)),
+                      last     = cone.wall_point(cone.wall_place(1.));
+        if (place == "heel")
+          check_below("web at the heel: where its foot ends [mm]", (last - outer).norm(), 1e-11);
+        else
+          check_below("web in the middle: middle of its foot [mm]",
+                      (first + last - inner - outer).norm(),
+                      1e-11);
+      }
+  }
+
+  /** A gear without a web: straight down the back cone to the bore, whose radius sets how much of a
+   * prism is there, over the width in the axis' direction. */
+  void solid_gear(const GearMember &gear)
+  {
+    const auto make = [&](const std::string &bore) {
+      return make_gear_body(gear,
+                            read(coarse(GearBodyOptions()),
+                                 "set web = solid\nset bore radius = " + bore + "\n"));
+    };
+    const auto large = make("60"), small = make("55");
+    double     radius = 0;
+    for (const unsigned int node : large->node_sets.at(node_set::bore))
+      radius = largest_of(radius, std::abs(meridian_place(*large, node)[0] - 60.));
+    check_below("solid gear: places of the bore's nodes [mm]", radius, 1e-12);
+    // Corners of the bore's polygon; between ends of equal slope all of its prism is as long, but
+    // the columns of cells lean around the axis with the teeth, which costs some 3e-4.
+    const std::size_t corners =
+      large->node_sets.at(node_set::bore).size() / (coarse(GearBodyOptions()).cells_lengthwise + 1);
+    const double part   = 2 * pi / corners;
+    const double length = gear.blank().face_width / std::cos(gear.blank().pitch_angle);
+    check_close("solid gear: volume between two bores over the prism's",
+                (compute_mesh_quality(small->triangulation).volume -
+                 compute_mesh_quality(large->triangulation).volume) /
+                  (pi * std::sin(part) / part * (60. * 60. - 55. * 55.) * length),
+                1.,
+                1e-3);
+  }
+
   void sizes(const GearMember &pinion)
   {
     const GearBodyOptions sized =
@@ -132,5 +189,7 @@ int main()
   const GearMember gear = paper::gear();
   hub(gear);
   fillets(gear);
+  attachments(gear);
+  solid_gear(gear);
   sizes(paper::pinion());
 }

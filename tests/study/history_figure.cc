@@ -8,6 +8,8 @@
 #include <vfife/base/types.h>
 #include <vfife/study/sweep/history_figure.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 using namespace vfife;
 
 namespace
@@ -95,6 +97,25 @@ namespace
     taken(FigureValue::zero_crossing_rate, "Hz", .5 * 2 / (4.45 - 8. / 18));
   }
 
+  /** As a section of a parameter file has it. */
+  double read_and_take(const std::string &value)
+  {
+    HistoryFigure            figure;
+    dealii::ParameterHandler prm;
+    figure.declare(prm);
+    prm.parse_input_from_string("set column = force\nset value = " + value + "\n");
+    return figure.compute(make_history()).value;
+  }
+
+  void words()
+  {
+    // The pulse's area is 12 N s; 1001 samples in 10 s.
+    check_close("word mean", read_and_take("mean"), 1200. / 1001, 1e-12);
+    check_close("word largest", read_and_take("largest"), 3, 1e-12);
+    check_close("word smallest", read_and_take("smallest"), 0, 0);
+    check_close("smallest", take("end displacement x", FigureValue::smallest).value, -0.499, 1e-3);
+  }
+
   void orders()
   {
     HistoryFigure figure;
@@ -132,6 +153,7 @@ int main()
 {
   values();
   single_values();
+  words();
   orders();
   HistoryFigure figure;
   show_error(figure);

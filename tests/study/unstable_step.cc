@@ -35,7 +35,7 @@ namespace
     Body &body = model.bodies[0];
     for (const Vector3 &X : body.node_positions())
       body.initial_velocity.push_back(Vector3(-std::cos(pi * X[0] / 4.3), 0, 0));
-    model.probes.push_back({"end", 0, 0});
+    model.probes.push_back({"end", 0, 0, true});
     return model;
   }
 
