@@ -14,6 +14,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <limits>
 #include <sstream>
 
 using namespace vfife;
@@ -110,6 +111,63 @@ namespace
       }
   }
 
+  /** A cube on springs a hundred times as stiff as itself, the same on each corner: they add k/m to
+   * the square of each of its frequencies, and the bound is the frequency itself. */
+  void springs()
+  {
+    Model model;
+    model.add_body(Body("cube", make_block(Vector3(2, 2, 2), {{1, 1, 1}}), Material()));
+    Body &cube = model.bodies[0];
+    for (const Vector3 &X : cube.node_positions())
+      cube.initial_velocity.push_back(
+        Vector3(std::sin(7 * X[0] + X[1]), std::sin(5 * X[1] + X[2]), std::cos(3 * X[2] + X[0])));
+    const double own = exact_frequency(cube), corner = cube.mass() / 8;
+    Load         spring;
+    spring.name   = "springs";
+    spring.kind   = LoadKind::spring;
+    spring.vector = Vector3::Constant(8 * 100 * corner * own * own);
+    for (unsigned int i = 0; i < cube.n_nodes(); ++i)
+      spring.nodes.push_back(i);
+    model.loads.push_back(spring);
+
+    DynamicsOptions options = undamped();
+    options.safety          = 1;
+    options.energy_limit    = std::numeric_limits<double>::max();
+    OneSolver    bound(model, options);
+    const double step = bound.solver.stable_step();
+    check_close("springs: step over 2/omega", step * std::sqrt(101.) * own / 2, 1., 1e-9);
+    // Solutions of (omega dt/2)^2 = 0.999^2 stay within 1/sqrt(1 - 0.999^2) of their start; beyond
+    // 1.001 they grow by 2 acosh(1.001) = 0.089 a step.
+    for (const double factor : {0.999, 1.001})
+      {
+        OneSolver run(model, options);
+        run.solver.set_step(factor * step);
+        run.solver.start(run.state);
+        double start = 0, largest = 0;
+        auto   observers = watch(1, [&](const State &state) {
+          double square = 0;
+          for (unsigned int i = 0; i < cube.n_nodes(); ++i)
+            square += state.node_velocity(i).squaredNorm();
+          start   = state.step == 0 ? std::sqrt(square) : start;
+          largest = largest_of(largest, std::sqrt(square));
+        });
+        bool   given_up  = false;
+        try
+          {
+            run.solver.run(run.state, 400 * factor * step, observers);
+          }
+        catch (const NumericalError &)
+          {
+            given_up = true;
+          }
+        if (factor < 1)
+          check("springs: stable just below their step",
+                !given_up && largest < 2 * start / std::sqrt(1 - factor * factor));
+        else
+          check("springs: not beyond it", given_up || largest > 1e10 * start);
+      }
+  }
+
   void mass_scaling()
   {
     std::ostringstream nothing;
@@ -155,5 +213,6 @@ int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
   bound_of_assembly();
+  springs();
   mass_scaling();
 }

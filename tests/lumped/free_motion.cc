@@ -8,17 +8,22 @@ using namespace vfife;
 
 namespace
 {
-  void damped_motion()
+  /** By the damper of the mesh, or by one against the kinematic speed, zeta_k = 2 zeta omega. */
+  void damped_motion(const bool by_speed)
   {
-    LumpedPair pair    = linear_pair();
-    pair.damping_ratio = .05;
+    const double w = std::sqrt(2.2e9 / 20.), d = .05 * w, wd = w * std::sqrt(1 - .0025);
+    LumpedPair   pair = linear_pair();
+    if (by_speed)
+      pair.speed_damping = 2 * d;
+    else
+      pair.damping_ratio = .05;
+    const std::string     name = by_speed ? "speed damping: " : "";
     const LumpedModel     model(pair);
-    const double          w = std::sqrt(2.2e9 / 20.), d = .05 * w, wd = w * std::sqrt(1 - .0025);
     const Eigen::VectorXd rest = model.find_equilibrium(0.);
     const double          a    = .5 * 8e5 / 2.2e9;
-    check_close("static lag [rad]", -rest[0], 8e5 / 2.2e9, 1e-15);
-    check_close("frequency [Hz]", model.find_modes()[0].frequency, w / (2 * pi), 1e-9);
-    check_close("damping ratio", model.find_modes()[0].damping_ratio, .05, 1e-14);
+    check_close(name + "static lag [rad]", -rest[0], 8e5 / 2.2e9, 1e-15);
+    check_close(name + "frequency [Hz]", model.find_modes()[0].frequency, w / (2 * pi), 1e-9);
+    check_close(name + "damping ratio", model.find_modes()[0].damping_ratio, .05, 1e-14);
 
     LumpedSolver    solver(model, exact_run(0, 20, 16));
     Eigen::VectorXd q = rest;
@@ -31,8 +36,8 @@ namespace
       difference         = largest_of(difference, std::abs(s.q[0] - rest[0] - exact) / a);
     });
     // Some thousand steps of 1e-11, whose errors are damped.
-    check_below("damped swing", difference, 1e-8);
-    check_below("its energy balance", response.energy_error, 1e-8);
+    check_below(name + "damped swing", difference, 1e-8);
+    check_below(name + "its energy balance", response.energy_error, 1e-8);
   }
 
   /** With the amplitude @p part of the static deflection the flanks part, and with a narrow
@@ -166,7 +171,8 @@ namespace
 
 int main()
 {
-  damped_motion();
+  damped_motion(false);
+  damped_motion(true);
   through_backlash("wide backlash", 3., 100.);
   through_backlash("narrow backlash", 3., .7);
   two_inertias();

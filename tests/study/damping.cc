@@ -139,6 +139,28 @@ namespace
                 growth,
                 end.s / first_s * (mean_speed ? 1. : first_s / end.s),
                 mean_speed ? 1e-3 * (end.s / first_s - 1) + 1e-6 : 1e-12);
+    // Torque times time is what the angular momentum has gained; it drives in the sense of the
+    // spin.
+    const double first_momentum = run["angular momentum z"].front(),
+                 last_momentum  = run["angular momentum z"].back();
+    check_close("drifting ring, " + rate + ": torque of the damping over the gain of momentum",
+                1e3 * value("net torque") * time -
+                  (mean_speed ? (last_momentum - first_momentum) : 0.),
+                0.,
+                1e-2 * first_momentum * (follow(time).s / first_s - 1));
+    // Mean over the samples; the ring that is not driven keeps its spin.
+    double difference = 0;
+    for (const double t : run["time"])
+      {
+        Drift now = follow(t);
+        if (!mean_speed)
+          now.s = first_s;
+        difference += (mean_speed_rate(now) - now.s) / run["time"].size();
+      }
+    check_close("drifting ring, " + rate + ": mean speed rate over the momentum's rate",
+                value("mean speed rate minus momentum rate") * rpm / difference,
+                1.,
+                1e-2);
     check_close("drifting ring, " + rate + ": spin drift over the momentum's [rpm]",
                 value("spin drift") - (growth - 1) * first_s / rpm,
                 0.,
