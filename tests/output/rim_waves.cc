@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // rim.csv of a turning ring with waves of known amplitudes, about an axis askew.
 #include "../tests.h"
+#include "../whole_partition.h"
 #include "ring_askew.h"
 
 #include <vfife/base/process/communicator.h>
@@ -31,37 +32,22 @@ namespace
     return model;
   }
 
-  State make_state(const Model &model)
+  State make_moved_state(const Model &model)
   {
-    const Body        &ring = model.bodies[0];
-    const Matrix3      turn = rotation_about(ring.axis.direction, 2.5);
-    const unsigned int n    = ring.n_nodes();
-    State              state;
-    Partition          partition;
-    partition.owned.assign(n, 1);
-    partition.first_local_node = {0, n};
-    RigidMotion now;
-    now.rotation    = turn * ring.placement.rotation;
-    now.translation = ring.axis.point;
-    state.body_motion.push_back(now);
-    state.position = state.velocity = NodeField(n);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        partition.global_node.push_back(i);
-        partition.local_node.push_back(i);
-        const Vector3 &X     = ring.node_positions()[i];
-        const double   alpha = std::atan2(X[1], X[0]);
-        // r: 3 um; theta: 2 sin(10 alpha); z: 5 cos(alpha) - 4 sin(3 alpha)
-        const Vector3 u =
-          1e-3 *
-          Vector3(3, 2 * std::sin(10 * alpha), 5 * std::cos(alpha) - 4 * std::sin(3 * alpha));
-        const Vector3 moved = ring.placement.rotation * (X + compute_cylindrical_axes(ring, X) * u);
-        const Vector3 x     = ring.axis.point + turn * moved;
-        state.position.set(i, x);
-      }
-    state.partition = std::make_shared<const Partition>(partition);
-    state.time      = 1e-3;
-    state.step      = 10;
+    const Matrix3 turn = rotation_about(model.bodies[0].axis.direction, 2.5);
+    State state = made_state(model, [&](const Body &ring, const unsigned int i, const Vector3 &) {
+      const Vector3 &X     = ring.node_positions()[i];
+      const double   alpha = std::atan2(X[1], X[0]);
+      // r: 3 um; theta: 2 sin(10 alpha); z: 5 cos(alpha) - 4 sin(3 alpha)
+      const Vector3 u =
+        1e-3 * Vector3(3, 2 * std::sin(10 * alpha), 5 * std::cos(alpha) - 4 * std::sin(3 * alpha));
+      const Vector3 moved = ring.placement.rotation * (X + compute_cylindrical_axes(ring, X) * u);
+      return Vector3(ring.axis.point + turn * moved);
+    });
+    state.body_motion[0].rotation    = turn * model.bodies[0].placement.rotation;
+    state.body_motion[0].translation = model.bodies[0].axis.point;
+    state.time                       = 1e-3;
+    state.step                       = 10;
     return state;
   }
 } // namespace
@@ -70,7 +56,7 @@ int main(int argc, char **argv)
 {
   MpiSession   session(argc, argv);
   const Model  model = make_model();
-  State        state = make_state(model);
+  State        state = make_moved_state(model);
   OutputFolder folder("rim_waves_results", session.world());
   RimWriter    rim(folder, model, 10);
   rim.observe(model, state);
