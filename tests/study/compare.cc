@@ -67,18 +67,27 @@ namespace
     const Table table = read_result_table(folder + "/comparison.csv");
     show(table);
     const std::size_t row = find_row(table, "mean dte", "FEM");
-    // One mesh at 20,000 rpm is no steady state: both solve the same equilibrium at the start, and
-    // the swing of one mesh stays small.
-    check_close("mean dte over that of finite elements",
-                table.numbers("value")[row] / table.numbers("reference")[row],
+    // Both solve the same equilibrium at the start, small displacements beside large ones.
+    const Table history = read_result_table(folder + "/run/history.csv"),
+                loaded  = read_result_table(folder + "/loaded/loaded_contact.csv");
+    const auto &still   = loaded.numbers("transmission error");
+    check_close("dte at the start over that of finite elements",
+                history.numbers("dte").front() / still[0],
                 1.,
-                0.05);
+                1e-3);
+    check_close("contact force over theirs",
+                history.numbers("contact force total").front() /
+                  loaded.numbers("contact force total")[0],
+                1.,
+                1e-4);
+    // One mesh is a quarter of a swing: the gear hardly follows the static curve, which it leaves
+    // by less than that leaves its mean.
+    check_close("mean dte and that of finite elements [arcsec]",
+                table.numbers("value")[row],
+                table.numbers("reference")[row],
+                0.5 * std::abs(still[0] - still[1]));
     check("the reference is the mean of the static curve",
-          std::abs(table.numbers("reference")[row] -
-                   .5 * (read_result_table(folder + "/loaded/loaded_contact.csv")
-                           .numbers("transmission error")[0] +
-                         read_result_table(folder + "/loaded/loaded_contact.csv")
-                           .numbers("transmission error")[1])) < 1e-9);
+          std::abs(table.numbers("reference")[row] - .5 * (still[0] + still[1])) < 1e-9);
 
     // The same once more: all cases are read.
     const auto time = std::filesystem::last_write_time(folder + "/run/history.csv");

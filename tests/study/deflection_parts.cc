@@ -1,164 +1,281 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Parts of the transmission error and the swing of a pair, of made-up displacements of two rings:
-// what is put in comes out, in the part where it belongs and with its sign.
-#include "../output/whole_partition.h"
+// Parts of the transmission error, stiffness and inertia of the swing of made-up states, and the
+// lag of penalty springs under a rigid tilt, each against its closed form.
+#include "../dynamics/one_solver.h"
+#include "../parts.h"
 #include "../tests.h"
+#include "../whole_partition.h"
 
-#include <vfife/base/process/communicator.h>
-#include <vfife/base/process/mpi_session.h>
-#include <vfife/mesh/primitives/primitives.h>
-#include <vfife/study/run/deflection_parts.h>
+#include <vfife/mesh/body_mesh.h>
 #include <vfife/study/run/pair_preload.h>
-
-#include <functional>
 
 using namespace vfife;
 
 namespace
 {
-  constexpr double arm = 33, start = 2e-4;
+  constexpr double arm = 37., driver_start = 0.2, driven_start = 0.3;
 
-  /** The driven ring stands askew; its bore and its rim are the surfaces. */
-  Model make_model()
+  /** Rings of @p scale that stand for a pair with axes askew: the driven one of 20 to 40 mm, its
+   * hub the inner radius, its rim what lies beyond 33 mm; flanks are the outer surfaces. */
+  Model make_pair(const double scale, const double driven_sense)
   {
-    Model model;
-    model.add_body(Body("pinion", make_ring(10, 20, 6, {{2, 12, 2}}), Material()));
-    Body gear("gear", make_ring(20, 40, 5, {{3, 24, 2}}), Material());
-    gear.placement.rotation    = rotation_about(Vector3(1., 2., -1.).normalized(), 1.);
-    gear.placement.translation = Vector3(7., -5., 3.);
-    gear.axis                  = {gear.placement(Vector3::Zero()), gear.placement.rotation.col(2)};
-    model.add_body(std::move(gear));
-    ContactPair drive;
-    drive.slave_body     = 0;
-    drive.slave_surface  = "outer";
-    drive.master_body    = 1;
-    drive.master_surface = "top";
-    model.contacts.push_back(drive);
+    const auto ring = [&](const char                        *name,
+                          const Vector3                     &size,
+                          const std::array<unsigned int, 3> &cells,
+                          const Vector3                     &axis,
+                          const Vector3                     &point) {
+      Body body(name,
+                make_ring(scale * size[0], scale * size[1], scale * size[2], cells),
+                Material());
+      body.axis = {scale * point, axis.normalized()};
+      body.placement.rotation =
+        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), body.axis.direction)
+          .toRotationMatrix();
+      body.placement.translation = body.axis.point;
+      body.turns_on_axis         = true;
+      return body;
+    };
+    Model        model;
     Transmission t;
+    t.driver = model.add_body(
+      ring("driver", Vector3(10, 15, 6), {{2, 24, 1}}, Vector3(3, -1, 2), Vector3(-4, 55, 2)));
+    t.driven = model.add_body(
+      ring("driven", Vector3(20, 40, 10), {{4, 48, 2}}, Vector3(1, 2, 2), Vector3(10, -4, 3)));
+    const Body &driven = model.bodies[t.driven];
     t.driver_teeth     = 12;
-    t.driven_teeth     = 24;
-    t.driven_sense     = -1;
-    t.driven_start     = 3 * start;
-    t.driver_start     = 4 * start; // half of it is the gear's
-    t.driven_bore      = model.bodies[1].node_set("inner");
-    t.driven_rim       = model.bodies[1].node_set("outer");
-    t.contact_normal   = Vector3(2., -6., 3.) / 7.;
-    t.contact_point    = model.bodies[1].placement(Vector3(30., 10., 5.));
-    t.arm              = arm;
+    t.driven_teeth     = 31;
+    t.driven_sense     = driven_sense;
+    t.driver_sense     = -driven_sense;
+    t.driver_start     = driver_start;
+    t.driven_start     = driven_start;
+    t.driven_bore      = driven.node_set("inner");
+    for (unsigned int i = 0; i < driven.n_nodes(); ++i)
+      if (driven.node_positions()[i].head<2>().norm() > 33. * scale)
+        t.driven_rim.push_back(i);
+    // Neither point, normal nor arm belong together: each is seen for itself.
+    t.contact_point    = driven.placement(scale * Vector3(28., 28., 7.));
+    t.contact_normal   = Vector3(2., -3., 6.) / 7.;
+    t.arm              = scale * arm;
     model.transmission = t;
+    ContactPair pair;
+    pair.slave_body     = t.driver;
+    pair.slave_surface  = "outer";
+    pair.master_body    = t.driven;
+    pair.master_surface = "outer";
+    model.contacts.push_back(pair);
     return model;
   }
 
-  /** Displacements [mm] of bore, rim and all else of the gear, and of the pinion; of the place from
-   * a point of the gear's axis. */
-  struct Displacements
+  /** What moves: the driver, shifted; of the driven body the hub, turned by an angle about the
+   * axis, and the rim, by shift + turn x (x - point of the axis). */
+  struct Imposed
   {
-    using Field = std::function<Vector3(const Vector3 &)>;
-    Field   bore, rim, rest;
-    Vector3 pinion = Vector3::Zero();
+    Vector3 driver_shift = Vector3::Zero();
+    double  hub          = 0;
+    Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
   };
 
-  State make_state(const Model &model, const Displacements &u)
+  State move(const Model &model, const Imposed &imposed, const double scale = 1.)
   {
-    State       state = undeformed_state(model);
-    const Body &gear  = model.bodies[1];
-    const auto  move  = [&](const unsigned int node, const Displacements::Field &field) {
-      const Vector3 X = gear.placement(gear.node_positions()[node]);
-      state.position.set(gear.first_node + node, X + field(X - gear.axis.point));
-    };
-    for (unsigned int i = 0; i < model.bodies[0].n_nodes(); ++i)
-      state.position.set(i, model.bodies[0].node_positions()[i] + u.pinion);
-    for (unsigned int i = 0; i < gear.n_nodes(); ++i)
-      move(i, u.rest);
-    for (const unsigned int i : gear.node_set("inner"))
-      move(i, u.bore);
-    for (const unsigned int i : gear.node_set("outer"))
-      move(i, u.rim);
-    return state;
+    const Body &driven = model.bodies[model.transmission->driven];
+    return made_state(model, [&](const Body &body, const unsigned int i, const Vector3 &start) {
+      if (&body != &driven)
+        return Vector3(start + imposed.driver_shift);
+      const Vector3 r      = start - body.axis.point;
+      const double  radius = body.node_positions()[i].head<2>().norm() / scale;
+      if (radius < 22)
+        return Vector3(body.axis.point + rotation_about(body.axis.direction, imposed.hub) * r);
+      return radius > 33 ? Vector3(start + imposed.shift + imposed.turn.cross(r)) : start;
+    });
   }
 
-  Displacements::Field turn(const Vector3 &w, const Vector3 &shift = Vector3::Zero())
+  void parts()
   {
-    return [w, shift](const Vector3 &r) -> Vector3 { return shift + w.cross(r); };
+    for (const double sense : {1., -1.})
+      {
+        const std::string   name  = sense > 0 ? "sense +: " : "sense -: ";
+        const Model         model = make_pair(1., sense);
+        const Transmission &t     = *model.transmission;
+        const Vector3      &a = model.bodies[t.driven].axis.direction, &n = t.contact_normal;
+        Communicator        self(MPI_COMM_SELF);
+        DeflectionProbe     probe(model, self);
+        // Small against the radii: squares of these over the radius are 1e-5 of them.
+        Imposed spun, loaded;
+        spun.driver_shift = Vector3(1e-4, 3e-4, -2e-4);
+        spun.hub          = 3e-6;
+        spun.shift        = Vector3(-4e-4, 1e-4, 2e-4);
+        State at_spin     = move(model, spun);
+        probe.take_spun(at_spin);
+        loaded.driver_shift = Vector3(5e-4, -5e-4, 7e-4);
+        loaded.hub          = 17e-6;
+        loaded.shift        = Vector3(2e-4, 5e-4, -3e-4);
+        loaded.turn         = Vector3(7e-6, -9e-6, 4e-6);
+        State at_load       = move(model, loaded);
+
+        const DeflectionParts found = probe.take_loaded(at_load);
+        const double          start = driven_start - 12. / 31. * driver_start;
+        check_close(name + "total: the hub's lead", found.total, start + sense * 17e-6, 1e-10);
+        check_close(name + "centrifugal: (n . u_g - n . u_p)/p of the spun state",
+                    found.centrifugal,
+                    n.dot(spun.shift - spun.driver_shift) / arm,
+                    1e-12);
+        // The rim's mean angle is the turn about the axis: shift and tilt have no mean.
+        check_close(name + "windup: hub before rim, loaded less spun",
+                    found.web_windup,
+                    sense * (17e-6 - a.dot(loaded.turn) - 3e-6),
+                    1e-9);
+        const Vector3 tilt = loaded.turn - a.dot(loaded.turn) * a;
+        check_close(name + "tilt and shift: at the mean contact, over the arm",
+                    found.rim_tilt,
+                    n.dot(loaded.shift - spun.shift +
+                          tilt.cross(t.contact_point - model.bodies[t.driven].axis.point)) /
+                      arm,
+                    1e-11);
+        check_close(name + "all parts add up",
+                    found.teeth + found.centrifugal + found.web_windup + found.rim_tilt,
+                    found.total,
+                    1e-15);
+      }
   }
 
-  void check_part(const std::string &name, const double part, const double expected)
+  /** What a rim that is tilted shows of its flanks: the mean over a patch about the mean contact.
+   */
+  double tilted_flank(const double scale)
   {
-    // Small angles: 1e-5 leave 1e-5 of themselves.
-    check_close(name, part / expected, 1., 1e-4);
+    const Model     model = make_pair(scale, 1.);
+    Communicator    self(MPI_COMM_SELF);
+    DeflectionProbe probe(model, self);
+    Imposed         spun;
+    spun.turn   = Vector3(7e-6, -9e-6, 4e-6);
+    State state = move(model, spun, scale);
+    probe.take_spun(state);
+    return probe.take_loaded(state).centrifugal;
   }
 
-  void parts(const Communicator &communicator)
+  void patch()
   {
-    const Model         model = make_model();
+    const Model         model = make_pair(1., 1.);
     const Transmission &t     = *model.transmission;
-    const Vector3      &a = model.bodies[1].axis.direction, n = t.contact_normal;
-    DeflectionProbe     probe(model, communicator);
-
-    // Spun: both flanks have moved, hub and rim have turned by unlike amounts.
-    const Vector3 of_gear(4e-3, 1e-3, -2e-3), of_pinion(-1e-3, 5e-3, 3e-3);
-    // The face "top" has nodes of bore and rim as well: all move alike, so that its mean is known.
-    State spun = make_state(
-      model,
-      {turn({0, 0, 0}, of_gear), turn({0, 0, 0}, of_gear), turn({0, 0, 0}, of_gear), of_pinion});
-    probe.take_spun(spun);
-
-    // Loaded: the hub turns by -1e-5 about its axis, which is a lead of 1e-5; the rim by -4e-5 and
-    // tilts and shifts besides.
-    const Vector3 tilt   = 2e-5 * a.unitOrthogonal(), shift(1e-4, -2e-4, 3e-4);
-    State         loaded = make_state(
-      model,
-      {turn(-1e-5 * a), turn(-4e-5 * a + tilt, of_gear + shift), turn({0, 0, 0}), Vector3::Zero()});
-    const DeflectionParts parts = probe.take_loaded(loaded);
-    // theta_g - (z_p/z_g) theta_p at the start is 3 - 4/2 times that angle.
-    check_part("total", parts.total, start + 1e-5);
-    check_part("centrifugal shift", parts.centrifugal, n.dot(of_gear - of_pinion) / arm);
-    check_part("web windup: lead of the hub before the rim", parts.web_windup, 1e-5 - 4e-5);
-    const Vector3 arm_of_tilt = t.contact_point - model.bodies[1].axis.point;
-    check_part("rim tilt and shift", parts.rim_tilt, n.dot(shift + tilt.cross(arm_of_tilt)) / arm);
-    check_close("teeth: all that is left",
-                parts.teeth,
-                parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt,
-                1e-18);
-    check("parts differ from each other and from nothing",
-          std::abs(parts.centrifugal) > 1e-5 && std::abs(parts.rim_tilt) > 1e-6);
+    const Body         &gear  = model.bodies[t.driven];
+    // A linear field's mean is its value at the mean place. 0.42 of the distance 2 pi p/z at which
+    // flanks follow each other along the normal.
+    const double width  = 0.42 * 2 * pi * arm / 31;
+    Vector3      place  = Vector3::Zero();
+    double       weight = 0;
+    for (const unsigned int node : gear.node_set("outer"))
+      {
+        const Vector3 x = gear.placement(gear.node_positions()[node]);
+        const double  w = std::exp(-(x - t.contact_point).squaredNorm() / (2 * width * width));
+        place += w * x;
+        weight += w;
+      }
+    const Vector3 mean = Vector3(7e-6, -9e-6, 4e-6).cross(place / weight - gear.axis.point);
+    const double  psi  = t.contact_normal.dot(mean) / arm;
+    check_close("patch of the flank: its mean displacement", tilted_flank(1.) / psi, 1., 1e-9);
+    check_close("a gear of a fifth: the same patch of its flank",
+                tilted_flank(0.2) / tilted_flank(1.),
+                1.,
+                1e-9);
   }
 
-  void swing(const Communicator &communicator)
+  void swing()
   {
-    const Model     model = make_model();
-    const Body     &gear  = model.bodies[1];
-    const Vector3  &a     = gear.axis.direction;
-    DeflectionProbe probe(model, communicator);
-    // From 0.9 of 8e5 N mm to all of it the gear turns by 5e-5 on, against the drive (a lag), and
-    // the pinion is pushed aside by 1 um.
-    const auto at = [&](const double angle, const double aside) {
-      const auto field = turn(angle * a);
-      return make_state(model, {field, field, field, Vector3(0., aside, 0.)});
-    };
-    State partly = at(3e-4, 2e-3), loaded = at(3.5e-4, 3e-3);
-    probe.take_partly_loaded(partly, 7.2e5);
-    const Swing  swing   = probe.compute_swing(loaded, probe.take_loaded(loaded), 8e5);
-    const double inertia = gear.axial_inertia() + model.bodies[0].mass() * 1e-6 / (5e-5 * 5e-5);
-    check_close("swing: stiffness over dT/psi", swing.stiffness / (8e4 / 5e-5), 1., 1e-6);
-    check_close("swing: inertia of the shape", swing.inertia / inertia, 1., 1e-6);
-    check_close("swing: frequency [Hz]",
-                swing.frequency() / (std::sqrt(8e4 / 5e-5 / inertia) / (2 * pi)),
+    for (const double sense : {1., -1.})
+      {
+        const std::string name   = sense > 0 ? "swing, sense +: " : "swing, sense -: ";
+        const Model       model  = make_pair(1., sense);
+        const Body       &driver = model.bodies[0], &driven = model.bodies[1];
+        Communicator      self(MPI_COMM_SELF);
+        DeflectionProbe   probe(model, self);
+        // The gear turns back as a whole, the driver gives way; the last part takes psi.
+        const double  before = 4e-4, psi = 1e-4, torque = 8e5, part = 0.9 * torque;
+        const Vector3 yield(1e-3, -2e-3, 2e-3);
+        const auto    turned = [&](const double lag, const Vector3 &shift) {
+          return made_state(model, [&, lag](const Body &body, unsigned int, const Vector3 &start) {
+            if (&body == &driver)
+              return Vector3(start + shift);
+            const Vector3 &c = body.axis.point;
+            return Vector3(c + rotation_about(body.axis.direction, -sense * lag) * (start - c));
+          });
+        };
+        State at_part = turned(before, 3 * yield), at_load = turned(before + psi, 4 * yield);
+        probe.take_partly_loaded(at_part, part);
+        const DeflectionParts parts = probe.take_loaded(at_load);
+        const Swing           found = probe.compute_swing(at_load, parts, torque);
+        // Nodes go along chords: 2 sin(psi/2) of their radius. Angles of 1e-4 are differences of
+        // coordinates of 40 mm.
+        const double stiffness = 0.1 * torque / psi,
+                     inertia   = (driven.axial_inertia() * 4 * std::pow(std::sin(psi / 2), 2) +
+                                driver.mass() * yield.squaredNorm()) /
+                               (psi * psi);
+        check_close(name + "stiffness", found.stiffness / stiffness, 1., 1e-9);
+        check_close(name + "inertia, the driver's share with it",
+                    found.inertia / inertia,
+                    1.,
+                    1e-9);
+        check("the driver's share counts",
+              driver.mass() * yield.squaredNorm() > 0.01 * inertia * psi * psi);
+        check_close(name + "frequency",
+                    found.frequency() * 2 * pi / std::sqrt(stiffness / inertia),
+                    1.,
+                    1e-9);
+      }
+    check("no frequency of a swing that is not known", Swing().frequency() == 0.);
+  }
+
+  /** A block of 5 x 5 mm is pressed, rigid and tilted, into a plate that turns about an axis along
+   * y: gaps d = d0 + g x of springs eps hold eps int d^2 dA/2 and push with eps int d (x - c) dA.
+   */
+  void penalty_lag()
+  {
+    constexpr double eps = 2e5, d0 = 1e-3, g = 4e-4, size = 5., axis = -30.;
+    Model            model;
+    model.add_body(Body("block", make_block(Vector3(size, size, 2), {{4, 4, 1}}), Material()));
+    model.add_body(
+      Body("plate", make_block(Vector3(9, 9, 2), {{9, 9, 1}}, Vector3(-2, -2, -2)), Material()));
+    Body &block = model.bodies[0], &plate = model.bodies[1];
+    // Its lower face goes down by d at x: turned about y.
+    block.placement.rotation       = rotation_about(Vector3::UnitY(), std::asin(g));
+    block.placement.translation[2] = -d0;
+    plate.axis                     = {Vector3(axis, 7., -1.), Vector3::UnitY()};
+    Transmission t;
+    t.driven_bore      = plate.node_set("z-");
+    t.driven_rim       = plate.node_set("z-");
+    t.driver_teeth     = 1;
+    t.driven_teeth     = 1;
+    t.driven_sense     = 1;
+    model.transmission = t;
+    ContactPair pair   = contact_of("face", "z-", "z+", ContactSurfaceKind::flat_facets);
+    pair.options.penalty.from_step = false;
+    pair.options.penalty.value     = eps;
+    model.contacts.push_back(pair);
+
+    OneSolver run(model, undamped());
+    run.solver.measure_at_rest(run.state);
+    const double first = size * size * (d0 + g * size / 2), // int d dA
+      second           = size * (std::pow(d0 + g * size, 3) - std::pow(d0, 3)) / (3 * g), // d^2
+      with_x           = size * (d0 * size * size / 2 + g * size * size * size / 3),      // d x
+      turning          = with_x - axis * first;
+    // Normals are those of the tilted faces: (g, 1) for (0, 1), squares of g and d g beside x - c.
+    const Measurements &found = run.state.measured;
+    check_close("tilt: force over its integral", found.contact_force / (eps * first), 1., 1e-6);
+    check_close("tilt: torque on the driven over its integral",
+                found.contact_torque / (eps * turning),
                 1.,
-                1e-6);
-    check("swing: nothing known", Swing().frequency() == 0);
-    // A spring 4e4 N/mm in by 2 um holds 0.08 mJ; under 80 N on an arm of 50 mm, 4000 N mm, it
-    // turns the gear by 2e-3/50.
-    check_close("lag of the penalty springs [rad]",
-                compute_penalty_lag(.08, 4000.),
-                2e-3 / 50,
-                1e-18);
+                1e-4);
+    check_close("tilt: deepest point within the deepest edge [mm]",
+                found.largest_penetration,
+                d0 + g * size,
+                0.5 * g);
+    check_close("tilt: lag of the springs over int d^2 dA / int d (x - c) dA",
+                compute_penalty_lag(run.solver.contact().energy(), found.contact_torque) * turning /
+                  second,
+                1.,
+                1e-4);
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  MpiSession session(argc, argv);
-  parts(session.world());
-  swing(session.world());
+  run_parts(argc, argv, {parts, patch, swing, penalty_lag});
 }

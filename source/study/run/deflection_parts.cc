@@ -10,6 +10,13 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /** Standard deviation of the patch of flank whose displacement is that of the contact, over the
+     * distance 2 pi p/z of flanks along their normal: 3 mm in the reference pair. */
+    constexpr double patch_width = 0.42;
+  } // namespace
+
   DeflectionProbe::DeflectionProbe(const Model &model, const Communicator &communicator)
     : model_(model)
     , communicator_(communicator)
@@ -21,10 +28,11 @@ namespace vfife
                                               const std::string &surface) const
   {
     // Mean over the flank around the contact: a patch of some elements, wide against the local
-    // indentation.
-    constexpr double    width   = 3.; // [mm]
+    // indentation and within a tooth, whatever the size of the gear.
+    const Transmission &t       = *model_.transmission;
+    const double        width   = patch_width * 2 * pi * t.arm / t.driven_teeth; // [mm]
     const Body         &body    = model_.bodies[b];
-    const Vector3      &contact = model_.transmission->contact_point;
+    const Vector3      &contact = t.contact_point;
     std::vector<double> sums(4, 0.);
     // u = sum w u/sum w over the nodes, w = exp(-d^2/2 width^2), d the distance from the mean
     // contact. Each node counts on the rank that owns it.
