@@ -45,4 +45,20 @@ inline vfife::State made_state(const vfife::Model &model, const PlaceOfNode &pla
   return state;
 }
 
+/** Bodies as they stand at time zero, at rest, without contact. */
+inline vfife::State undeformed_state(const vfife::Model &model)
+{
+  vfife::State state;
+  state.partition = whole_partition(model);
+  state.position = state.velocity = state.contact_force = vfife::NodeField(model.n_nodes());
+  for (const vfife::Body &body : model.bodies)
+    for (unsigned int i = 0; i < body.n_nodes(); ++i)
+      {
+        state.position.set(body.first_node + i, body.placement(body.node_positions()[i]));
+        state.velocity.set(body.first_node + i, vfife::Vector3::Zero());
+        state.contact_force.set(body.first_node + i, vfife::Vector3::Zero());
+      }
+  return state;
+}
+
 #endif

@@ -2,7 +2,7 @@
 // pattern.csv and teeth.csv of made-up contact, read back: every number against a closed form of
 // what was put in.
 #include "../tests.h"
-#include "whole_partition.h"
+#include "../whole_partition.h"
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>

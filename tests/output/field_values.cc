@@ -4,7 +4,7 @@
 #include "../tests.h"
 #include "../vtu_file.h"
 #include "ring_askew.h"
-#include "whole_partition.h"
+#include "../whole_partition.h"
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
