@@ -185,7 +185,7 @@ end
   }
 
   /** Of a table: 800 N m wind the gear up by 55 arcsec at both positions. */
-  void load_laws()
+  void laws_of_a_table()
   {
     std::ofstream("table.csv")
       << "position [tooth meshes],unloaded transmission error [arcsec],transmission error [arcsec],"
@@ -290,7 +290,7 @@ int main()
   inertias();
   supports();
   numbers();
-  load_laws();
+  laws_of_a_table();
   damper();
   run();
 }
