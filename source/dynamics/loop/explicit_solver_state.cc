@@ -240,8 +240,10 @@ namespace vfife
 
     beginning_ = beginning;
     set_step(state.dt);
-    n_substeps_ = n_substeps;
-    dt_         = state.dt / n_substeps;
+    n_substeps_        = n_substeps;
+    dt_                = state.dt / n_substeps;
+    alternating_share_ = 0;
+    stability_watch_   = EnergyWatch();
     if (own == nullptr) // other ranks know other parts of the pairs
       contact_.search(state.body_motion, rigid_, state.position, search_interval * state.dt);
     // What a failure before the next measurement would show.

@@ -13,12 +13,27 @@ namespace vfife
     : path_(folder.file(name))
     , flushed_(std::chrono::steady_clock::now())
   {
-    if (!folder.is_writer())
-      return;
+    if (folder.is_writer())
+      open(table);
+  }
+
+  void CsvStream::open(const Table &table)
+  {
     file_.open(path_);
     if (!file_)
       throw std::runtime_error("cannot write \"" + path_ + "\": " + std::strerror(errno));
     file_ << table.csv_header() << '\n';
+    flush();
+  }
+
+  void CsvStream::rewrite(const Table &table)
+  {
+    if (!file_.is_open())
+      return;
+    file_.close();
+    n_written_ = 0;
+    open(table);
+    append_new_rows(table);
     flush();
   }
 

@@ -25,6 +25,10 @@ namespace vfife
     /** Steps between checkpoints in memory: cheap beside them, and what goes wrong is noticed. */
     constexpr unsigned int snapshot_interval = 1000;
 
+    /** ExplicitSolver::alternating_share() of states that a run may go back to: of the energy, so a
+     * hundredth of the amplitude. */
+    constexpr double clean_share = 1e-4;
+
     /** Time and step of a state, for messages. */
     std::string where(const State &state)
     {
@@ -151,12 +155,11 @@ namespace vfife
 
   void Stepping::keep_snapshot()
   {
-    // The older of two: a motion that grows may have begun before the last one.
     ByteStream common, own;
     serialize(common, &own);
-    snapshots_.push_back({common.bytes(), own.bytes()});
-    if (snapshots_.size() > 2)
-      snapshots_.pop_front();
+    snapshots_.push_back({common.bytes(), own.bytes(), solver_.alternating_share()});
+    if (snapshots_.size() > 3)
+      snapshots_.erase(snapshots_.begin() + 1);
   }
 
   bool Stepping::go_back(const NumericalError &error)
@@ -166,8 +169,13 @@ namespace vfife
     const unsigned int n_substeps = 2 * solver_.n_substeps();
     const std::string  failure    = error.what();
     const double       so_far     = run_time();
-    snapshots_.resize(1);
-    ByteStream common(snapshots_[0].common, "memory"), own(snapshots_[0].own, "memory");
+    // A mode that grows has begun before it is noticed: the last state but one, or the first where
+    // that has the mode already.
+    if (snapshots_.size() > 1)
+      snapshots_.pop_back();
+    if (snapshots_.back().alternating_share > clean_share)
+      snapshots_.resize(1);
+    ByteStream common(snapshots_.back().common, "memory"), own(snapshots_.back().own, "memory");
     serialize(common, &own);
     earlier_time_ = so_far;
     begin_        = WallClock::now();

@@ -12,6 +12,7 @@
 #include <vfife/dynamics/watch/contact_watch.h>
 #include <vfife/dynamics/watch/damping_watch.h>
 #include <vfife/dynamics/watch/energy_book.h>
+#include <vfife/dynamics/watch/energy_watch.h>
 #include <vfife/model/observer.h>
 
 #include <functional>
@@ -82,6 +83,10 @@ namespace vfife
      * element. */
     bool may_be_unstable() const;
 
+    /** Energy that alternates from step to step over the elastic energy at the last sample, looked
+     * at while may_be_unstable(): 1 and more where a mode grows. */
+    double alternating_share() const;
+
     /** Steps that are made in the place of one, see divide_step(). */
     unsigned int n_substeps() const;
 
@@ -141,6 +146,7 @@ namespace vfife
     void       take_reactions(const State &state);
     void       show(Observers &observers, bool last);
     void       check(const State &state, bool measured, const ElementMeasures &measures);
+    void       check_stability(const State &state, const ElementMeasures &measures);
     void       advance_bodies(State &state);
 
     const Model           &model_;
@@ -172,7 +178,9 @@ namespace vfife
     EnergyBook               energy_;
     DampingWatch             damping_watch_;
     ContactWatch             contact_watch_;
-    State                    observed_; ///< measured last
+    double                   alternating_share_ = 0;
+    EnergyWatch              stability_watch_; ///< of what alternates from step to step
+    State                    observed_;        ///< measured last
   };
 } // namespace vfife
 

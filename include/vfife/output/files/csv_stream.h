@@ -25,9 +25,15 @@ namespace vfife
      * the disk is full. */
     void append_new_rows(const Table &table);
 
+    /** Begins the file anew with the rows of @p table: those of a run that has gone back. Throws as
+     * the constructor. */
+    void rewrite(const Table &table);
+
     void flush();
 
   private:
+    void open(const Table &table);
+
     std::string                           path_;
     std::ofstream                         file_;
     std::size_t                           n_written_ = 0;

@@ -2,6 +2,7 @@
 #ifndef vfife_output_observers_sampled_table_h
 #define vfife_output_observers_sampled_table_h
 
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/sample_columns.h>
 #include <vfife/model/observer.h>
@@ -47,8 +48,8 @@ namespace vfife
     void serialize(ByteStream &stream) override
     {
       table_.serialize_rows(stream);
-      file_.append_new_rows(table_); // a run that goes on writes them again
-      file_.flush();
+      if (stream.reads())
+        file_.rewrite(table_);
     }
 
     void finish(const Model &, const State &) override

@@ -8,9 +8,10 @@
 #include <vfife/output/files/summary.h>
 #include <vfife/output/output_options.h>
 
-#include <deque>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace vfife
 {
@@ -78,6 +79,7 @@ namespace vfife
     struct Snapshot
     {
       std::string common, own;
+      double      alternating_share; ///< ExplicitSolver::alternating_share()
     };
 
     void   keep_snapshot();
@@ -107,7 +109,8 @@ namespace vfife
     WallClock::time_point begin_, last_checkpoint_;
     double                earlier_time_   = 0;     ///< run time before the checkpoint [s]
     bool                  has_checkpoint_ = false; ///< of this run
-    std::deque<Snapshot>  snapshots_;              ///< the last two, while the step may be too long
+    std::vector<Snapshot>
+      snapshots_; ///< the first and the last two, while the step may be too long
   };
 } // namespace vfife
 
