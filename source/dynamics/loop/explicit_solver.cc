@@ -6,7 +6,6 @@
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/dynamics/motion/mean_speed.h>
 #include <vfife/dynamics/operator/step_bound.h>
-#include <vfife/dynamics/watch/alternating_energy.h>
 #include <vfife/dynamics/watch/guards.h>
 
 #include <algorithm>
@@ -102,31 +101,6 @@ namespace vfife
     contact_.set_penalties(dt);
     walls_.set_penalties(dt);
     safe_step_ = vote_on_step(operator_.limiting_element().stable_step());
-  }
-
-  bool ExplicitSolver::may_be_unstable() const
-  {
-    return dt_ > safe_step_ * (1. + 1e-9);
-  }
-
-  double ExplicitSolver::alternating_share() const
-  {
-    return alternating_share_;
-  }
-
-  unsigned int ExplicitSolver::n_substeps() const
-  {
-    return n_substeps_;
-  }
-
-  void ExplicitSolver::divide_step(State &state, const unsigned int n)
-  {
-    const double earlier = dt_;
-    n_substeps_          = n;
-    dt_                  = state.dt / n;
-    compute_forces(state, false);
-    for (const std::uint32_t i : state.partition->nodes())
-      state.velocity.add(i, 0.5 * (earlier - dt_) * state.position.number(i) * forces_.value(i));
   }
 
   void ExplicitSolver::run(State            &state,
@@ -362,22 +336,6 @@ namespace vfife
     if (may_be_unstable())
       check_stability(state, measures);
     energy_.check(options_.energy_limit, describe_instant(state), log_);
-  }
-
-  void ExplicitSolver::check_stability(const State &state, const ElementMeasures &measures)
-  {
-    const double alternating = compute_alternating_energy(model_,
-                                                          operator_.masses(),
-                                                          *state.partition,
-                                                          observed_.velocity,
-                                                          state.velocity,
-                                                          communicator_);
-    const double elastic     = measures.strain_energy + contact_.energy() + walls_.energy();
-    alternating_share_       = alternating > 0 ? alternating / elastic : 0;
-    if (stability_watch_.exceeds(alternating_share_, alternating, 1.))
-      throw NumericalError(
-        "the step is too long: a motion that alternates from step to step grows " +
-        describe_instant(state) + "; a smaller Dynamics/safety may help");
   }
 
   void ExplicitSolver::advance_bodies(State &state)
