@@ -85,7 +85,7 @@ def find_sound_tests(workshop, mutants, results):
     if unknown:
         print(f"{len(unknown)} tests on the tree as it is", flush=True)
         if not workshop.make(unknown):
-            raise WorkshopError(f"the tree as it is does not build: see {workshop.log}")
+            print(f"not all of them can be built: see {workshop.log}", flush=True)
     for test in unknown:
         begin = time.monotonic()
         known[test] = round(time.monotonic() - begin, 1) if workshop.passes(test) else None

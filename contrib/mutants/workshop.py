@@ -102,7 +102,7 @@ class Workshop:
     def make(self, tests):
         """Whether all that the tests need could be built."""
         targets = sorted({self.programs[test] for test in tests} - {None})
-        return not targets or self.call(["ninja", f"-j{self.jobs}", *targets], self.build)[0] == 0
+        return not targets or self.call(["ninja", f"-j{self.jobs}", "-k0", *targets], self.build)[0] == 0
 
     def passes(self, test):
         """Whether the test passes; it has the time of TEST_TIME_LIMIT, this is for what hangs beyond it."""

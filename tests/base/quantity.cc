@@ -10,6 +10,9 @@
 
 #include "../tests.h"
 
+#include <cmath>
+#include <vector>
+
 using namespace vfife;
 
 void check_value(const std::string &text, const std::string &unit, const double value)
@@ -59,6 +62,86 @@ void check_values()
   check_value("80 %", "-", 0.8);
 }
 
+/** A unit in units of the SI and the powers of length, mass and time in it. */
+struct Definition
+{
+  std::string name;
+  double      size;
+  int         length, mass, time;
+};
+
+/** Units inside are those that follow from mm, t and s: a unit of m^a kg^b s^c is 1e3^a 1e-3^b of
+ * them. */
+void check_definitions()
+{
+  const double                  second_of_arc = pi / 180 / 3600;
+  const std::vector<Definition> definitions   = {{"-", 1., 0, 0, 0},
+                                                 {"%", 1e-2, 0, 0, 0},
+                                                 {"mm", 1e-3, 1, 0, 0},
+                                                 {"m", 1., 1, 0, 0},
+                                                 {"um", 1e-6, 1, 0, 0},
+                                                 {"s", 1., 0, 0, 1},
+                                                 {"ms", 1e-3, 0, 0, 1},
+                                                 {"us", 1e-6, 0, 0, 1},
+                                                 {"ns", 1e-9, 0, 0, 1},
+                                                 {"rad", 1., 0, 0, 0},
+                                                 {"deg", pi / 180, 0, 0, 0},
+                                                 {"arcmin", 60 * second_of_arc, 0, 0, 0},
+                                                 {"arcsec", second_of_arc, 0, 0, 0},
+                                                 {"rad/s", 1., 0, 0, -1},
+                                                 {"rpm", 2 * pi / 60, 0, 0, -1},
+                                                 {"deg/s", pi / 180, 0, 0, -1},
+                                                 {"Hz", 1., 0, 0, -1},
+                                                 {"kHz", 1e3, 0, 0, -1},
+                                                 {"1/s", 1., 0, 0, -1},
+                                                 {"N", 1., 1, 1, -2},
+                                                 {"kN", 1e3, 1, 1, -2},
+                                                 {"N mm", 1e-3, 2, 1, -2},
+                                                 {"N m", 1., 2, 1, -2},
+                                                 {"kN m", 1e3, 2, 1, -2},
+                                                 {"mJ", 1e-3, 2, 1, -2},
+                                                 {"J", 1., 2, 1, -2},
+                                                 {"MPa", 1e6, -1, 1, -2},
+                                                 {"Pa", 1., -1, 1, -2},
+                                                 {"kPa", 1e3, -1, 1, -2},
+                                                 {"GPa", 1e9, -1, 1, -2},
+                                                 {"N/mm^2", 1e6, -1, 1, -2},
+                                                 {"t", 1e3, 0, 1, 0},
+                                                 {"kg", 1., 0, 1, 0},
+                                                 {"g", 1e-3, 0, 1, 0},
+                                                 {"t/mm^3", 1e12, -3, 1, 0},
+                                                 {"kg/m^3", 1., -3, 1, 0},
+                                                 {"g/cm^3", 1e3, -3, 1, 0},
+                                                 {"t mm^2", 1e-3, 2, 1, 0},
+                                                 {"kg mm^2", 1e-6, 2, 1, 0},
+                                                 {"kg m^2", 1., 2, 1, 0},
+                                                 {"N/mm", 1e3, 0, 1, -2},
+                                                 {"N/m", 1., 0, 1, -2},
+                                                 {"N/um", 1e6, 0, 1, -2},
+                                                 {"N mm/rad", 1e-3, 2, 1, -2},
+                                                 {"N m/rad", 1., 2, 1, -2},
+                                                 {"MN m/rad", 1e6, 2, 1, -2},
+                                                 {"N s/mm", 1e3, 0, 1, -1},
+                                                 {"N s/m", 1., 0, 1, -1},
+                                                 {"N/mm^3", 1e9, -2, 1, -2},
+                                                 {"MPa/mm", 1e9, -2, 1, -2},
+                                                 {"mm^2", 1e-6, 2, 0, 0},
+                                                 {"mm/s", 1e-3, 1, 0, -1},
+                                                 {"m/s", 1., 1, 0, -1},
+                                                 {"mm/s^2", 1e-3, 1, 0, -2},
+                                                 {"m/s^2", 1., 1, 0, -2},
+                                                 {"mm/rad", 1e-3, 1, 0, 0},
+                                                 {"1/mm", 1e3, -1, 0, 0}};
+  check("every unit has its definition here", definitions.size() == known_units().size());
+  double worst = 0.;
+  for (const Definition &d : definitions)
+    {
+      const double inside = std::pow(1e3, d.length) * std::pow(1e-3, d.mass);
+      worst = largest_of(worst, std::abs(parse_quantity("1", d.name) / (d.size * inside) - 1));
+    }
+  check_below("factors of all units beside their definitions", worst, 1e-14);
+}
+
 void check_texts()
 {
   std::cout << quantity_text(70. * pi / 180., "deg") << " "
@@ -88,6 +171,7 @@ void check_texts()
 int main()
 {
   check_values();
+  check_definitions();
   check_texts();
 
   refuse("5 kg", "mm");

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_parameters, write_parameters, write_run)
+    make_parameters, make_summary, write_parameters, write_run)
 
 import numpy as np
 
@@ -15,11 +15,12 @@ from vfife_report.data.naming import name_variants
 from vfife_report.data.parameters import read_parameters
 from vfife_report.data.run_folder import RunFolder
 from vfife_report.data.table import Table
+from vfife_report.measures.checks import list_checks
 from vfife_report.measures.ledger import list_ledger_rows, read_ledger
 from vfife_report.measures.lines import find_harmonics, find_lines
 from vfife_report.measures.passages import find_engagement, find_passage
 from vfife_report.measures.periodicity import fold_meshes, measure_periodicity
-from vfife_report.measures.spectrum import compute_directed_spectrum
+from vfife_report.measures.spectrum import compute_directed_spectrum, compute_spectrum
 from vfife_report.measures.waves import (
     list_wave_lines, list_wave_spectra, measure_waves, read_wave, split_wave)
 from vfife_report.page.words import make_title
@@ -56,6 +57,8 @@ class Periodicity(unittest.TestCase):
         self.assertEqual(folded.shape, (15, 12))
         # Between samples a line is met exactly.
         self.assertLess(np.abs(np.diff(folded, axis=0) - 37.5).max(), 1e-10)
+        # Whole meshes up to the last value: 15 of them before 199.
+        self.assertAlmostEqual(folded[0, 0], 3 * (199 - 15 * 12.5))
 
     def test_periodic(self):
         found = measure_periodicity(4 + 2 * np.cos(2 * np.pi * MESHES), SAMPLES)
@@ -106,6 +109,49 @@ class Periodicity(unittest.TestCase):
             self.assertAlmostEqual(above[0].frequency, side, delta=0.02 * 346)
             self.assertAlmostEqual(above[0].amplitude, 0.5, delta=0.005)
         self.assertEqual(find_lines(np.cos(2 * np.pi * MESHES) * 0, SAMPLES, 9000, 0, 9000, 3), [])
+
+
+    def test_points_between_lines(self):
+        """Four points a line: the third order stays where it is, with its amplitude."""
+        order, amplitude = compute_spectrum(2 * np.cos(2 * np.pi * 3 * MESHES)[:-1], SAMPLES, windowed=True,
+                                            points_per_line=4)
+        top = np.argmax(amplitude)
+        self.assertAlmostEqual(order[top], 3)
+        self.assertAlmostEqual(amplitude[top], 2)
+        self.assertAlmostEqual(order[top + 4], 3 + 1 / 26)
+        self.assertAlmostEqual(amplitude[top + 4], 1)  # half of it a line beside it
+
+
+class Checks(unittest.TestCase):
+    def check(self, errors, mean, losses):
+        """Verdict and value of each check of a run with energy errors before and in its steady part, a mean
+        contact torque [N m] under a load of 800 N m, and losses of contact."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            write_run(folder, fields=False)
+            (folder / "history.csv").write_text("time [s],energy error [-]\n" + "".join(
+                f"{t:g},{error}\n" for t, error in zip((0, 1e-4, 2e-4, 6e-4, 1e-3), errors)))
+            summary = make_summary()
+            summary["steady part"]["columns"]["contact torque on the gear"] = {
+                "mean": mean, "peak to peak": 1, "standard deviation": 1, "unit": "N m"}
+            summary["contact losses"]["count"] = losses
+            (folder / "summary.json").write_text(json.dumps(summary))
+            return {name: (verdict, value) for name, value, _, verdict in list_checks(RunFolder(name))}
+
+    def test_met(self):
+        """Half a per cent of energy and torque: of the steady part alone, whatever their sign."""
+        found = self.check((0, -0.02, 0.001, -0.0049, 0.002), 796.8, 0)
+        self.assertEqual(found["largest energy error of the steady part"], ("met", "0.49 %"))
+        self.assertEqual(found["largest energy error on the way"], ("not judged", "2 %"))
+        self.assertEqual(found["mean contact torque against the load"], ("met", "-0.400 %"))
+        self.assertEqual(found["losses of contact"], ("met", "0"))
+        self.assertEqual(found["contradictions"], ("not met", "1"))
+
+    def test_not_met(self):
+        found = self.check((0, 0, 0, -0.0051, 0), 804.4, 2)
+        self.assertEqual(found["largest energy error of the steady part"], ("not met", "0.51 %"))
+        self.assertEqual(found["mean contact torque against the load"], ("not met", "+0.550 %"))
+        self.assertEqual(found["losses of contact"], ("not met", "2"))
 
 
 class Passages(unittest.TestCase):
