@@ -92,7 +92,11 @@ private:
   const Flank    &pinion_, &gear_;
 };
 
-void check_edges(const std::string &name, const GearPair &pair, const MeshSide side)
+/** @p reach: how far beyond its ends the path is looked at [pitches]. */
+void check_edges(const std::string &name,
+                 const GearPair    &pair,
+                 const MeshSide     side,
+                 const double       reach = .2)
 {
   const PairContact   contact(pair, side);
   const LimitedFlanks search(pair, side);
@@ -107,7 +111,7 @@ void check_edges(const std::string &name, const GearPair &pair, const MeshSide s
                   contact.lag(contact.path()[end]) / arcsecond,
                   1e-6);
       double worst = 0.;
-      for (const double beyond : {.03, .1, .2})
+      for (const double beyond : {.15 * reach, .5 * reach, reach})
         {
           const double p    = contact.path()[end] + direction * beyond;
           const double rot1 = contact.flanks().reference() + p * contact.flanks().pitch();
@@ -165,6 +169,21 @@ int main()
   check_edges("drive", pair, MeshSide::drive);
   check_edges("coast", pair, MeshSide::coast);
   check_driving(pair);
+
+  // A pinion so short that the path leaves it at toe and heel.
+  GearPairOptions narrow                  = paper::options();
+  narrow.pinion.blank.face_width          = 8.;
+  narrow.pinion.blank.outer_cone_distance = narrow.pinion.blank.mean_cone_distance + 4.;
+  const GearPair short_pair(narrow);
+  check_edges("short pinion", short_pair, MeshSide::drive, .06);
+  const PairContact short_contact(short_pair, MeshSide::drive);
+  check_close("short pinion: one pair of teeth carries alone [arcsec]",
+              short_contact.least_lag(.2) / arcsecond,
+              LimitedFlanks(short_pair, MeshSide::drive)
+                  .least_lag(short_contact.flanks().reference() +
+                             .2 * short_contact.flanks().pitch()) /
+                arcsecond,
+              .02);
 
   // misaligned so far that the path leaves the flanks before the next pair takes over
   GearPairOptions options    = paper::options();
