@@ -257,6 +257,19 @@ namespace
       ByteStream third(written.bytes());
       serialize_model(third, other);
     });
+    // Two blocks of the same nodes but for their places: mass and sum of coordinates are equal.
+    const auto block_model = [](const Vector3 &size) {
+      Model of_block;
+      of_block.add_body({"block", make_block(size, {{1, 1, 1}}), Material()});
+      return of_block;
+    };
+    Model lying = block_model(Vector3(2., 3., 4.)), standing = block_model(Vector3(3., 2., 4.));
+    ByteStream first;
+    serialize_model(first, lying);
+    print_refusal([&] {
+      ByteStream second(first.bytes());
+      serialize_model(second, standing);
+    });
   }
 
   /** The scripts read what the writers wrote; without numpy and matplotlib the log says so. */
