@@ -11,6 +11,7 @@ the table is equivalent and does not count. Works in a copy of the tree; nothing
 all are killed or equivalent; 1: some are not; 2: the lane cannot work.
 """
 import argparse
+import signal
 import sys
 import time
 from collections import Counter
@@ -73,49 +74,50 @@ def list_mutants(mutants, with_edits):
     return 1 if stale else 0
 
 
-def find_sound_tests(workshop, mutants, results):
-    """Seconds of each test that passes on the tree as it is: only such a test can tell a mutant."""
-    names = sorted({name for mutant in mutants for name in mutant.tests})
-    missing = [name for name in names if not workshop.find_tests(name)]
+def check_tests(workshop, mutants):
+    missing = sorted({name for mutant in mutants for name in mutant.tests if not workshop.find_tests(name)})
     if missing:
         raise TableError(f"there is no test {', '.join(missing)}")
-    tests = [test for name in names for test in workshop.find_tests(name)]
-    known = results["tests"].get(workshop.digest, {})
-    unknown = [test for test in tests if test not in known]
-    if unknown:
-        print(f"{len(unknown)} tests on the tree as it is", flush=True)
-        if not workshop.make(unknown):
-            print(f"not all of them can be built: see {workshop.log}", flush=True)
-    for test in unknown:
-        begin = time.monotonic()
-        known[test] = round(time.monotonic() - begin, 1) if workshop.passes(test) else None
-        if known[test] is not None:
-            known[test] = round(time.monotonic() - begin, 1)
+
+
+def is_sound(workshop, test, results):
+    """Whether a test passes on the tree as it is: only then its failure tells a mutant. Once for a state of the tree."""
+    known = results["tests"].setdefault(workshop.digest, {})
+    if test not in known:
+        known[test] = workshop.make([test]) and workshop.passes(test)
         # Other states of the tree are forgotten.
         results["tests"] = {workshop.digest: known}
         workshop.write_results(results)
-    for test in tests:
-        if known[test] is None:
-            print(f"{test} fails without any mutant and tells nothing")
-    return {test: seconds for test, seconds in known.items() if seconds is not None}
+        if not known[test]:
+            print(f"{test} fails without any mutant and tells nothing", flush=True)
+    return known[test]
 
 
-def try_mutant(workshop, mutant, sound):
-    """Fate and what to say of it. The quickest test comes first, and the first that fails is enough."""
-    tests = sorted((test for name in mutant.tests for test in workshop.find_tests(name) if test in sound),
-                   key=lambda test: sound[test])
-    if not tests:
-        return "not run", "none of its tests passes without it"
+def try_mutant(workshop, mutant, results):
+    """Fate and what to say of it. Tests are run as they are named, and the first that fails is enough."""
+    known = results["tests"].get(workshop.digest, {})
+    tests = [test for name in mutant.tests for test in workshop.find_tests(name) if known.get(test, True)]
+    failed = None
     workshop.put(mutant)
     try:
+        if not tests:
+            return "not run", "none of its tests passes without it"
         if not workshop.make(tests):
-            return "not built", ""
+            # Of a test that does not build without the mutant either it is not the mutant's fault.
+            tests = [test for test in tests if workshop.make([test])]
+            if not tests:
+                return "not built", ""
         for test in tests:
             if not workshop.passes(test):
-                return "killed", f"by {test}"
-        return ("equivalent", mutant.argument) if mutant.argument else ("survived", " ".join(mutant.tests))
+                failed = test
+                break
     finally:
         workshop.put_back(mutant)
+    if failed and is_sound(workshop, failed, results):
+        return "killed", f"by {failed}"
+    if failed:
+        return "not run", f"{failed} fails without it"
+    return ("equivalent", mutant.argument) if mutant.argument else ("survived", " ".join(mutant.tests))
 
 
 def print_score(mutants, fates):
@@ -148,11 +150,13 @@ def run(asked, mutants):
     if not asked.known:
         workshop.prepare()
         wanted = [mutant for mutant in mutants if fates[mutant.number] == "not run"]
-        sound = find_sound_tests(workshop, wanted, results)
+        check_tests(workshop, wanted)
         for mutant in wanted:
             begin = time.monotonic()
-            fate, what = try_mutant(workshop, mutant, sound)
-            fates[mutant.number] = results["mutants"][mutant.key()] = fate
+            fate, what = try_mutant(workshop, mutant, results)
+            fates[mutant.number] = fate
+            if fate != "not run":
+                results["mutants"][mutant.key()] = fate
             workshop.write_results(results)
             say(mutant, f"{fate} {what}".rstrip() + f" ({time.monotonic() - begin:.0f} s)")
     return print_score(mutants, fates)
@@ -160,6 +164,8 @@ def run(asked, mutants):
 
 def main():
     asked = read_arguments()
+    # An end by kill puts the text back as well.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(2))
     try:
         mutants = choose(read_tables(), asked.which)
         return list_mutants(mutants, asked.show) if asked.list or asked.show else run(asked, mutants)

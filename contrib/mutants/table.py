@@ -58,6 +58,9 @@ class Mutant:
         found = len(self.find(path.read_text(encoding="utf-8")))
         if found != 1:
             return f"stale: its text is found {found} times" if found else "stale: its text is not there any more"
+        for test in self.tests:
+            if not list((root / "tests").glob(test + ".*")):
+                return f"stale: there is no test {test}"
         return ""
 
     def apply(self, content):
