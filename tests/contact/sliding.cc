@@ -5,6 +5,8 @@
 #include "../tests.h"
 #include "surfaces.h"
 
+#include <algorithm>
+
 using namespace test_surfaces;
 
 namespace
@@ -149,6 +151,7 @@ namespace
         const double full = penalty * 0.01 * 0.004;
         double       step = 0., slope_step = 0., last = full, last_slope = 0.;
         bool         none_beyond = true, all_inside = true;
+        double       results = 0.;
         for (unsigned int i = 0; i <= 1000; ++i)
           {
             RigidMotion motion;
@@ -163,6 +166,19 @@ namespace
             slope_step         = largest_of(slope_step, std::abs(force - last - last_slope) / full);
             last_slope         = force - last;
             last               = force;
+            // Area, energy and pressure fade as the force does, the depth does not.
+            const double t    = std::clamp((1. - motion.translation[0]) / 0.15, 0., 1.),
+                         part = t * t * (3. - 2. * t);
+            if (fading && part > 0.)
+              {
+                const GroupPairResult &result = contact.results().at(0);
+                results                       = largest_of({results,
+                                                            std::abs(result.area / 0.004 - part),
+                                                            std::abs(result.energy / (0.5 * 0.01 * full) - part),
+                                                            std::abs(result.largest_pressure / (penalty * 0.01) - part),
+                                                            std::abs(result.largest_penetration / 0.01 - 1.),
+                                                            std::abs(result.normal_force / full - part)});
+              }
             if (motion.translation[0] > 1. + 2e-3)
               none_beyond = none_beyond && force == 0.;
             if (motion.translation[0] < 1. - 0.15)
@@ -175,6 +191,9 @@ namespace
           {
             // 0.15 of a facet of 1 mm: slope 1.5/0.15 a mm, 0.4 um a position; curvature 6/0.15^2
             check_below("fading edge: largest step of the force", step, 1.5 / 0.15 * 4e-4 * 1.01);
+            check_below("fading edge: area, energy, pressure, force less their part",
+                        results,
+                        1e-9);
             check_below("fading edge: largest step of its slope",
                         slope_step,
                         6. / 0.0225 * 1.6e-7 * 1.01);
