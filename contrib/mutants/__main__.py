@@ -97,22 +97,20 @@ def try_mutant(workshop, mutant, results):
     """Fate and what to say of it. Tests are run as they are named, and the first that fails is enough."""
     known = results["tests"].get(workshop.digest, {})
     tests = [test for name in mutant.tests for test in workshop.find_tests(name) if known.get(test, True)]
-    failed = None
+    failed, built = None, 0
     workshop.put(mutant)
     try:
-        if not tests:
-            return "not run", "none of its tests passes without it"
-        if not workshop.make(tests):
-            # Of a test that does not build without the mutant either it is not the mutant's fault.
-            tests = [test for test in tests if workshop.make([test])]
-            if not tests:
-                return "not built", ""
+        # What a test needs is built when it is its turn: most mutants end with the first.
         for test in tests:
-            if not workshop.passes(test):
-                failed = test
-                break
+            if workshop.make([test]):
+                built += 1
+                if not workshop.passes(test):
+                    failed = test
+                    break
     finally:
         workshop.put_back(mutant)
+    if not built:
+        return ("not built", "") if tests else ("not run", "none of its tests passes without it")
     if failed and is_sound(workshop, failed, results):
         return "killed", f"by {failed}"
     if failed:

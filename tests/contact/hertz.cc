@@ -253,6 +253,10 @@ namespace
                 circle.approach(hertz_force) / approach,
                 1.,
                 1e-7);
+    check_close("modulus of steel on bronze, 1/E* = 0.9159/206000 + 0.8844/110000",
+                1. / contact_modulus(206000., 0.29, 110000., 0.34),
+                0.9159 / 206000. + 0.8844 / 110000.,
+                1e-19);
     // Code_Aster's numbers are rounded.
     check_close("SSNV104, pressure [MPa]", hertz_peak, 279.833, 6e-4);
     check_close("SSNV104, force [N]", hertz_force, 586.08, 6e-3);

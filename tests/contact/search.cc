@@ -209,10 +209,35 @@ namespace
     check("smallest gap, out of reach",
           std::isinf(contact.smallest_gap(slave.motion(), master.motion(), 0.6).gap));
   }
+  /** Straight towards each other from 0.2 mm on after a single wide search: a point that sleeps is
+   * awake when its gap closes. */
+  void check_approach()
+  {
+    MovingSurface slave(plane(1, 1, -0.5, 0.5, 1.5, 2.5, 0., true)),
+      master(plane(2, 2, -1., 1., 1., 3., 0.));
+    ContactOptions options = with_penalty(1e5);
+    options.surface        = ContactSurfaceKind::flat_facets;
+    options.edge_fading    = 0.;
+    Contact      contact(slave.surface, master.surface, options);
+    unsigned int wrong = 0;
+    for (int i = 100; i >= -5; --i)
+      {
+        RigidMotion motion;
+        motion.translation[2] = 2e-3 * (i - 0.5);
+        slave.place(motion);
+        if (i == 100)
+          contact.find_candidates(slave.body, master.body, 0.5);
+        slave.clear_forces();
+        add_forces(contact, slave, master);
+        wrong += (slave.force()[2] > 0.) != (i <= 0);
+      }
+    check("straight approach: pressed from the first overlap on", wrong == 0);
+  }
 } // namespace
 
 int main()
 {
+  check_approach();
   FacetSurface master = sphere_patch(50., 0.25, 16), slave = sphere_patch_down(30., 0.15, 12);
   check_random_sliding("one group", slave, master, 30.);
   check_random_sliding("groups", grouped(slave, 12, 3), grouped(master, 16, 4), 30.);

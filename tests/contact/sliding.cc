@@ -166,9 +166,10 @@ namespace
             slope_step         = largest_of(slope_step, std::abs(force - last - last_slope) / full);
             last_slope         = force - last;
             last               = force;
-            // Area, energy and pressure fade as the force does, the depth does not.
+            // Area, energy and pressure fade as the force does, the depth does not; the slope of
+            // the energy pushes the slave outwards.
             const double t    = std::clamp((1. - motion.translation[0]) / 0.15, 0., 1.),
-                         part = t * t * (3. - 2. * t);
+                         part = t * t * (3. - 2. * t), slope = 6. * t * (1. - t) / 0.15;
             if (fading && part > 0.)
               {
                 const GroupPairResult &result = contact.results().at(0);
@@ -177,7 +178,8 @@ namespace
                                                             std::abs(result.energy / (0.5 * 0.01 * full) - part),
                                                             std::abs(result.largest_pressure / (penalty * 0.01) - part),
                                                             std::abs(result.largest_penetration / 0.01 - 1.),
-                                                            std::abs(result.normal_force / full - part)});
+                                                            std::abs(result.normal_force / full - part),
+                                                            std::abs(slave.force()[0] / (0.5 * 0.01 * full) - slope)});
               }
             if (motion.translation[0] > 1. + 2e-3)
               none_beyond = none_beyond && force == 0.;

@@ -7,6 +7,8 @@
 
 #include <vfife/mesh/body_mesh.h>
 
+#include <algorithm>
+
 using namespace vfife;
 
 namespace
@@ -49,6 +51,7 @@ namespace
     double momentum = 0, sideways = 0, energy = 0, first_touch = -1, last_touch = -1, impulse = 0,
            plateau         = 0;
     unsigned int n_plateau = 0;
+    double       at_faces = 0, elsewhere = 0, largest_force = 0;
     double       velocity[2], scale_in_flight = 0, scale_at_touch = 0;
 
     auto observers = watch(1, [&](const State &state) {
@@ -67,6 +70,23 @@ namespace
         largest_of(energy,
                    std::abs(state.measured.energy.residual()) / (0.5 * mass * speed * speed));
       const double force = state.measured.contact_force;
+      // What observers get of the forces is contact alone: equal and opposite, at the faces.
+      for (unsigned int b = 0; b < 2; ++b)
+        {
+          const std::vector<unsigned int> &face = model.bodies[b].node_set(b == 0 ? "x+" : "x-");
+          double                           sum  = b == 0 ? force : -force;
+          for (const std::uint32_t i : state.partition->nodes(b))
+            {
+              const Vector3 f = state.contact_force.value(i);
+              sum += f[0];
+              if (!std::binary_search(face.begin(),
+                                      face.end(),
+                                      state.partition->global_node[i] - model.bodies[b].first_node))
+                elsewhere = largest_of(elsewhere, f.norm());
+            }
+          at_faces = largest_of(at_faces, std::abs(sum));
+        }
+      largest_force = largest_of(largest_force, force);
       if (first_touch < 0)
         (force > 0 ? scale_at_touch : scale_in_flight) = state.measured.energy.scale;
       if (force > 0)
@@ -107,6 +127,10 @@ namespace
     check_close("contact begins, in steps", (first_touch - meeting) / run.state.dt, 0., 1.5);
     // Ends when the reflected front is back, blurred by three cells in 40 on the way.
     check_close("contact ends, in wave times", (last_touch - meeting) / wave, 1., 0.08);
+    check_below("contact force of the nodes of the faces less its sum, over its largest",
+                at_faces / largest_force,
+                1e-9);
+    check_below("contact force of other nodes, over its largest", elsewhere / largest_force, 1e-9);
     const ContactLosses &losses = run.solver.contact_losses();
     check_close("contact is lost one step after the last touch",
                 (losses.first - last_touch) / run.state.dt,

@@ -58,4 +58,20 @@ int main(int argc, char **argv)
               1.,
               0.01);
   check("contact has ended", run.state.measured.contact_force == 0);
+
+  // At rest at a depth d within the exponential part: the energy of the law at four nodes.
+  const double depth = 0.5 * ExponentialLaw::depth;
+  for (const std::uint32_t i : run.state.partition->nodes())
+    {
+      Vector3 place = model.bodies[0].node_positions()[run.state.partition->global_node[i]];
+      place[0] += wall.point[0] - depth;
+      run.state.position.set(i, place);
+    }
+  run.solver.measure_at_rest(run.state);
+  std::vector<PressedPoint> corners(4, {depth, penalty * width * width / 4});
+  ExponentialLaw(wall.penalty).evaluate(corners);
+  check_close("at rest: energy of the contact over that of the law",
+              run.state.measured.energy.contact / (4 * corners[0].energy),
+              1.,
+              1e-9);
 }

@@ -62,6 +62,14 @@ int main()
   // det J is least at the upper corners: (1/2) (1/2) (3/2).
   check_close("least Jacobian of a frustum", compute_least_jacobian(frustum), 0.375, 1e-13);
 
+  // Twisted so that det J is less at an integration point (by other software) than at any corner,
+  // where it is a third more at least.
+  HexahedronNodes twisted;
+  twisted << -2., 0., -0.5, 1.5, 0., 1.5, -2., 0., //
+    0., -1.5, 1., 0.5, -1.5, 0., 0.5, 1.5,         //
+    -0.5, -1.5, -1., 0., 0., 1.5, 1.5, 1.;
+  check_close("least Jacobian inside", compute_least_jacobian(twisted), 0.5756872293885554, 1e-13);
+
   HexahedronNodes folded = frustum;
   folded.col(7)          = Vector3(-0.8, -0.8, 0.5);
   check("a folded element has a negative Jacobian", compute_least_jacobian(folded) < 0.);

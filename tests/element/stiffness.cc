@@ -213,6 +213,21 @@ int main()
   stress[4] = 2.;
   check_close("von Mises stress of shear", von_mises(stress), 2. * std::sqrt(3.), 1e-14);
 
+  // A stress with all six components, xx yy zz xy yz zx, in axes that are turned: a_i . sigma a_j.
+  Matrix3 tensor;
+  tensor << 1., 4., 6., 4., 2., 5., 6., 5., 3.;
+  const Matrix3 axes = (Eigen::AngleAxisd(0.7, Vector3(1., 2., 2.) / 3.)).toRotationMatrix();
+  for (unsigned int c = 0; c < 6; ++c)
+    stress[c] = c + 1.;
+  const Stress turned = turn_stress(stress, axes);
+  double       error  = 0.;
+  for (unsigned int c = 0; c < 6; ++c)
+    {
+      const unsigned int i = c % 3, j = c < 3 ? i : (i + 1) % 3;
+      error = largest_of(error, std::abs(turned[c] - axes.col(i).dot(tensor * axes.col(j))));
+    }
+  check_below("a turned stress, component by component", error, 1e-13);
+
   Samples         samples;
   HexahedronNodes folded = samples.hexahedron({1., 1., 1.}, 0.);
   folded.row(0) *= -1.;
