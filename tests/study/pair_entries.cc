@@ -224,6 +224,13 @@ subsection Benchmark
                     1e-12);
       }
 
+    // A row of teeth.csv for each pair of teeth that touches.
+    const std::vector<double> times = read_columns("pair_figures/teeth.csv").at("time");
+    bool                      same  = true;
+    for (std::size_t i = 0; i < history["time"].size(); ++i)
+      same = same && std::count(times.begin(), times.end(), history["time"][i]) ==
+                       std::lround(history["teeth in contact"][i]);
+    check("teeth in contact: rows of teeth.csv", same);
     // The ledger's last state beside the last sample, which is the last step.
     check_close("energy: strain [mJ]",
                 value("energy", "strain") / history["strain energy"].back(),
