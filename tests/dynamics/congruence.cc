@@ -184,10 +184,10 @@ namespace
     Model model;
     Body  bar("bar", make_block(Vector3(L, H, H), {{n, 1, 1}}), material);
     bar.placement.rotation = rotation_about(Vector3::UnitZ(), 0.7);
-    bar.placement.translation =
-      Vector3(5, 6, 7) + bar.placement.rotation * Vector3(0, -H / 2, -H / 2);
-    bar.axis.point = Vector3(5, 6, 7);
-    bar.rate       = 3000;
+    const Vector3 end(5, 6, 7); // the middle of the held end
+    bar.placement.translation = end + bar.placement.rotation * Vector3(0, -H / 2, -H / 2);
+    bar.axis.point            = end - Vector3(0, 0, 50); // any point of the axis
+    bar.rate                  = 3000;
     model.add_body(std::move(bar));
     model.constraints.push_back({"end", ConstraintKind::held, 0, model.bodies[0].node_set("x-")});
     OneSolver         run(model, undamped());
@@ -211,8 +211,7 @@ namespace
                         (run.state.node_position(run.state.partition->local_node[node]) -
                          model.bodies[0].placement(model.bodies[0].node_positions()[node]))
                           .norm());
-    const Vector3 way =
-      model.bodies[0].placement.rotation.transpose() * (tip - model.bodies[0].axis.point);
+    const Vector3 way = model.bodies[0].placement.rotation.transpose() * (tip - end);
 
     // The lumped bar: X_j = h sin(j t)/(cos(n t) sin t) with 2 (1 - cos t) = (k h)^2.
     const double k      = 3000 * std::sqrt(material.density / material.youngs_modulus);
