@@ -209,8 +209,8 @@ namespace
     check("smallest gap, out of reach",
           std::isinf(contact.smallest_gap(slave.motion(), master.motion(), 0.6).gap));
   }
-  /** Straight towards each other from 0.2 mm on after a single wide search: a point that sleeps is
-   * awake when its gap closes. */
+  /** Straight towards each other from 0.05 mm on, less than the skin of the wide search: a point
+   * that sleeps is awake when its gap closes. */
   void check_approach()
   {
     MovingSurface slave(plane(1, 1, -0.5, 0.5, 1.5, 2.5, 0., true)),
@@ -223,7 +223,7 @@ namespace
     for (int i = 100; i >= -5; --i)
       {
         RigidMotion motion;
-        motion.translation[2] = 2e-3 * (i - 0.5);
+        motion.translation[2] = 5e-4 * (i - 0.5);
         slave.place(motion);
         if (i == 100)
           contact.find_candidates(slave.body, master.body, 0.5);
