@@ -178,9 +178,9 @@ int main()
   check_edges("short pinion", short_pair, MeshSide::drive, .06);
   const PairContact short_contact(short_pair, MeshSide::drive);
   check_close("short pinion: one pair of teeth carries alone [arcsec]",
-              short_contact.least_lag(.2) / arcsecond,
+              short_contact.least_lag(-.2) / arcsecond,
               LimitedFlanks(short_pair, MeshSide::drive)
-                  .least_lag(short_contact.flanks().reference() +
+                  .least_lag(short_contact.flanks().reference() -
                              .2 * short_contact.flanks().pitch()) /
                 arcsecond,
               .02);
