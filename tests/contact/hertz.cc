@@ -271,6 +271,21 @@ namespace
     // Figures of the reference pair, given with four digits.
     const HertzContact teeth(Vector2(4.0749e-4, 6.0966e-2), 112460.);
     check_close("tooth pair, major semi-axis [mm]", teeth.semi_axes(8881.)[0], 8.67, 0.01);
+    // Both surfaces give way in the middle by int p/(pi E* r) dA, p = p0 sqrt(1 - r^2/R^2) up to
+    // the ellipse's radius R(phi): p0/(4 E*) int R dphi.
+    const Vector2          ellipse_axes = teeth.semi_axes(8881.);
+    constexpr unsigned int n_angles     = 4000;
+    double                 radii        = 0.;
+    for (unsigned int i = 0; i < n_angles; ++i)
+      {
+        const double phi = 2. * pi * i / n_angles;
+        radii += 2. * pi / n_angles /
+                 std::hypot(std::cos(phi) / ellipse_axes[0], std::sin(phi) / ellipse_axes[1]);
+      }
+    check_close("tooth pair, approach over that of its pressures",
+                teeth.approach(8881.) / (teeth.largest_pressure(8881.) / (4. * 112460.) * radii),
+                1.,
+                1e-9);
     check_close("tooth pair, minor semi-axis [mm]", teeth.semi_axes(8881.)[1], 0.377, 0.001);
     check_close("tooth pair, pressure [MPa]", teeth.largest_pressure(8881.), 1296., 2.);
   }
