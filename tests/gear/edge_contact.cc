@@ -185,6 +185,21 @@ int main()
                 arcsecond,
               .02);
 
+  // At the ends of its path the pair a pitch nearer to the middle carries.
+  const ContactAnalysis short_analysis =
+    analyse_contact(short_pair, MeshSide::drive, ContactAnalysisOptions());
+  for (const unsigned int end : {0u, 1u})
+    {
+      const PathEnd &here = short_analysis.ends[end];
+      const double   rot1 = short_contact.flanks().reference() +
+                          (here.place + (end == 0 ? 1. : -1.)) * short_contact.flanks().pitch();
+      check_close("short pinion, " + here.border + ": approach before it carries [arcsec]",
+                  here.approach / arcsecond,
+                  (here.lag - LimitedFlanks(short_pair, MeshSide::drive).least_lag(rot1)) /
+                    arcsecond,
+                  .01);
+    }
+
   // misaligned so far that the path leaves the flanks before the next pair takes over
   GearPairOptions options    = paper::options();
   options.pinion_axial_shift = .1;
