@@ -150,6 +150,15 @@ namespace
     sweep_speeds(model, exact_run(100, 10, 64), sweep, table);
     const std::vector<double> &swing = table.numbers("peak to peak dte"),
                               &speed = table.numbers("speed"), &apart = table.numbers("time apart");
+    // The same speeds up and down, in equal steps of the tooth mesh's frequency.
+    double steps = 0;
+    for (std::size_t i = 0; i < 36; ++i)
+      for (const std::size_t row : {i, 71 - i})
+        steps =
+          largest_of({steps,
+                      std::abs(speed[row] * pi / 30 * 27 / w - (.7 + .35 * i / 35)),
+                      std::abs(table.numbers("mesh frequency")[row] / (speed[row] * 27 / 60) - 1)});
+    check_below("speeds up and down, over the swing's", steps, 1e-12);
     double      largest = 0;
     std::size_t at      = 0;
     for (std::size_t i = 0; i < 36; ++i)
