@@ -225,12 +225,22 @@ subsection Benchmark
       }
 
     // A row of teeth.csv for each pair of teeth that touches.
-    const std::vector<double> times = read_columns("pair_figures/teeth.csv").at("time");
-    bool                      same  = true;
+    auto                       teeth = read_columns("pair_figures/teeth.csv");
+    const std::vector<double> &times = teeth["time"], &pressures = teeth["largest pressure"];
+    bool                       same = true;
     for (std::size_t i = 0; i < history["time"].size(); ++i)
       same = same && std::count(times.begin(), times.end(), history["time"][i]) ==
                        std::lround(history["teeth in contact"][i]);
     check("teeth in contact: rows of teeth.csv", same);
+    // Teeth that come into mesh beside one that carries: each has a pressure of its own.
+    bool own = true, beside = false;
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (times[i] == times[i - 1])
+        {
+          own    = own && pressures[i] != pressures[i - 1];
+          beside = true;
+        }
+    check("teeth beside each other: pressures of their own", own && beside);
     // The ledger's last state beside the last sample, which is the last step.
     check_close("energy: strain [mJ]",
                 value("energy", "strain") / history["strain energy"].back(),
