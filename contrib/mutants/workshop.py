@@ -74,7 +74,7 @@ class Workshop:
             output, _ = process.communicate(timeout=limit)
             code = process.returncode
         except BaseException as error:
-            os.killpg(process.pid, signal.SIGTERM)
+            os.killpg(process.pid, signal.SIGKILL)
             output, _ = process.communicate()
             if not isinstance(error, subprocess.TimeoutExpired):
                 raise
