@@ -303,6 +303,14 @@ namespace vfife
   }
 
 
+  bool Contact::has_restored_anchors() const
+  {
+    return std::any_of(passes_.begin(), passes_.end(), [](const ContactPass &pass) {
+      return pass.has_restored_anchors();
+    });
+  }
+
+
   bool Contact::has_place(const AnchorOfPoint &of_point) const
   {
     const ContactAnchor &anchor = of_point.anchor;

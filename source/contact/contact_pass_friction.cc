@@ -102,6 +102,8 @@ namespace vfife
   void ContactPass::append_anchors(const unsigned int          pass,
                                    std::vector<AnchorOfPoint> &anchors) const
   {
+    // Before the first forces of a run that goes on the points have none yet.
+    anchors.insert(anchors.end(), restored_.begin(), restored_.end());
     for (const Pair &pair : pairs_)
       append_anchors(pass, pair, anchors);
   }
@@ -110,6 +112,12 @@ namespace vfife
   void ContactPass::restore_anchors(const std::vector<AnchorOfPoint> &anchors)
   {
     restored_ = anchors;
+  }
+
+
+  bool ContactPass::has_restored_anchors() const
+  {
+    return !restored_.empty();
   }
 
 

@@ -7,7 +7,6 @@
 #include <vfife/base/text/number_text.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/study/case_runner.h>
-#include <vfife/study/continuation.h>
 
 #include <filesystem>
 #include <ostream>
@@ -82,11 +81,8 @@ namespace vfife
           CommandLine before;
           before.parameter_file = line.output_folder + "/parameters.prm";
           const CaseFile now    = read(line);
-          if (has_results(line.output_folder, now.last_file))
-            {
-              refuse_changes(read(before).entries, now.entries);
-              finished = true;
-            }
+          finished =
+            has_results(line.output_folder, now.last_file) && read(before).entries == now.entries;
         }
       catch (const InputError &)
         {

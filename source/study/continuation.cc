@@ -1,51 +1,100 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/study/continuation.h>
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace vfife
 {
-  void refuse_changes(const EntryValues              &before,
-                      const EntryValues              &now,
-                      const std::vector<std::string> &changeable)
+  namespace
   {
-    const std::map<std::string, std::string> old(before.begin(), before.end());
-    const std::map<std::string, std::string> fresh(now.begin(), now.end());
-    const auto text = [](const auto &values, const std::string &entry) {
-      const auto found = values.find(entry);
-      return found == values.end() ? "not there" : "\"" + found->second + "\"";
+    /** An entry as the run was begun with it, and as it is now. */
+    struct BothTexts
+    {
+      std::optional<std::string> before, now; ///< none: there is no such entry
+      bool                       was_set = true;
+      std::string                default_now;
     };
 
-    // Entries of both: one that either has alone has changed as well. All are named at once, as a
-    // user would mend them at once.
-    std::map<std::string, std::string> all = old;
-    all.insert(fresh.begin(), fresh.end());
-    std::vector<InputError> errors;
-    for (const auto &entry : all)
-      {
-        const std::string &name = entry.first;
-        const bool         may_change =
-          std::find(changeable.begin(), changeable.end(), name) != changeable.end();
-        if (!may_change && text(old, name) != text(fresh, name))
-          errors.emplace_back(name,
-                              "is " + text(fresh, name) + ", but the run was begun with " +
-                                text(old, name) +
-                                (changeable.empty() ? ""
-                                                    : "; a run that goes on may change only " +
-                                                        list_of(changeable, true)));
-      }
-    if (errors.size() == 1)
-      throw InputError(errors.front());
-    if (!errors.empty())
-      throw InputErrors(errors);
-  }
+    std::map<std::string, BothTexts> put_together(const Checkpoint      &checkpoint,
+                                                  const DeclaredSection &now)
+    {
+      const std::set<std::string>      set(checkpoint.set_parameters.begin(),
+                                      checkpoint.set_parameters.end());
+      std::map<std::string, BothTexts> entries;
+      for (const auto &[path, text] : checkpoint.parameters)
+        {
+          entries[path].before  = text;
+          entries[path].was_set = set.count(path) > 0;
+        }
+      for (const auto &[path, text] : now.list_values())
+        entries[path].now = text;
+      for (const auto &[path, text] : now.list_defaults())
+        entries[path].default_now = text;
+      return entries;
+    }
+
+    /** What is wrong with an entry for a run that goes on; empty: nothing. */
+    std::string find_change(const BothTexts &entry, const std::vector<std::string> &changeable)
+    {
+      const auto quoted = [](const std::string &text) { return "\"" + text + "\""; };
+      if (!entry.before)
+        return *entry.now == entry.default_now ? ""
+                                               : "is " + quoted(*entry.now) +
+                                                   ", but the run was begun without this entry: it "
+                                                   "goes on with the default only, " +
+                                                   quoted(entry.default_now);
+      if (!entry.now)
+        return !entry.was_set ? ""
+                              : "the run was begun with " + quoted(*entry.before) +
+                                  ", but there is no such entry now";
+      return *entry.before == *entry.now
+               ? ""
+               : "is " + quoted(*entry.now) + ", but the run was begun with " +
+                   quoted(*entry.before) + "; a run that goes on may change only " +
+                   list_of(changeable, true);
+    }
+
+    void refuse_changes(const DeclaredSection          &now,
+                        const std::vector<std::string> &changeable,
+                        Checkpoint                     &checkpoint)
+    {
+      // All are named at once, as a user would mend them at once.
+      std::vector<InputError>  errors;
+      std::vector<std::string> younger, gone;
+      for (const auto &[path, entry] : put_together(checkpoint, now))
+        {
+          if (std::find(changeable.begin(), changeable.end(), path) != changeable.end())
+            continue;
+          const std::string change = find_change(entry, changeable);
+          if (!change.empty())
+            errors.emplace_back(path, change);
+          else if (!entry.before)
+            younger.push_back(path);
+          else if (!entry.now)
+            gone.push_back(path);
+        }
+      if (errors.size() == 1)
+        throw InputError(errors.front());
+      if (!errors.empty())
+        throw InputErrors(errors);
+      if (!younger.empty())
+        checkpoint.remarks.push_back("not known when the run was begun, at the default: " +
+                                     list_of(younger));
+      if (!gone.empty())
+        checkpoint.remarks.push_back("at the default when the run was begun, not known now: " +
+                                     list_of(gone));
+    }
+  } // namespace
 
   Checkpoint find_checkpoint(const std::string              &folder,
-                             const EntryValues              &now,
+                             const DeclaredSection          &now,
                              const std::vector<std::string> &changeable,
                              const Communicator             &communicator,
                              Log                            &log)
@@ -53,7 +102,7 @@ namespace vfife
     // The entries that the checkpoint holds are those the run was begun with, whatever file stands
     // in the folder now.
     Checkpoint checkpoint = read_checkpoint(folder, communicator, log);
-    refuse_changes(checkpoint.parameters, now, changeable);
+    refuse_changes(now, changeable, checkpoint);
     return checkpoint;
   }
 } // namespace vfife

@@ -93,7 +93,7 @@ namespace vfife
                                                                   : command_line.output_folder;
       std::optional<std::size_t> log_size;
       if (command_line.restart)
-        log_size = study->resume(path, find_declared(prm).list_values(), communicator, log);
+        log_size = study->resume(path, find_declared(prm), communicator, log);
       OutputFolder folder(path, communicator);
       remove_last_files(folder);
       folder.attach_log(log, log_size);

@@ -5,7 +5,7 @@
 namespace vfife
 {
   std::size_t
-  StudyKind::resume(const std::string &, const EntryValues &, const Communicator &, Log &)
+  StudyKind::resume(const std::string &, const DeclaredSection &, const Communicator &, Log &)
   {
     throw InputError("Study/kind",
                      "--restart is for kinds run, sweep and compare: this one has no checkpoints");

@@ -66,6 +66,22 @@ namespace
     ByteStream   from_short(short_one.bytes());
     from_short.pass_record(longer);
     check("a record of before", longer.one == 5 && longer.two == 6 && longer.three == 30);
+    std::vector<Record>       records(2, record);
+    std::vector<LongerRecord> longer_ones;
+    ByteStream                several;
+    several.pass_records(records);
+    ByteStream from_several(several.bytes());
+    from_several.pass_records(longer_ones);
+    from_several.finish();
+    check("records of before",
+          longer_ones.size() == 2 && longer_ones[1].one == 5 && longer_ones[1].two == 6 &&
+            longer_ones[1].three == 30);
+    ByteStream longer_several;
+    longer_several.pass_records(longer_ones);
+    refuse([&] {
+      ByteStream from_longer(longer_several.bytes());
+      from_longer.pass_records(records);
+    });
     ByteStream long_one;
     long_one.pass_record(longer);
     refuse([&] {

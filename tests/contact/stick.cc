@@ -204,6 +204,14 @@ namespace
       }
     Plates resumed;
     resumed.contact.restore_anchors(anchors);
+    // Before the first forces they are a checkpoint again.
+    check("anchors that are not used yet are kept",
+          !anchors.empty() && resumed.contact.has_restored_anchors() &&
+            resumed.contact.anchors().size() == anchors.size());
+    AnchorOfPoint other = anchors.front();
+    other.anchor.facet += 1000;
+    check("anchors of these surfaces and of others",
+          resumed.contact.has_place(anchors.front()) && !resumed.contact.has_place(other));
     const Vector3 on(4.8 * elastic_limit, 0.1 * elastic_limit, 0.);
     const Vector3 expected = whole.move(on);
     check_close("shares of two ranks",
@@ -214,6 +222,7 @@ namespace
                 (resumed.move(on) - expected).norm(),
                 0.,
                 1e-9);
+    check("they are used", !resumed.contact.has_restored_anchors());
     check("they pull", expected.head<2>().norm() > 0.5 * mu * normal_force);
 
     // 2. Held: the same place has the same force, whatever was looked at before, and lets nothing

@@ -162,8 +162,12 @@ namespace vfife
     /** Whether points that slide take their anchors along (as it is at first), see FrictionMode. */
     void set_friction_mode(FrictionMode mode);
 
-    /** Where the points of this rank stick. */
+    /** Where the points of this rank stick; those of all ranks from restore_anchors() on until
+     * add_forces() uses them. */
     std::vector<AnchorOfPoint> anchors() const;
+
+    /** Whether the anchors are still those of restore_anchors(). */
+    bool has_restored_anchors() const;
 
     /** Whether there is such a place: what a checkpoint holds must be looked at. */
     bool has_place(const AnchorOfPoint &anchor) const;

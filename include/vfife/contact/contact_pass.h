@@ -77,6 +77,7 @@ namespace vfife
     void set_friction_mode(FrictionMode mode);
     void append_anchors(unsigned int pass, std::vector<AnchorOfPoint> &anchors) const;
     void restore_anchors(const std::vector<AnchorOfPoint> &anchors);
+    bool has_restored_anchors() const;
     /** See Contact::place; the slave's undeformed frame into the master's. */
     void place(const RigidMotion &slave_to_master);
 
@@ -199,8 +200,7 @@ namespace vfife
     void find_gaps(Pair &pair);
     bool
     locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);
-    /** For a point that does not touch; @p located: its projection is known. */
-    void open(Pair &pair, unsigned int i, bool located);
+    void open(Pair &pair, unsigned int i, bool located); ///< located: its projection is known
     /** Friction force on the slave [N]. */
     Vector3 stick(const Projection         &p,
                   const Vector3            &normal,

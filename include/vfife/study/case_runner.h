@@ -2,9 +2,8 @@
 #ifndef vfife_study_case_runner_h
 #define vfife_study_case_runner_h
 
-#include <vfife/study/continuation.h>
-
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vfife
@@ -12,6 +11,9 @@ namespace vfife
   struct CommandLine;
   class Communicator;
   class Log;
+
+  /** Entries by path ("A/B/name") with their values as texts. */
+  using EntryValues = std::vector<std::pair<std::string, std::string>>;
 
   /** What has become of a case that a study does with others. */
   enum class Outcome

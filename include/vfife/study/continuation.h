@@ -3,7 +3,6 @@
 #define vfife_study_continuation_h
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vfife
@@ -11,23 +10,17 @@ namespace vfife
   class Communicator;
   class Log;
   struct Checkpoint;
-
-  /** Entries by path ("A/B/name") with their values as texts. */
-  using EntryValues = std::vector<std::pair<std::string, std::string>>;
+  struct DeclaredSection;
 
   /**
-   * Throws InputErrors naming every entry whose value differs from the one the run was begun with,
-   * with both values, but for those that are @p changeable.
+   * The last usable checkpoint in @p folder, of a run with the parameters @p now but for
+   * @p changeable ones. An entry that either has alone, since the run was begun by another version
+   * of the program, passes at its default and is among the remarks. Throws InputError when
+   * there is no checkpoint, and InputErrors naming every other entry that has changed, with both
+   * values. Collective.
    */
-  void refuse_changes(const EntryValues              &before,
-                      const EntryValues              &now,
-                      const std::vector<std::string> &changeable = {});
-
-  /** The last usable checkpoint in @p folder, of a run with the parameters @p now but for
-   * @p changeable ones. Throws InputError when there is none or other parameters have changed.
-   * Collective. */
   Checkpoint find_checkpoint(const std::string              &folder,
-                             const EntryValues              &now,
+                             const DeclaredSection          &now,
                              const std::vector<std::string> &changeable,
                              const Communicator             &communicator,
                              Log                            &log);

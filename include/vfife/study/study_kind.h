@@ -2,7 +2,8 @@
 #ifndef vfife_study_study_kind_h
 #define vfife_study_study_kind_h
 
-#include <vfife/study/continuation.h>
+#include <cstddef>
+#include <string>
 
 namespace dealii
 {
@@ -12,6 +13,7 @@ namespace dealii
 namespace vfife
 {
   class Communicator;
+  struct DeclaredSection;
   class Log;
   class OutputFolder;
   class ParameterFile;
@@ -38,10 +40,10 @@ namespace vfife
      * left in @p folder. Returns how many bytes of run.log are kept. Throws InputError for kinds
      * that cannot resume, and where there is nothing to resume. Collective.
      */
-    virtual std::size_t resume(const std::string  &folder,
-                               const EntryValues  &now,
-                               const Communicator &communicator,
-                               Log                &log);
+    virtual std::size_t resume(const std::string     &folder,
+                               const DeclaredSection &now,
+                               const Communicator    &communicator,
+                               Log                   &log);
 
     /** Does it and writes the results. */
     virtual void run(OutputFolder &folder, Log &log) = 0;

@@ -78,15 +78,27 @@ namespace vfife
   std::vector<std::pair<std::string, std::string>>
   DeclaredSection::list_values(const std::string &path) const
   {
+    return list_texts(&Entry::value, path);
+  }
+
+  std::vector<std::pair<std::string, std::string>>
+  DeclaredSection::list_defaults(const std::string &path) const
+  {
+    return list_texts(&Entry::default_value, path);
+  }
+
+  std::vector<std::pair<std::string, std::string>>
+  DeclaredSection::list_texts(std::string Entry::*const text, const std::string &path) const
+  {
     // Depth first, the entries of a section before those of the sections inside it.
     const std::string                                inside = path.empty() ? "" : path + "/";
-    std::vector<std::pair<std::string, std::string>> values;
+    std::vector<std::pair<std::string, std::string>> texts;
     for (const Entry &entry : entries)
-      values.emplace_back(inside + entry.name, entry.value);
+      texts.emplace_back(inside + entry.name, entry.*text);
     for (const DeclaredSection &section : sections)
-      for (auto &value : section.list_values(inside + section.name))
-        values.push_back(std::move(value));
-    return values;
+      for (auto &below : section.list_texts(text, inside + section.name))
+        texts.push_back(std::move(below));
+    return texts;
   }
 
   std::vector<std::string> DeclaredSection::section_names() const

@@ -140,15 +140,16 @@ namespace vfife
   {
     for (const auto &pair : pairs_)
       {
-        std::vector<AnchorOfPoint> anchors;
-        if (!stream.reads())
-          anchors = communicator_.all_gather(pair->contact.anchors());
-        stream.pass(anchors);
-        if (!stream.reads())
-          continue;
+        Contact                   &contact = pair->contact;
+        std::vector<AnchorOfPoint> anchors = contact.anchors();
+        // Of a run that has just gone on each rank has those of all.
+        if (!stream.reads() && !contact.has_restored_anchors())
+          anchors = communicator_.all_gather(anchors);
+        stream.pass_records(anchors);
         for (const AnchorOfPoint &anchor : anchors)
-          stream.require(pair->contact.has_place(anchor), "friction at a place that is not there");
-        pair->contact.restore_anchors(anchors);
+          stream.require(contact.has_place(anchor), "friction at a place that is not there");
+        if (stream.reads())
+          contact.restore_anchors(anchors);
       }
   }
 

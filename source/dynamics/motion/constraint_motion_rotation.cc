@@ -162,7 +162,7 @@ namespace vfife
             }
         if (!stream.reads())
           communicator_.sum(angles);
-        stream.pass(angles);
+        stream.pass_known(angles);
         for (Node &node : group.nodes)
           {
             node.angle = place(node)[0];

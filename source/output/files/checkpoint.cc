@@ -51,6 +51,13 @@ namespace vfife
       stream.pass_required_part("origin", [&](ByteStream &part) {
         part.pass(checkpoint.version, checkpoint.parameters, checkpoint.log_size);
       });
+      const bool knows_defaults = stream.pass_part("set parameters", [&](ByteStream &part) {
+        part.pass(checkpoint.set_parameters);
+      });
+      // Where nothing is known of defaults, any parameter may have been set.
+      if (!knows_defaults)
+        for (const auto &[path, value] : checkpoint.parameters)
+          checkpoint.set_parameters.push_back(path);
       stream.pass_required_part("run", [&](ByteStream &part) {
         part.pass(checkpoint.common, checkpoint.own);
       });
@@ -125,6 +132,11 @@ namespace vfife
     };
   } // namespace
 
+  std::string present_version()
+  {
+    return std::string(program_version()) + " (" + program_revision() + ")";
+  }
+
   std::string data_of(const Checkpoint &checkpoint)
   {
     return "the data in \"" + checkpoint.file + "\"";
@@ -142,10 +154,11 @@ namespace vfife
     checkpoint.own = folder.communicator().all_gather(own);
     if (!folder.is_writer())
       return;
-    checkpoint.version    = std::string(program_version()) + " (" + program_revision() + ")";
-    checkpoint.parameters = folder.parameters();
-    checkpoint.log_size   = folder.log_size();
-    checkpoint.common     = common;
+    checkpoint.version        = present_version();
+    checkpoint.parameters     = folder.parameters();
+    checkpoint.set_parameters = folder.set_parameters();
+    checkpoint.log_size       = folder.log_size();
+    checkpoint.common         = common;
     ByteStream stream;
     serialize(stream, checkpoint);
     Header header;

@@ -184,6 +184,11 @@ namespace vfife
     const DeclaredSection declared = find_declared(prm);
     parameters_                    = declared.list_values();
     parameter_file_                = parameter_file;
+    const auto defaults            = declared.list_defaults();
+    set_parameters_.clear();
+    for (std::size_t i = 0; i < defaults.size(); ++i)
+      if (parameters_[i] != defaults[i])
+        set_parameters_.push_back(defaults[i].first);
     if (!is_writer())
       return;
     write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });

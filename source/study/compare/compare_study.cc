@@ -103,7 +103,7 @@ namespace vfife
       }
 
       std::size_t
-      resume(const std::string &, const EntryValues &, const Communicator &, Log &) override
+      resume(const std::string &, const DeclaredSection &, const Communicator &, Log &) override
       {
         return std::numeric_limits<std::size_t>::max(); // each case is looked at by itself, always
       }

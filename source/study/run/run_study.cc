@@ -13,6 +13,7 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/cases/run_plan.h>
+#include <vfife/study/continuation.h>
 #include <vfife/study/run/contact_width_watch.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_start.h>
@@ -80,10 +81,10 @@ namespace vfife
       }
 
       void        inspect(Communicator &communicator, Log &log) override;
-      std::size_t resume(const std::string  &folder,
-                         const EntryValues  &now,
-                         const Communicator &communicator,
-                         Log                &log) override
+      std::size_t resume(const std::string     &folder,
+                         const DeclaredSection &now,
+                         const Communicator    &communicator,
+                         Log                   &log) override
       {
         // What the log has beyond the checkpoint is written again by the steps that are repeated.
         checkpoint_ = find_checkpoint(folder, now, changeable_entries, communicator, log);

@@ -2,7 +2,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
-#include <vfife/base/process/revision.h>
 #include <vfife/base/process/run_signals.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
@@ -130,11 +129,14 @@ namespace vfife
   void Stepping::restore(const Checkpoint &checkpoint)
   {
     ByteStream common(checkpoint.common, data_of(checkpoint));
-    // With as many ranks as before each goes on with its own part, bit by bit; otherwise the state
-    // is divided anew and sums have another order.
-    const bool same_ranks = checkpoint.own.size() == communicator_.size();
-    ByteStream own(same_ranks ? checkpoint.own[communicator_.rank()] : "", data_of(checkpoint));
-    serialize(common, same_ranks ? &own : nullptr);
+    // With as many ranks of the same program as before each goes on with its own part, bit by bit.
+    // Otherwise the state is divided and contact searched for anew: what a rank knows is laid out
+    // as the program's version has it, and sums of other ranks have another order.
+    const bool same_ranks   = checkpoint.own.size() == communicator_.size();
+    const bool same_version = checkpoint.version == present_version();
+    const bool same         = same_ranks && same_version;
+    ByteStream own(same ? checkpoint.own[communicator_.rank()] : "", data_of(checkpoint));
+    serialize(common, same ? &own : nullptr);
     common.finish();
     own.finish();
     has_checkpoint_ = true;
@@ -143,14 +145,14 @@ namespace vfife
               "\" at ",
               where(state_),
               same_ranks ? "" : ", written by another number of ranks: agrees to round-off");
-    if (checkpoint.version != std::string(program_version()) + " (" + program_revision() + ")")
+    for (const std::string &remark : checkpoint.remarks)
+      log_.line(remark);
+    if (!same_version)
       log_.line("the checkpoint was written by version ",
                 checkpoint.version,
                 " of the program, this is ",
-                program_version(),
-                " (",
-                program_revision(),
-                ")");
+                present_version(),
+                ": agrees to round-off");
   }
 
   void Stepping::keep_snapshot()

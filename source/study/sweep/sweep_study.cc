@@ -54,7 +54,7 @@ namespace vfife
   }
 
   std::size_t
-  SweepStudy::resume(const std::string &, const EntryValues &, const Communicator &, Log &)
+  SweepStudy::resume(const std::string &, const DeclaredSection &, const Communicator &, Log &)
   {
     restart_ = true; // each run is looked at by itself
     return std::numeric_limits<std::size_t>::max();

@@ -44,10 +44,18 @@ namespace vfife
     std::vector<std::pair<std::string, std::string>>
     list_values(const std::string &path = "") const;
 
+    /** The same of their defaults, in the same order. */
+    std::vector<std::pair<std::string, std::string>>
+    list_defaults(const std::string &path = "") const;
+
     /** Paths ("A/B") of all sections at or below this one that have an entry of that name; @p path
      * leads here. */
     std::vector<std::string> sections_with_entry(const std::string &entry,
                                                  const std::string &path = "") const;
+
+  private:
+    std::vector<std::pair<std::string, std::string>> list_texts(std::string Entry::*text,
+                                                                const std::string  &path) const;
   };
 
   /** Everything declared in @p prm, from its top level on. */

@@ -99,6 +99,21 @@ namespace vfife
       pass_bytes(&value, size);
     }
 
+    /** Passes such structs of any number, with their size once. */
+    template <typename Value>
+    void pass_records(std::vector<Value> &values)
+    {
+      static_assert(std::is_trivially_copyable<Value>::value, "plain numbers only");
+      std::size_t size = sizeof(Value);
+      pass(size);
+      require(size > 0, "records without bytes");
+      if (size > sizeof(Value))
+        refuse_newer();
+      value_size(values, size);
+      for (Value &value : values)
+        pass_bytes(&value, size);
+    }
+
     /**
      * Passes a part by its name: @p pass is called with a stream of that part alone. A stream
      * consists of parts or of values, not of both; parts are found in any order, parts that nobody

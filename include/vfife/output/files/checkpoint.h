@@ -21,9 +21,11 @@ namespace vfife
     std::string                                      file;       ///< read from; not stored
     std::string                                      version;    ///< of the program that wrote it
     std::vector<std::pair<std::string, std::string>> parameters; ///< in force, by path of the entry
-    std::size_t                                      log_size = 0; ///< bytes of run.log by then
-    std::string                                      common;       ///< for any number of ranks
-    std::vector<std::string>                         own;          ///< of each rank
+    std::vector<std::string> remarks;        ///< of who read it, for the log; not stored
+    std::vector<std::string> set_parameters; ///< paths of those that are not at their defaults
+    std::size_t              log_size = 0;   ///< bytes of run.log by then
+    std::string              common;         ///< for any number of ranks
+    std::vector<std::string> own;            ///< of each rank
   };
 
   /**
@@ -35,6 +37,9 @@ namespace vfife
                         const std::string  &common,
                         const std::string  &own,
                         bool                keeps_previous);
+
+  /** Checkpoint::version of what this program writes. */
+  std::string present_version();
 
   /** What messages call the data of a checkpoint. */
   std::string data_of(const Checkpoint &checkpoint);

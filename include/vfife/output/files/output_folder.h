@@ -77,6 +77,12 @@ namespace vfife
     {
       return parameters_;
     }
+
+    /** Paths of those that are not at their defaults. */
+    const std::vector<std::string> &set_parameters() const
+    {
+      return set_parameters_;
+    }
     /** The file that they were read from, as the command line named it. */
     const std::string &parameter_file() const
     {
@@ -99,6 +105,7 @@ namespace vfife
     Log                           *log_ = nullptr;
 
     std::vector<std::pair<std::string, std::string>> parameters_;
+    std::vector<std::string>                         set_parameters_;
     std::string                                      parameter_file_;
   };
 } // namespace vfife

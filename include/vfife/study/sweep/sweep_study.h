@@ -36,10 +36,10 @@ namespace vfife
     /** Reads the base case with the entries of every run. */
     void        check() const override;
     void        inspect(Communicator &communicator, Log &log) override;
-    std::size_t resume(const std::string  &folder,
-                       const EntryValues  &now,
-                       const Communicator &communicator,
-                       Log                &log) override;
+    std::size_t resume(const std::string     &folder,
+                       const DeclaredSection &now,
+                       const Communicator    &communicator,
+                       Log                   &log) override;
     void        run(OutputFolder &folder, Log &log) override;
 
   private:
