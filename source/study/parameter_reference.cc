@@ -161,7 +161,7 @@ namespace vfife
     const Part parts[] = {{"bodies", "Body", "mesh"},
                           {"constraints", "Constraint", "kind"},
                           {"loads", "Load", "kind"},
-                          {"contacts", "Contact", nullptr},
+                          {"contacts", "Contact", "kind"},
                           {"probes", "Probe", nullptr}};
 
     const char model_kinds[] = "run and static of a model";

@@ -1,5 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/shown_text.h>
 #include <vfife/mesh/hexahedron_corners.h>
 
 #include "file_mesh.h"
@@ -61,6 +63,33 @@ namespace vfife
       const std::vector<unsigned int> corners(element.begin(), element.end());
       return dealii::GridTools::cell_measure<3>(points, corners);
     }
+    /** Whether the face at place @p i of the sorted list is that of one element only. */
+    bool is_boundary(const std::vector<Face> &faces, const std::size_t i)
+    {
+      return (i == 0 || faces[i - 1].nodes != faces[i].nodes) &&
+             (i + 1 == faces.size() || faces[i + 1].nodes != faces[i].nodes);
+    }
+
+    /** Of each group the nodes of the boundary faces that are in it as a whole. */
+    FileMesh::Members collect_whole_faces(const std::vector<FileMesh::Group> &groups,
+                                          const std::vector<CellNodes>       &elements,
+                                          const std::size_t                   n_nodes)
+    {
+      const std::vector<Face> faces = collect_faces(elements);
+      FileMesh::Members       whole;
+      for (const FileMesh::Group &group : groups)
+        {
+          std::vector<bool> is_in(n_nodes, false);
+          for (const unsigned int node : group.members)
+            is_in[node] = true;
+          for (std::size_t i = 0; i < faces.size(); ++i)
+            if (const auto &nodes = faces[i].nodes;
+                is_boundary(faces, i) &&
+                std::all_of(nodes.begin(), nodes.end(), [&](auto node) { return is_in[node]; }))
+              whole[group.name].insert(whole[group.name].end(), nodes.begin(), nodes.end());
+        }
+      return whole;
+    }
   } // namespace
 
   void FileMesh::finish(Members sets, Members of_surfaces, Members of_elements)
@@ -103,6 +132,79 @@ namespace vfife
     hand_over(sets, node_sets);
     hand_over(of_surfaces, surfaces);
     hand_over(of_elements, regions);
+  }
+
+  std::string FileMesh::list_regions() const
+  {
+    std::vector<std::string> words;
+    for (const Group &region : regions)
+      {
+        words.push_back("\"" + shown(region.name) + "\"");
+        for (const auto &[number, name] : region_numbers)
+          if (name == region.name)
+            words.back() += " (" + std::to_string(number) + ")";
+      }
+    return list_of(words);
+  }
+
+  const FileMesh::Group &FileMesh::find_region(const std::string &path,
+                                               const std::string &wanted) const
+  {
+    // A name goes before a number: a region may be called "2".
+    const auto find = [this](const std::string &name) {
+      return std::find_if(regions.begin(), regions.end(), [&](const Group &region) {
+        return region.name == name;
+      });
+    };
+    auto found = find(wanted);
+    for (const auto &[number, name] : region_numbers)
+      if (found == regions.end() && std::to_string(number) == wanted)
+        found = find(name);
+    if (found == regions.end())
+      {
+        std::vector<std::string> names;
+        for (const Group &region : regions)
+          names.push_back(region.name);
+        throw InputError("regions",
+                         path + " has no region \"" + wanted + "\"; it has " + list_regions() +
+                           did_you_mean(wanted, names));
+      }
+    return *found;
+  }
+
+  void FileMesh::keep_regions(const std::string &path, const std::vector<std::string> &wanted)
+  {
+    // 1. The elements that stay, in their order, and their new numbers.
+    constexpr unsigned int    none = -1;
+    std::vector<unsigned int> index(elements.size(), none);
+    for (const std::string &name : wanted)
+      for (const unsigned int element : find_region(path, name).members)
+        index[element] = 0;
+    unsigned int n = 0;
+    for (unsigned int e = 0; e < elements.size(); ++e)
+      if (index[e] != none)
+        {
+          elements[n]      = elements[e];
+          element_lines[n] = element_lines[e];
+          index[e]         = n++;
+        }
+    elements.resize(n);
+    element_lines.resize(n);
+
+    // 2. The groups with what is left of them. Of a surface of the neighbour the region may have
+    // some nodes: only whole faces are its own.
+    Members sets, of_elements;
+    for (const Group &group : node_sets)
+      sets[group.name] = group.members;
+    const Members of_surfaces = collect_whole_faces(surfaces, elements, nodes.size());
+    for (const Group &group : regions)
+      for (const unsigned int element : group.members)
+        if (index[element] != none)
+          of_elements[group.name].push_back(index[element]);
+    node_sets.clear();
+    surfaces.clear();
+    regions.clear();
+    finish(sets, of_surfaces, of_elements);
   }
 
   void turn_inside_out(FileMesh &mesh)

@@ -21,17 +21,31 @@ namespace vfife
     /** Members of groups while they are read, by name. */
     using Members = std::map<std::string, std::vector<unsigned int>>;
 
-    std::vector<Vector3>      nodes;
-    std::vector<CellNodes>    elements;      ///< lexicographic
-    std::vector<unsigned int> element_lines; ///< of the file, for messages
-    std::vector<Group>        node_sets;     ///< of nodes
-    std::vector<Group>        surfaces;      ///< of the nodes of boundary faces
-    std::vector<Group>        regions;       ///< of elements
+    std::vector<Vector3>        nodes;
+    std::vector<CellNodes>      elements;       ///< lexicographic
+    std::vector<unsigned int>   element_lines;  ///< of the file, for messages
+    std::vector<Group>          node_sets;      ///< of nodes
+    std::vector<Group>          surfaces;       ///< of the nodes of boundary faces
+    std::vector<Group>          regions;        ///< of elements
+    std::map<long, std::string> region_numbers; ///< names of those that the file numbers
 
     /** Nodes in the order in which elements use them, without those that none uses (of shells,
      * reference points), and the groups made of these members, sorted: those without a name or
      * members go. */
     void finish(Members sets, Members of_surfaces, Members of_elements);
+
+    /**
+     * Leaves the elements of the regions @p wanted, names or numbers of the file, alone: as if the
+     * file had no others. Of node sets remain the nodes of these elements, of surfaces the whole
+     * faces on their boundary. Throws InputError of an entry "regions" for what is no region.
+     */
+    void keep_regions(const std::string &path, const std::vector<std::string> &wanted);
+
+    /** "left" (1), "right" (2), for messages. */
+    std::string list_regions() const;
+
+  private:
+    const Group &find_region(const std::string &path, const std::string &wanted) const;
   };
 
   /** Turns all hexahedra inside out if all have a negative volume: some programs number from the

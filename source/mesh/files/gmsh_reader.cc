@@ -267,9 +267,11 @@ namespace vfife
           groups.push_back(0);
         for (const long group : groups)
           {
-            const auto name = names_.find({3, group});
-            regions_[name != names_.end() ? name->second : "region " + std::to_string(group)]
-              .push_back(mesh_.elements.size());
+            const auto        found = names_.find({3, group});
+            const std::string name =
+              found != names_.end() ? found->second : "region " + std::to_string(group);
+            mesh_.region_numbers[group] = name;
+            regions_[name].push_back(mesh_.elements.size());
           }
         mesh_.elements.push_back(corners);
         mesh_.element_lines.push_back(text_.line());

@@ -42,7 +42,9 @@ namespace vfife
         CellNodes corners;
         for (unsigned int k = 0; k < 8; ++k)
           corners[order[k]] = nodes[k];
-        regions_["region " + std::to_string(id)].push_back(mesh_.elements.size());
+        const std::string region = "region " + std::to_string(id);
+        mesh_.region_numbers[id] = region;
+        regions_[region].push_back(mesh_.elements.size());
         mesh_.elements.push_back(corners);
         mesh_.element_lines.push_back(line);
       }

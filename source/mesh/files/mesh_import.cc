@@ -10,6 +10,8 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -33,7 +35,7 @@ namespace vfife
                                        {"vtk", &read_vtk},
                                        {"ucd", &read_ucd}};
 
-    FileMesh read_file(const std::string &path)
+    FileMesh read_file(const std::string &path, const std::vector<std::string> &regions)
     {
       if (!std::ifstream(path) || std::filesystem::is_directory(path))
         throw InputError("mesh file " + path + " cannot be opened");
@@ -45,6 +47,8 @@ namespace vfife
           if (format.first == end)
             {
               FileMesh mesh = format.second(path);
+              if (!regions.empty())
+                mesh.keep_regions(path, regions);
               if (end != "inp")
                 turn_inside_out(mesh);
               check_elements(path, mesh);
@@ -76,10 +80,11 @@ namespace vfife
     }
   } // namespace
 
-  std::unique_ptr<BodyMesh> read_body(const std::string &path)
+  std::unique_ptr<BodyMesh> read_body(const std::string              &path,
+                                      const std::vector<std::string> &regions_wanted)
   {
     // 1. What stands in the file, cells in deal.II's order of edges.
-    FileMesh file = read_file(path);
+    FileMesh file = read_file(path, regions_wanted);
     orient(path, file);
 
     auto mesh  = std::make_unique<BodyMesh>();
@@ -144,5 +149,28 @@ namespace vfife
         throw InputError(message.str());
       }
     return mesh;
+  }
+
+  unsigned int count_parts(const BodyMesh &mesh)
+  {
+    // Every cell begins as a part of its own; faces join them.
+    unsigned int                                         n = mesh.triangulation.n_active_cells();
+    std::vector<unsigned int>                            rank(n), parent(n);
+    boost::disjoint_sets<unsigned int *, unsigned int *> parts(rank.data(), parent.data());
+    for (unsigned int cell = 0; cell < n; ++cell)
+      parts.make_set(cell);
+    unsigned int n_parts = n;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      for (unsigned int f = 0; f < 6; ++f)
+        if (!cell->at_boundary(f))
+          {
+            const unsigned int one   = parts.find_set(cell->active_cell_index());
+            const unsigned int other = parts.find_set(cell->neighbor(f)->active_cell_index());
+            if (one == other)
+              continue;
+            parts.link(one, other);
+            --n_parts;
+          }
+    return n_parts;
   }
 } // namespace vfife

@@ -37,13 +37,21 @@ namespace vfife
     declare_kind(prm);
     // A file brings its own sizes; a shape declares those that it has.
     if (mesh == from_file)
-      declare_file_name(
-        prm,
-        "file",
-        file,
-        "Mesh file of 8-node hexahedra, lengths in mm: .msh (Gmsh), .inp (Abaqus, "
-        "CalculiX), .vtk, .ucd; its named groups are node sets and surfaces; a relative "
-        "name starts at the folder of the parameter file");
+      {
+        declare_file_name(
+          prm,
+          "file",
+          file,
+          "Mesh file of 8-node hexahedra, lengths in mm: .msh (Gmsh), .inp (Abaqus, "
+          "CalculiX), .vtk, .ucd; its named groups are node sets and surfaces; a relative "
+          "name starts at the folder of the parameter file");
+        declare_names(prm,
+                      "regions",
+                      regions,
+                      "Regions of the file (physical volumes, element sets, material ids) of which "
+                      "the body consists, by name or number; none: all, which must be joined by "
+                      "faces. Other bodies may read others of the same file");
+      }
     else
       declare_shape(prm, section);
     declare_vector(prm, "position", position, "mm", "Place of the body frame's origin");
@@ -116,16 +124,33 @@ namespace vfife
 
   std::unique_ptr<BodyMesh> BodyOptions::make_mesh(const std::string &section) const
   {
-    if (primitive)
-      return make_primitive(*primitive);
+    return primitive ? make_primitive(*primitive) : read_file(section);
+  }
+
+  std::unique_ptr<BodyMesh> BodyOptions::read_file(const std::string &section) const
+  {
+    std::unique_ptr<BodyMesh> body;
     try
       {
-        return read_body(file);
+        body = read_body(file, regions);
       }
     catch (const InputError &error)
       {
-        throw InputError(section + "/file", error.what());
+        throw InputError(section + "/" + (error.entry().empty() ? "file" : error.entry()),
+                         error.what());
       }
+    // Parts that nothing holds together are hardly meant as one body: whoever means it says so.
+    const unsigned int n_parts = count_parts(*body);
+    if (!regions.empty() || n_parts == 1)
+      return body;
+    std::vector<std::string> names;
+    for (const auto &region : body->regions)
+      names.push_back("\"" + region.second + "\"");
+    throw InputError(section + "/file",
+                     file + " has " + std::to_string(n_parts) +
+                       " separate parts that no face joins: give the regions of this body as "
+                       "regions, or all of them where they are one body; the file has " +
+                       list_of(names));
   }
 
   Body BodyOptions::make(const std::string &name,

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vfife
 {
@@ -20,8 +21,16 @@ namespace vfife
    * alphabetical order. Throws InputError (one line with the file's name and line) when the file
    * cannot be opened or read, has other volume elements than hexahedra, or hexahedra that are no
    * mesh: inverted, twice the same, more than two at a face.
+   *
+   * With @p regions, names or numbers of the file, the body consists of these alone, with the node
+   * sets and surfaces that they have: several bodies may be read from one file. Throws InputError
+   * of an entry "regions" for one that the file has not.
    */
-  std::unique_ptr<BodyMesh> read_body(const std::string &path);
+  std::unique_ptr<BodyMesh> read_body(const std::string              &path,
+                                      const std::vector<std::string> &regions = {});
+
+  /** How many parts a mesh consists of that no face joins. */
+  unsigned int count_parts(const BodyMesh &mesh);
 } // namespace vfife
 
 #endif

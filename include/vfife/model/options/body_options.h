@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vfife
 {
@@ -18,6 +19,7 @@ namespace vfife
     std::string                       material = "steel"; ///< name of a section Material NAME
     std::unique_ptr<PrimitiveOptions> primitive; ///< sizes and cells of a mesh that is no file
     std::string                       file;      ///< of `mesh = file`, see read_body()
+    std::vector<std::string>          regions;   ///< of that file; none: all
 
     Vector3 position       = Vector3::Zero(); ///< of the body frame's origin [mm]
     Vector3 rotation_axis  = Vector3::UnitZ();
@@ -47,6 +49,7 @@ namespace vfife
   private:
     void declare_shape(dealii::ParameterHandler &prm, const std::string &section);
     std::unique_ptr<BodyMesh> make_mesh(const std::string &section) const;
+    std::unique_ptr<BodyMesh> read_file(const std::string &section) const;
   };
 } // namespace vfife
 
