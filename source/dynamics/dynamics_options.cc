@@ -43,7 +43,8 @@ namespace vfife
                     load_steps,
                     "Equal parts in which a static study applies loads and prescribed "
                     "displacements one after the other",
-                    1);
+                    1,
+                    100000);
     declare_quantity(prm,
                      "virtual damping",
                      virtual_damping,

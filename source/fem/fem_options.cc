@@ -77,11 +77,15 @@ namespace vfife
                     "largest nodal diameter",
                     largest_diameter,
                     "Up to which diameter, with cyclic symmetry; Fem/modes is then their number "
-                    "for each diameter");
+                    "for each diameter",
+                    0,
+                    10000);
     declare_integer(prm,
                     "mesh orders",
                     mesh_orders,
-                    "Multiples of the mesh frequency whose resonances are looked for");
+                    "Multiples of the mesh frequency whose resonances are looked for",
+                    0,
+                    1000);
   }
 
   std::vector<double> FemOptions::rates() const

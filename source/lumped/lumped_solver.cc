@@ -174,12 +174,16 @@ namespace vfife
 
   void LumpedRunOptions::declare(dealii::ParameterHandler &prm)
   {
+    // The product of the largest ones can still be counted.
     declare_integer(prm,
                     "settling meshes",
                     settling_meshes,
-                    "Tooth meshes at each speed before anything is measured");
-    declare_integer(prm, "measured meshes", measured_meshes, "Tooth meshes that are measured", 1);
-    declare_integer(prm, "samples", samples, "Samples a tooth mesh", 4);
+                    "Tooth meshes at each speed before anything is measured",
+                    0,
+                    100000);
+    declare_integer(
+      prm, "measured meshes", measured_meshes, "Tooth meshes that are measured", 1, 100000);
+    declare_integer(prm, "samples", samples, "Samples a tooth mesh", 4, 10000);
     declare_number(prm,
                    "tolerance",
                    tolerance,

@@ -32,7 +32,8 @@ namespace vfife
                      "rpm",
                      "Of the pinion in the sweep",
                      Range::not_negative());
-    declare_integer(prm, "speeds", n_speeds, "Number of speeds of the sweep, equally spaced", 2);
+    declare_integer(
+      prm, "speeds", n_speeds, "Number of speeds of the sweep, equally spaced", 2, 100000);
   }
 
   void SpeedSweepOptions::check(const std::string &section) const

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/constraints/held_direction.h>
 #include <vfife/model/load_shares.h>
 
 #include <Eigen/LU>
@@ -34,6 +35,27 @@ namespace vfife
       }
     for (double &share : shares)
       share /= sum;
+    return shares;
+  }
+
+  std::vector<double> compute_torque_shares(const Torque &torque, const Body &body)
+  {
+    std::vector<double> shares;
+    double              moment = 0;
+    for (std::size_t i = 0; i < torque.nodes.size(); ++i)
+      {
+        const Vector3 arm =
+          body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point;
+        const double radius = body.axis.direction.cross(arm).norm();
+        const bool   turns  = radius > on_axis_distance;
+        shares.push_back(turns ? torque.areas[i] : 0.);
+        moment += shares.back() * radius;
+      }
+    if (!(moment > 0))
+      throw InputError("torque \"" + torque.name + "\": its nodes carry no area of body \"" +
+                       body.name() + "\" away from the axis, so it finds no arm");
+    for (double &share : shares)
+      share /= moment;
     return shares;
   }
 

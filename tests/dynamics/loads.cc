@@ -2,6 +2,7 @@
 // Nodal forces of loads, torques, springs and walls on a body that is moved and strained: their
 // resultants and moments against closed forms, energies, powers, steps.
 #include "../parts.h"
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
@@ -139,6 +140,35 @@ namespace
                 torques.half_power(moved.velocities),
                 .5 * 5000 * 30,
                 1e-7);
+  }
+
+  /** On a face with a node on the axis, away from the origin: that node has no tangent. */
+  void torque_on_axis()
+  {
+    Model model;
+    model.add_body({"bar", make_cylinder(8., 20., {{4, 1, 2}}), Material()});
+    Body &bar                 = model.bodies.front();
+    bar.placement.rotation    = rotation_about(Vector3(1., 2., 2.).normalized(), 1.3);
+    bar.placement.translation = Vector3(50., -20., 10.);
+    bar.axis                  = {bar.placement.translation, bar.placement.rotation.col(2)};
+    Torque load;
+    load.name  = "twist";
+    load.nodes = bar.node_set("top");
+    load.areas = compute_nodal_areas(bar, load.nodes);
+    load.value = 5000;
+    model.torques.push_back(load);
+    const Axis  axis = bar.axis;
+    Moved       moved(std::move(model), bar.placement);
+    TorqueLoads torques(moved.model, moved.partition());
+    torques.add_forces(1., moved.positions, moved.forces);
+    check_below("torque with a node on the axis: no resultant [N]", moved.resultant().norm(), 1e-9);
+    check_close("torque with a node on the axis: its moment [N mm]",
+                moved.moment(axis.point).dot(axis.direction),
+                5000.,
+                1e-8);
+    moved.model.torques.front().nodes = moved.model.bodies.front().node_set("axis");
+    moved.model.torques.front().areas.assign(moved.model.torques.front().nodes.size(), 1.);
+    print_refusal([&] { const TorqueLoads none(moved.model, moved.partition()); });
   }
 
   void loads()
@@ -326,5 +356,7 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {torque, loads, pressure, springs, springs_side_by_side, wall});
+  run_parts(argc,
+            argv,
+            {torque, torque_on_axis, loads, pressure, springs, springs_side_by_side, wall});
 }

@@ -8,6 +8,7 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/fem/system/system_matrices.h>
+#include <vfife/fem/system/torque_forces.h>
 #include <vfife/mesh/primitives/primitives.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -291,6 +292,40 @@ namespace
       }
   }
 
+  /** A torque on a face with a node on the axis, which has no tangent there, whatever round-off of
+   * the placement makes of its arm. */
+  void torque_on_axis()
+  {
+    Model model;
+    model.add_body(Body("bar", make_cylinder(8., 20., {{4, 1, 2}}), {}));
+    Body &bar                 = model.bodies[0];
+    bar.placement.rotation    = rotation_about(Vector3(1., 2., 2.).normalized(), 1.3);
+    bar.placement.translation = Vector3(50., -20., 10.);
+    bar.axis                  = {bar.placement.translation, bar.placement.rotation.col(2)};
+    Torque torque;
+    torque.name  = "twist";
+    torque.nodes = bar.node_set("top");
+    torque.areas = compute_nodal_areas(bar, torque.nodes);
+    torque.value = 1e5;
+    const Discretization discretization(model, {0}, FemElement::incompatible_modes);
+    std::vector<double>  forces(3 * discretization.n_points(), 0.);
+    add_torque_forces(torque, discretization, discretization.parts()[0], torque.value, forces);
+    Vector3 sum = Vector3::Zero(), moment = Vector3::Zero();
+    for (unsigned int i = 0; i < bar.n_nodes(); ++i)
+      {
+        const Vector3 force(forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]);
+        sum += force;
+        moment += (bar.placement(bar.node_positions()[i]) - bar.axis.point).cross(force);
+      }
+    check_below("torque on a full face: no resultant [N]", sum.norm(), 1e-8);
+    check_close("its moment [N mm]", moment.dot(bar.axis.direction), 1e5, 1e-6);
+    torque.nodes = bar.node_set("axis");
+    torque.areas.assign(torque.nodes.size(), 1.);
+    print_refusal([&] {
+      add_torque_forces(torque, discretization, discretization.parts()[0], torque.value, forces);
+    });
+  }
+
   void free_body(const Communicator &communicator)
   {
     Model model = make_block_model(2, 0., {});
@@ -309,5 +344,6 @@ int main(int argc, char **argv)
   convergence(communicator);
   spinning_bar(communicator);
   torsion(communicator);
+  torque_on_axis();
   free_body(communicator);
 }

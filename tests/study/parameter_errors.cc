@@ -11,6 +11,7 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/study/study.h>
 
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -98,6 +99,20 @@ int main(int argc, char **argv)
   refuse(write_case("# a\xff\n"), world);
   refuse(write_case(std::string("set a\0b = 1\n", 12)), world);
   refuse(write_case(""), world, {"Study/output folder=\xc3("});
+
+  // Counts that only a real run would use, and never come to the end of.
+  const std::vector<std::array<std::string, 2>> endless = {
+    {"run", "Operation/tooth meshes=1e7"},
+    {"tooth contact analysis", "Tooth contact analysis/points per pitch=1e6"},
+    {"mesh", "Export/flank points lengthwise=1e9"},
+    {"lumped", "Lumped/samples=1e6"},
+    {"lumped", "Lumped/settling meshes=1e9"},
+    {"lumped", "Lumped/speeds=1e9"},
+    {"modal", "Fem/largest nodal diameter=1e9"},
+    {"run", "Dynamics/Relaxation/load steps=1e9"},
+    {"benchmark", "Benchmark/cells=5000"}};
+  for (const auto &[kind, entry] : endless)
+    refuse(write_case(""), world, {"Study/kind=" + kind, entry});
 
   // Meshes that no machine holds are refused before anything is meshed; how much is free is another
   // number everywhere.

@@ -17,6 +17,14 @@ namespace vfife
    */
   std::vector<double> compute_load_shares(const Load &load, const Body &body);
 
+  /**
+   * The forces along the tangents of their circles with which nodes exert a unit torque about the
+   * body's axis [1/mm]: A_i/sum A_j r_j, r the distance from the axis in the undeformed body. A
+   * node on the axis has no tangent and takes nothing. Throws InputError where all lie on it or
+   * carry no area.
+   */
+  std::vector<double> compute_torque_shares(const Torque &torque, const Body &body);
+
   /** A face of a body on its boundary. */
   struct BoundaryFace
   {

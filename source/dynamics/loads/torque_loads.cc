@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/dynamics/loads/torque_loads.h>
+#include <vfife/model/load_shares.h>
 
 #include <algorithm>
 
@@ -10,17 +11,15 @@ namespace vfife
     for (const Torque &torque : model.torques)
       {
         const Body &body = model.bodies[torque.body];
-        Load        load{body.axis, torque.value, torque.ramp_time, 0., {}};
+        Load        load{body.axis, torque.value, torque.ramp_time, {}};
+        // Nodes with this load keep their radius (free rotation, rigid hub), or nearly so: the
+        // undeformed one counts.
+        const std::vector<double> shares = compute_torque_shares(torque, body);
         for (std::size_t i = 0; i < torque.nodes.size(); ++i)
           {
-            // Nodes with this load keep their radius (free rotation, rigid hub), or nearly so: the
-            // undeformed one counts.
-            const Vector3 r =
-              body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point;
-            load.area_moment += torque.areas[i] * body.axis.direction.cross(r).norm();
             const std::uint32_t local = partition.local_node[body.first_node + torque.nodes[i]];
-            if (local != Partition::absent)
-              load.nodes.push_back({local, partition.owned[local] != 0, torque.areas[i]});
+            if (local != Partition::absent && shares[i] > 0)
+              load.nodes.push_back({local, partition.owned[local] != 0, shares[i]});
           }
         loads_.push_back(std::move(load));
       }
@@ -36,7 +35,7 @@ namespace vfife
         // F_i = T A_i t_i / sum_j A_j r_j, t_i the tangent at the present place
         const Vector3 r       = positions.value(node.local) - load.axis.point;
         const Vector3 tangent = load.axis.direction.cross(r).normalized();
-        node.force            = (torque * node.area / load.area_moment) * tangent;
+        node.force            = (torque * node.share) * tangent;
         forces.add(node.local, node.force);
       }
   }

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/system/torque_forces.h>
+#include <vfife/model/load_shares.h>
 
 namespace vfife
 {
@@ -11,20 +12,18 @@ namespace vfife
   {
     // Corner nodes come first in a body's points, so that their numbers
     // serve for quadratic elements too.
-    const Body          &body = discretization.model().bodies[torque.body];
-    std::vector<Vector3> tangents;
-    double               moment = 0;
-    for (std::size_t i = 0; i < torque.nodes.size(); ++i)
-      {
-        const Vector3 arm = body.axis.direction.cross(
-          body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point);
-        tangents.push_back(arm.normalized());
-        moment += torque.areas[i] * arm.norm();
-      }
+    const Body               &body   = discretization.model().bodies[torque.body];
+    const std::vector<double> shares = compute_torque_shares(torque, body);
     // F_i = T A_i t_i / sum_j A_j r_j, the constant traction of explicit dynamics
     for (std::size_t i = 0; i < torque.nodes.size(); ++i)
-      for (unsigned int c = 0; c < 3; ++c)
-        forces[3 * std::size_t(part.first_point + torque.nodes[i]) + c] +=
-          value * torque.areas[i] / moment * tangents[i][c];
+      {
+        const Vector3 tangent =
+          body.axis.direction
+            .cross(body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point)
+            .normalized();
+        for (unsigned int c = 0; c < 3; ++c)
+          forces[3 * std::size_t(part.first_point + torque.nodes[i]) + c] +=
+            value * shares[i] * tangent[c];
+      }
   }
 } // namespace vfife

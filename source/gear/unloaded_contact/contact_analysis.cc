@@ -201,7 +201,8 @@ namespace vfife
                      "um",
                      "Gap between the flanks at the border of the contact ellipses",
                      Range::positive());
-    declare_integer(prm, "points per pitch", points_per_pitch, "Points of path and curves", 4);
+    declare_integer(
+      prm, "points per pitch", points_per_pitch, "Points of path and curves", 4, 10000);
     declare_driving(prm, driving, direction);
   }
 

@@ -100,15 +100,20 @@ namespace vfife
   void BenchmarkOptions::declare(dealii::ParameterHandler &prm)
   {
     const Subsection section(prm, "Benchmark");
-    declare_integer(
-      prm, "repeats", repeats, "Measurements of each variant, of which medians are reported", 1);
+    declare_integer(prm,
+                    "repeats",
+                    repeats,
+                    "Measurements of each variant, of which medians are reported",
+                    1,
+                    10000);
     declare_integer(prm, "steps", steps, "Time steps of one measurement", 1);
-    declare_integer(prm, "cells", cells, "Elements of the general mesh along each side", 2);
+    declare_integer(prm, "cells", cells, "Elements of the general mesh along each side", 2, 500);
     declare_integer(prm,
                     "plain elements",
                     plain_elements,
                     "Elements on which the plain implementation is measured (5 kB each)",
-                    1);
+                    1,
+                    10000000);
   }
 
   void ContactBenchmarkOptions::declare(dealii::ParameterHandler &prm)

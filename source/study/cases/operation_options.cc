@@ -24,7 +24,7 @@ namespace vfife
                      "Torque on the driven member (the gear, if nothing else is said), against its "
                      "rotation",
                      Range::not_negative());
-    declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1);
+    declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1, 1000000);
     declare_number(prm,
                    "ramp",
                    ramp,

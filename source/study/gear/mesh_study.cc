@@ -73,11 +73,15 @@ namespace vfife
     declare_integer(prm,
                     "flank points lengthwise",
                     lengthwise,
-                    "Points of the true flanks from toe to heel in flank_points_BODY.csv; 0: none");
+                    "Points of the true flanks from toe to heel in flank_points_BODY.csv; 0: none",
+                    0,
+                    10000);
     declare_integer(prm,
                     "flank points profile",
                     profile,
-                    "Points from the start of the flank to the tip");
+                    "Points from the start of the flank to the tip",
+                    0,
+                    10000);
   }
 
   void ExportOptions::check(const std::string &section) const

@@ -34,14 +34,13 @@ namespace vfife
     {
       std::uint32_t local;
       bool          owned;
-      double        area;
+      double        share; ///< compute_torque_shares() [1/mm]
       Vector3       force = Vector3::Zero();
     };
     struct Load
     {
       Axis              axis;
       double            value, ramp_time;
-      double            area_moment; ///< sum A_j r_j over all ranks [mm^3]
       std::vector<Node> nodes;
     };
 
