@@ -2,10 +2,9 @@
 // A slave whose facets are ten times and more as wide as those of its master: the step bears the
 // points that fall on the master's small nodes, and a relaxation finds its equilibrium.
 #include "../tests.h"
-#include "one_solver.h"
+#include "relaxed.h"
 
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/mesh/body_mesh.h>
 
 using namespace vfife;
@@ -95,15 +94,8 @@ namespace
     model.constraints.push_back(guide);
 
     OneSolver  run(model, undamped());
-    Relaxation relaxation(model,
-                          run.options.relaxation,
-                          run.solver.vfife_operator(),
-                          run.solver.contact(),
-                          run.solver.walls(),
-                          run.communicator,
-                          run.log);
     State     &state  = run.state;
-    const auto report = relaxation.solve(state, Relaxation::Loads());
+    const auto report = relax(model, run);
     check("relaxes in less than 10,000 steps", report.steps < 10000);
     run.solver.measure_at_rest(state);
     check_close("contact force over the load", state.measured.contact_force / 1000., 1., 1e-4);

@@ -3,10 +3,9 @@
 // limit of friction it sticks and moves by its traction over the tangential stiffness, beyond it
 // slides with the acceleration that is left. In time, and at rest by relaxation.
 #include "../model/model_text.h"
-#include "one_solver.h"
+#include "relaxed.h"
 
 #include <vfife/base/process/mpi_session.h>
-#include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <sstream>
@@ -238,15 +237,8 @@ namespace
                                    (floor == Floor::body ? ", ground\n" : "\n"),
                                  sections.str(),
                                  "    set penalty from step = no\n    set penalty = 2000\n"));
-          OneSolver  run(model, undamped());
-          Relaxation relaxation(model,
-                                run.options.relaxation,
-                                run.solver.vfife_operator(),
-                                run.solver.contact(),
-                                run.solver.walls(),
-                                run.communicator,
-                                run.log);
-          relaxation.solve(run.state, Relaxation::Loads());
+          OneSolver run(model, undamped());
+          relax(model, run);
           run.solver.measure_at_rest(run.state);
           const double       way = mean_way(model, run.state);
           std::ostringstream name;

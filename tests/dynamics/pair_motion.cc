@@ -6,6 +6,7 @@
 #include "../tests.h"
 #include "one_solver.h"
 
+#include <vfife/dynamics/watch/measurement.h>
 #include <vfife/mesh/body_mesh.h>
 
 using namespace vfife;
@@ -155,6 +156,41 @@ namespace
         one_mesh(sense, hub);
   }
 
+  /** Both members move as free rigid bodies: M v, and I omega + c x M v. */
+  void momenta()
+  {
+    const Model   model = make_pair(1., ConstraintKind::rigid_hub, 0.);
+    OneSolver     run(model, undamped());
+    const Vector3 omega(300., -200., 500.), flight(7., 11., -13.);
+    Vector3       linear = Vector3::Zero(), angular = Vector3::Zero();
+    const auto   &masses = run.solver.vfife_operator().masses();
+    for (const Body &body : model.bodies)
+      {
+        // About the body's centre, on its axis: I = a a^T I_a + (1 - a a^T) I_t of a ring.
+        const Vector3 a = body.axis.direction, centre = body.placement(Vector3(0., 0., 3.));
+        double        axial = 0, along = 0;
+        for (unsigned int i = 0; i < body.n_nodes(); ++i)
+          {
+            const Vector3 X = body.node_positions()[i] - Vector3(0., 0., 3.);
+            axial += body.node_masses()[i] * X.head<2>().squaredNorm();
+            along += body.node_masses()[i] * X[2] * X[2];
+            const std::uint32_t local = run.state.partition->local_node[body.first_node + i];
+            run.state.velocity.set(local,
+                                   flight + omega.cross(run.state.node_position(local) - centre));
+          }
+        linear += body.mass() * flight;
+        angular += (axial / 2 + along) * omega + (axial / 2 - along) * a.dot(omega) * a +
+                   body.mass() * centre.cross(flight);
+      }
+    measure_momentum(run.state, masses, run.communicator);
+    check_below("momentum over its closed form",
+                (run.state.measured.momentum - linear).norm() / linear.norm(),
+                1e-12);
+    check_below("angular momentum over its closed form",
+                (run.state.measured.angular_momentum - angular).norm() / angular.norm(),
+                1e-12);
+  }
+
   /** A driver that is held against a torque: its work is the torque times the angle. */
   void drive_work()
   {
@@ -184,5 +220,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {both_hubs, drive_work});
+  run_parts(argc, argv, {both_hubs, drive_work, momenta});
 }

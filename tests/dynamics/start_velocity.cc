@@ -3,9 +3,8 @@
 // equilibrium under its centrifugal force that keeps its radius.
 #include "../parts.h"
 #include "../tests.h"
-#include "one_solver.h"
+#include "relaxed.h"
 
-#include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/mesh/body_mesh.h>
 
 using namespace vfife;
@@ -59,15 +58,8 @@ namespace
     const Body      &ring        = model.bodies[0];
     DynamicsOptions  options     = undamped();
     options.relaxation.tolerance = 1e-9;
-    OneSolver  run(model, options);
-    Relaxation relaxation(model,
-                          run.options.relaxation,
-                          run.solver.vfife_operator(),
-                          run.solver.contact(),
-                          run.solver.walls(),
-                          run.communicator,
-                          run.log);
-    relaxation.solve(run.state, Relaxation::Loads());
+    OneSolver run(model, options);
+    relax(model, run);
     run.solver.set_initial_velocities(run.state);
     const unsigned int node   = ring.node_set("inner").front();
     const auto         radius = [&](const State &state) {

@@ -52,7 +52,7 @@ namespace
     std::map<double, std::size_t> sample;
     for (std::size_t i = 0; i < columns["time"].size(); ++i)
       sample[columns["time"][i]] = i;
-    std::vector<double> force(sample.size(), 0.), torque(force), moment(force);
+    std::vector<double> force(sample.size(), 0.), torque(force), moment(force), pairs(force);
     for (std::size_t i = 0; i < teeth["time"].size(); ++i)
       {
         // Tooth k follows k pitches later.
@@ -61,6 +61,7 @@ namespace
         const double               rot1  = tca.reference() + teeth["time"][i] * 20000 * pi / 30;
         const UnloadedContactPoint point = tca.contact(rot1, k);
         const std::size_t          at    = sample.at(teeth["time"][i]);
+        pairs[at] += 1;
         force[at] += teeth["force"][i];
         torque[at] += teeth["torque"][i];
         moment[at] += 1e-3 * teeth["force"][i] * std::abs(point.position.cross(point.normal)[2]);
@@ -73,6 +74,7 @@ namespace
                              std::abs(torque[i] / columns["contact torque on the gear"][i] - 1)});
         off    = largest_of(off, std::abs(moment[i] / torque[i] - 1));
       }
+    check("teeth in contact are those with a force", pairs == columns["teeth in contact"]);
     check_below("forces and torques of the teeth add up to those of the pair", unlike, 1e-9);
     // Under load a tooth pair bears on some mm of its flanks about the point where it would touch
     // without, more at its ends than in its middle: 1.0 % is found.

@@ -56,6 +56,16 @@ namespace histories
     return size;
   }
 
+  /** See size_of_parts() [mJ]. */
+  inline double energy_of_parts(const vfife::Table &history, const Bodies &bodies)
+  {
+    const double strain_energy = largest_size(history.numbers("strain energy"));
+    const double volume        = bodies.mass / bodies.density;
+    return largest_of_unit(history, "mJ") +
+           std::sqrt(2. * strain_energy * bodies.youngs_modulus * volume) * bodies.coordinate /
+             bodies.cell;
+  }
+
   /**
    * The size of the numbers of which a quantity with that unit is the sum or the difference; zero
    * for what is counted, negative for a unit that is not known. With x the largest coordinate, h
@@ -63,7 +73,9 @@ namespace histories
    *   length    x: displacements are differences of places
    *   stress    E x/h: strains are differences of places over h
    *   force     E h x: of a node with the stiffness E h; moments times x
-   *   energy    W: energies are differences of each other
+   *   energy    W: energies are differences of each other; and what strains of the round-off x/h
+   *             do on the stresses, sqrt(2 U E V) x/h (Cauchy-Schwarz), U the largest strain energy
+   *             and V = m/rho the volume
    *   momentum  sum m_i |v_i| <= sqrt(2 m W) (Cauchy-Schwarz), and what forces of that round-off
    *             add in a step h/c to the node that they act on, m_i = rho h^3:
    *             E h x h/c = rho h^3 c x/h; angular momentum times x
@@ -88,7 +100,7 @@ namespace histories
                                                  {"N", E * h * x},
                                                  {"N mm", E * h * x * x},
                                                  {"N m", 1e-3 * E * h * x * x},
-                                                 {"mJ", energy},
+                                                 {"mJ", energy_of_parts(history, bodies)},
                                                  {"N s", momentum},
                                                  {"N mm s", momentum * x}};
     const auto                          found = sizes.find(unit);
@@ -130,7 +142,7 @@ namespace histories
     constexpr double part = 1e-8, units = 200;
     const double     unit     = units * std::numeric_limits<double>::epsilon();
     const auto       divisors = exchanged_energies(other);
-    const double     energy   = largest_of_unit(other, "mJ");
+    const double     energy   = energy_of_parts(other, bodies);
     Difference       result;
     for (const auto &column : other.columns())
       {

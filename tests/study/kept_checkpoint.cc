@@ -140,7 +140,7 @@ namespace
     check("it presses, pulls, slides and turns",
           last("face contact force z") > 1000 && last("face contact force x") < -100 &&
             last("floor contact force x") < -10 && last("contact loss") > 0 &&
-            std::abs(last("holder reaction force x")) > 10 && last("damping loss") > 0 &&
+            std::abs(last("holder reaction force x")) > 0.1 && last("damping loss") > 0 &&
             last("angular momentum z") > 0);
   }
 

@@ -101,7 +101,7 @@ int main(int argc, char **argv)
   refuse(write_case(""), world, {"Study/output folder=\xc3("});
 
   // Counts that only a real run would use, and never come to the end of.
-  const std::vector<std::array<std::string, 2>> endless = {
+  const std::vector<std::pair<std::string, std::string>> endless = {
     {"run", "Operation/tooth meshes=1e7"},
     {"tooth contact analysis", "Tooth contact analysis/points per pitch=1e6"},
     {"mesh", "Export/flank points lengthwise=1e9"},
