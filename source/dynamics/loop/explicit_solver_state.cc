@@ -230,7 +230,8 @@ namespace vfife
     unsigned int n_substeps = n_substeps_;
     common.pass_part("substeps", [&](ByteStream &part) {
       part.pass(n_substeps);
-      part.require(n_substeps > 0, "no step in the place of one");
+      part.require(n_substeps > 0 && n_substeps <= 1024,
+                   std::to_string(n_substeps) + " steps in the place of one");
     });
     // What this rank knows of the pairs that may touch.
     if (own != nullptr)
