@@ -161,20 +161,8 @@ namespace
   void response_table()
   {
     const LumpedModel model(linear_pair());
-    LumpedResponse    r;
-    r.mean_error    = 11 * arcsecond;
-    r.rms_error     = 12 * arcsecond;
-    r.pp_error      = 13 * arcsecond;
-    r.mean_force    = 14;
-    r.rms_force     = 15;
-    r.pp_force      = 16;
-    r.largest_force = 17;
-    r.losses        = 18;
-    r.time_apart    = .19;
-    r.time_coast    = .2;
-    r.energy_error  = .21;
-    Table table     = make_resonance_response_table();
-    add_response(model, "down", 100 * pi, r, table);
+    Table             table = make_resonance_response_table();
+    add_response(model, "down", 100 * pi, made_up_response(), table);
     check("response: direction", table.column("direction").texts[0] == "down");
     const auto close = [&table](const char *name, const double expected) {
       check_close(std::string("response: ") + name,

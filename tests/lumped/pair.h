@@ -20,6 +20,24 @@ inline vfife::LumpedPair linear_pair()
   return pair;
 }
 
+/** A response whose numbers all differ: 11 to 13 arcsec, 14 to 17 N, 18 losses... */
+inline vfife::LumpedResponse made_up_response()
+{
+  vfife::LumpedResponse r;
+  r.mean_error    = 11 * vfife::arcsecond;
+  r.rms_error     = 12 * vfife::arcsecond;
+  r.pp_error      = 13 * vfife::arcsecond;
+  r.mean_force    = 14;
+  r.rms_force     = 15;
+  r.pp_force      = 16;
+  r.largest_force = 17;
+  r.losses        = 18;
+  r.time_apart    = .19;
+  r.time_coast    = .2;
+  r.energy_error  = .21;
+  return r;
+}
+
 inline vfife::LumpedRunOptions
 exact_run(const unsigned int settling, const unsigned int measured, const unsigned int samples)
 {

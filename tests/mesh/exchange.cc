@@ -364,10 +364,7 @@ namespace
       }
     check("flank points", right);
   }
-} // namespace
 
-namespace
-{
   /** Hanging nodes would be cracks in another program. */
   void check_hanging_nodes()
   {

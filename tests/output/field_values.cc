@@ -62,18 +62,7 @@ namespace
     Material material;
     material.youngs_modulus = E;
     material.poissons_ratio = nu;
-    Model model;
-    Body  ring = ring_askew("ring", material);
-    ring.rate  = rate;
-    model.add_body(std::move(ring));
-    model.add_body(Body("block", make_block(Vector3(4, 3, 2), {{4, 3, 2}}), material));
-    ContactPair pair;
-    pair.slave_body     = 0;
-    pair.slave_surface  = "outer";
-    pair.master_body    = 1;
-    pair.master_surface = "x-";
-    model.contacts.push_back(pair);
-    return model;
+    return ring_and_block(material, rate);
   }
 
   State make_state(const Model &model)

@@ -36,18 +36,7 @@ namespace
   {
     Material material;
     material.poissons_ratio = 0; // so that a pulled block has stress along x only
-    Model model;
-    Body  ring = ring_askew("ring", material);
-    ring.rate  = rate;
-    model.add_body(std::move(ring));
-    model.add_body(Body("block", make_block(Vector3(block_size, 3, 2), {{4, 3, 2}}), material));
-    ContactPair pair;
-    pair.slave_body     = 0;
-    pair.slave_surface  = "outer";
-    pair.master_body    = 1;
-    pair.master_surface = "x-";
-    model.contacts.push_back(pair);
-    return model;
+    return ring_and_block(material, rate, block_size);
   }
 
   /** Elements dealt to ranks in blocks; a shared node is owned by the lowest rank that holds it. */

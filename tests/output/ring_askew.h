@@ -19,4 +19,24 @@ inline vfife::Body ring_askew(const std::string &name, const vfife::Material &ma
   return ring;
 }
 
+/** That ring turning, whose outer surface may touch a block: [mm], [rad/s]. */
+inline vfife::Model
+ring_and_block(const vfife::Material &material, const double rate, const double block_size = 4)
+{
+  vfife::Model model;
+  vfife::Body  ring = ring_askew("ring", material);
+  ring.rate         = rate;
+  model.add_body(std::move(ring));
+  model.add_body(vfife::Body("block",
+                             vfife::make_block(vfife::Vector3(block_size, 3, 2), {{4, 3, 2}}),
+                             material));
+  vfife::ContactPair pair;
+  pair.slave_body     = 0;
+  pair.slave_surface  = "outer";
+  pair.master_body    = 1;
+  pair.master_surface = "x-";
+  model.contacts.push_back(pair);
+  return model;
+}
+
 #endif

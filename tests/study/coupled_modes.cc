@@ -4,15 +4,12 @@
 #include "../parts.h"
 #include "../tests.h"
 #include "../vtu_file.h"
+#include "gear_model.h"
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/parameters/parameter_file.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/pair/coupled_modes.h>
-#include <vfife/study/cases/gear_case.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -29,14 +26,7 @@ namespace
   {
     const std::string all = quick_pair(gear_body, gear_mesh, "1e-5");
     std::ofstream("coupled.prm") << all.substr(0, all.find("subsection Dynamics")) << more;
-    const ParameterFile      file("coupled.prm");
-    dealii::ParameterHandler prm;
-    GearCase                 gears;
-    gears.declare(prm, file);
-    file.read(prm);
-    std::ostringstream nothing;
-    Log                log(nothing, world.is_root(), Verbosity::quiet);
-    return gears.make_model(log);
+    return make_gear_model("coupled.prm", world);
   }
 
   FemOptions lumped_masses()

@@ -6,16 +6,13 @@
 #include "../refusal.h"
 #include "../tests.h"
 #include "../vtu_file.h"
+#include "gear_model.h"
 #include "prescribed_ring.h"
 #include "quick_pair.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/types.h>
 #include <vfife/output/files/run_figures.h>
-#include <vfife/study/cases/gear_case.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <filesystem>
 
@@ -225,16 +222,9 @@ end
    * probes against the fields. */
   void check_spun_gear(Communicator &world)
   {
-    const ParameterFile      file("linear_pair_case.prm");
-    dealii::ParameterHandler prm;
-    GearCase                 gears;
-    gears.declare(prm, file);
-    file.read(prm);
-    std::ostringstream nothing;
-    Log                log(nothing, world.is_root(), Verbosity::quiet);
-    const Model        model = gears.make_model(log);
-    const Body        &gear  = model.bodies[model.transmission->driven];
-    const VtuFile      fields("linear_pair/fields/gear.vtu");
+    const Model   model = make_gear_model("linear_pair_case.prm", world);
+    const Body   &gear  = model.bodies[model.transmission->driven];
+    const VtuFile fields("linear_pair/fields/gear.vtu");
     // Points of a file are eight a cell, in the cells' order: those of each node.
     std::vector<std::size_t> point_of(gear.n_nodes());
     double                   places = 0;

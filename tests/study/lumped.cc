@@ -38,20 +38,9 @@ namespace
     LumpedPair pair   = linear_pair();
     pair.law.backlash = 300 * arcsecond;
     const LumpedModel model(pair);
-    LumpedResponse    r;
-    r.mean_error          = 11 * arcsecond;
-    r.rms_error           = 12 * arcsecond;
-    r.pp_error            = 13 * arcsecond;
-    r.mean_force          = 14;
-    r.rms_force           = 15;
-    r.pp_force            = 16;
-    r.losses              = 18;
-    r.time_apart          = .19;
-    r.time_coast          = .2;
-    r.energy_error        = .21;
-    Table        sweep    = make_resonance_response_table();
-    const double speeds[] = {100, 200, 300, 300, 200, 100}; // [rad/s]
-    const double swings[] = {4, 5, 20, 21, 30, 4.5};        // [arcsec]
+    Table             sweep    = make_resonance_response_table();
+    const double      speeds[] = {100, 200, 300, 300, 200, 100}; // [rad/s]
+    const double      swings[] = {4, 5, 20, 21, 30, 4.5};        // [arcsec]
     for (unsigned int i = 0; i < 6; ++i)
       {
         LumpedResponse at_speed;
@@ -59,7 +48,7 @@ namespace
         at_speed.time_apart = i == 4 ? .3 : 0;
         add_response(model, i < 3 ? "up" : "down", speeds[i], at_speed, sweep);
       }
-    const nlohmann::json json = make_lumped_json(model, r, 100 * pi, sweep);
+    const nlohmann::json json = make_lumped_json(model, made_up_response(), 100 * pi, sweep);
     const auto close          = [&json](const char *part, const char *name, const double expected) {
       check_close(std::string("made up: ") + name,
                   number(json, part, name),

@@ -1,0 +1,28 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_tests_study_gear_model_h
+#define vfife_tests_study_gear_model_h
+
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/study/cases/gear_case.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <sstream>
+#include <string>
+
+/** The model that studies make of a parameter file with sections of a gear pair alone. */
+inline vfife::Model make_gear_model(const std::string &path, const vfife::Communicator &world)
+{
+  const vfife::ParameterFile file(path);
+  dealii::ParameterHandler   prm;
+  vfife::GearCase            gears;
+  gears.declare(prm, file);
+  file.read(prm);
+  std::ostringstream nothing;
+  vfife::Log         log(nothing, world.is_root(), vfife::Verbosity::quiet);
+  return gears.make_model(log);
+}
+
+#endif
