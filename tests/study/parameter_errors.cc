@@ -100,6 +100,9 @@ int main(int argc, char **argv)
   refuse(write_case(std::string("set a\0b = 1\n", 12)), world);
   refuse(write_case(""), world, {"Study/output folder=\xc3("});
 
+  // A name that no file can have.
+  refuse(write_case("include " + std::string(300, 'x') + ".prm\n"), world);
+
   // Counts that only a real run would use, and never come to the end of.
   const std::vector<std::pair<std::string, std::string>> endless = {
     {"run", "Operation/tooth meshes=1e7"},

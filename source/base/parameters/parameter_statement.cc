@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <system_error>
 
 namespace vfife
 {
@@ -57,12 +58,14 @@ namespace vfife
     std::vector<ParameterStatement> StatementReader::read(const std::string &included_from)
     {
       const std::string prefix = included_from.empty() ? "" : included_from + ": ";
-      if (std::filesystem::is_directory(file_name_))
+      std::error_code   none; // a name that no file can have, too long a one, is not there
+      if (std::filesystem::is_directory(file_name_, none))
         throw InputError(prefix + "\"" + file_name_ + "\" is a folder, not a parameter file");
       std::ifstream file(file_name_);
       if (!file)
-        throw InputError(prefix + "the parameter file \"" + file_name_ + "\" cannot be read" +
-                         (std::filesystem::exists(file_name_) ? "" : ": there is no such file"));
+        throw InputError(
+          prefix + "the parameter file \"" + file_name_ + "\" cannot be read" +
+          (std::filesystem::exists(file_name_, none) ? "" : ": there is no such file"));
 
       std::string  line, statement;
       unsigned int n_lines   = 0;
