@@ -31,6 +31,16 @@ namespace
 
   constexpr double depth = .01, penalty = 100, area = 64, velocity = 100;
 
+  const std::string under = R"(  subsection Body under
+    set size x  = 20
+    set size y  = 20
+    set size z  = 4
+    set cells x = 10
+    set cells y = 10
+    set cells z = 1
+  end
+)";
+
   /** A block of 8 x 8 mm lies @p depth deep in a larger one and slides: after no time at all the
    * pressure is penalty times depth everywhere. */
   std::map<std::string, std::vector<double>> run_touch(const std::string &entries,
@@ -40,15 +50,7 @@ namespace
 subsection Model
   set bodies   = under, over
   set contacts = faces
-  subsection Body under
-    set size x  = 20
-    set size y  = 20
-    set size z  = 4
-    set cells x = 10
-    set cells y = 10
-    set cells z = 1
-  end
-  subsection Body over
+)" + under + R"(  subsection Body over
     set size x   = 8
     set size y   = 8
     set size z   = 4
@@ -93,15 +95,7 @@ end
 subsection Model
   set bodies   = under, ball
   set contacts = faces
-  subsection Body under
-    set size x  = 20
-    set size y  = 20
-    set size z  = 4
-    set cells x = 10
-    set cells y = 10
-    set cells z = 1
-  end
-  subsection Body ball
+)" + under + R"(  subsection Body ball
     set mesh     = sphere
     set position = 10, 10, 13.7 mm
   end
