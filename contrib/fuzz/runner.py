@@ -79,12 +79,17 @@ class Runner:
 
     def print_parameters(self, path):
         """All parameters in force of a file."""
-        return subprocess.run([self.asked.program, path, "--print-parameters"], capture_output=True, text=True,
-                              env={**os.environ, **ENVIRONMENT}, check=True).stdout
+        return self.run_good([path, "--print-parameters"])
 
     def make_seed(self, folder, *arguments):
         """Runs the program on good input in a folder: what it writes is mutated later."""
-        ended = subprocess.run([self.asked.program, *arguments], cwd=folder, capture_output=True, text=True,
-                               env={**os.environ, **ENVIRONMENT}, check=False)
+        self.run_good(arguments, cwd=folder)
+
+    def run_good(self, arguments, **options):
+        """What the program prints of good input, which it must take."""
+        ended = subprocess.run([self.asked.program, *arguments], capture_output=True, text=True,
+                               env={**os.environ, **ENVIRONMENT}, check=False, **options)
         if ended.returncode != 0:
-            raise RuntimeError(f"{self.asked.program} {' '.join(arguments)}: {ended.stderr}")
+            raise RuntimeError(f"{self.asked.program} {' '.join(map(str, arguments))}: exit code {ended.returncode}\n"
+                               f"{ended.stdout}{ended.stderr}")
+        return ended.stdout

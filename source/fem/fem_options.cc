@@ -27,6 +27,12 @@ namespace vfife
                    "Eight nodes with incompatible modes or plain (locks in bending), or 27 nodes");
     declare_choice(prm, "mass", mass, mass_choices(), "Mass matrix of vibrations and of spin");
     declare_choice(prm,
+                   "strain measure",
+                   strain,
+                   strain_measure_choices(),
+                   "Of bodies in spin: the linear strain in turned axes, as in explicit dynamics, "
+                   "or Green's, as other programs take");
+    declare_choice(prm,
                    "linear solver",
                    linear_solver,
                    linear_solvers,

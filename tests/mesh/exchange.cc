@@ -365,6 +365,29 @@ namespace
     check("flank points", right);
   }
 
+  /** CalculiX reads the first twenty characters of a number: an exponent beyond them would be lost.
+   */
+  void check_number_lengths()
+  {
+    const auto block = make_block(Vector3(1., 2., 3.), {{1, 1, 1}});
+    write("small.inp",
+          {exported(*block, Vector3(-5.15672612069196e-05, -1.2345678901234567e-100, 0.))});
+    std::ifstream file("small.inp");
+    std::size_t   longest = 0;
+    for (std::string line; std::getline(file, line);)
+      {
+        std::istringstream fields(line);
+        if (line.find('*') == std::string::npos)
+          for (std::string field; std::getline(fields, field, ',');)
+            longest = std::max(longest, field.substr(field.find_first_not_of(' ')).size());
+      }
+    check("inp: numbers of twenty characters at most", longest <= 20 && longest > 15);
+    double x = 1.;
+    for (const auto &vertex : read_body("small.inp")->triangulation.get_vertices())
+      x = std::min(x, vertex[0]);
+    check_close("inp: a small coordinate", x / -5.15672612069196e-05, 1., 1e-12);
+  }
+
   /** Hanging nodes would be cracks in another program. */
   void check_hanging_nodes()
   {
@@ -395,5 +418,6 @@ int main()
   check_foreign();
   check_refusals();
   check_flank_points();
+  check_number_lengths();
   check_hanging_nodes();
 }

@@ -102,6 +102,17 @@ namespace
     return result;
   }
 
+  /** Of modes.csv: the lowest frequency of a number of diameters that is no rotation [Hz]. */
+  double lowest_mode(const Columns &modes, const unsigned int diameters, const double speed)
+  {
+    double lowest = 1e9;
+    for (std::size_t i = 0; i < modes.at("frequency").size(); ++i)
+      if (modes.at("nodal diameter")[i] == diameters && modes.at("speed")[i] == speed &&
+          modes.at("frequency")[i] > 1)
+        lowest = std::min(lowest, modes.at("frequency")[i]);
+    return lowest;
+  }
+
   void modes(Communicator &world)
   {
     const auto row =
@@ -111,15 +122,31 @@ namespace
               {"Fem/speeds=0", "Fem/cyclic symmetry=yes", "Fem/modes=3", "Output/pictures=no"},
               world) +
       "modes.csv");
-    // Columns n = 1, umbrella, 2, 3, 4: the lowest of each number of diameters that is no rotation.
+    // Columns n = 1, umbrella, 2, 3, 4.
     const std::vector<unsigned int> diameters = {1, 0, 2, 3, 4};
     for (std::size_t c = 0; c < diameters.size(); ++c)
+      compare("n = " + std::to_string(diameters[c]),
+              row[3 + c],
+              0,
+              lowest_mode(found, diameters[c], 0.));
+  }
+
+  void modes_in_spin(Communicator &world)
+  {
+    for (const std::string measure : {"green", "biot"})
       {
-        double lowest = 1e9;
-        for (std::size_t i = 0; i < found.at("frequency").size(); ++i)
-          if (found.at("nodal diameter")[i] == diameters[c] && found.at("frequency")[i] > 1)
-            lowest = std::min(lowest, found.at("frequency")[i]);
-        compare("n = " + std::to_string(diameters[c]), row[3 + c], 0, lowest);
+        const auto row =
+          row_of(verification, "### Rise of frequencies", "`strain measure = " + measure + "`");
+        const Columns found = read_columns(
+          do_case("prm/fem/gear_in_spin.prm",
+                  {"Fem/strain measure=" + measure, "Fem/modes=1", "Output/pictures=no"},
+                  world) +
+          "modes.csv");
+        for (unsigned int n = 0; n < 5; ++n)
+          compare("n = " + std::to_string(n),
+                  row[1 + n],
+                  0,
+                  lowest_mode(found, n, 6835.) - lowest_mode(found, n, 0.));
       }
   }
 
@@ -266,7 +293,8 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc,
-            argv,
-            {oscillator, modes, spinning_block, bars_and_beams, loaded_pair, paper_pair});
+  run_parts(
+    argc,
+    argv,
+    {oscillator, modes, modes_in_spin, spinning_block, bars_and_beams, loaded_pair, paper_pair});
 }

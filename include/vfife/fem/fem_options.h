@@ -2,7 +2,7 @@
 #ifndef vfife_fem_fem_options_h
 #define vfife_fem_fem_options_h
 
-#include <vfife/fem/system/fem_element.h>
+#include <vfife/fem/system/finite_strain.h>
 
 #include <string>
 #include <vector>
@@ -31,6 +31,7 @@ namespace vfife
   {
     FemElement       element          = FemElement::incompatible_modes;
     MassKind         mass             = MassKind::consistent;
+    StrainMeasure    strain           = StrainMeasure::biot;
     LinearSolverKind linear_solver    = LinearSolverKind::multigrid;
     double           linear_tolerance = 1e-10; ///< residual over load
     EigenSolverKind  eigen_solver     = EigenSolverKind::shift_invert;

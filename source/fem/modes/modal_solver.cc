@@ -40,7 +40,7 @@ namespace vfife
   ModalSolver::ModalSolver(const Assembly &assembly, const FemOptions &options)
     : assembly_(assembly)
     , options_(options)
-    , matrices_(assembly, options.mass)
+    , matrices_(assembly, options.mass, options.strain)
   {
     const unsigned int n = assembly.unknowns().n();
     if (options.n_modes > largest_number(n))

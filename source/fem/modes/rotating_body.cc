@@ -4,6 +4,7 @@
 #include <vfife/fem/modes/gyroscopic_modes.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/fem/system/spin_state.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 
@@ -74,26 +75,30 @@ namespace vfife
     Unknowns::Options options;
     options.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::pinned;
     const Assembly       assembly(discretization_, options, communicator_);
-    const SystemMatrices matrices(assembly, options_.mass);
-    // (K - Omega^2 S) u = Omega^2 S X
-    SparseValues K = add_scaled(matrices.stiffness(), -1., matrices.spin_mass(constant(rate)));
-    OwnedVector  q = matrices.centrifugal_load(constant(rate));
+    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
+    const std::string    name = "body \"" + model_.bodies[body_].name() + "\" at " +
+                             std::to_string(rate * 30. / pi) + " rpm has";
     const unsigned int n_free = count_free_motions();
-    if (n_free > 0)
-      {
-        // Nothing holds the body: where it is balanced, the load does no work on rigid motions, and
-        // a weak bed of springs only keeps the factorization from dividing by zero.
-        const SparseValues M = matrices.mass();
-        K                    = add_scaled(std::move(K), -choose_shift(assembly, K, M), M);
-      }
-    // Spin softens what nothing holds: as many motions as are free may have a negative stiffness.
-    const DirectSolver solver(assembly.pattern(), K, communicator_);
-    if (solver.n_negative() > n_free || solver.n_zero() > 0)
-      throw NumericalError("body \"" + model_.bodies[body_].name() +
-                           "\" has no stable state of spin at " + std::to_string(rate * 30. / pi) +
-                           " rpm: the speed is too high");
-    solver.solve(q.data(), 1);
-    return assembly.expand(q);
+    // Nothing holds the body: where it is balanced, the load does no work on rigid motions, and a
+    // weak bed of springs only keeps the factorization from dividing by zero.
+    const double bed =
+      n_free > 0 ? -choose_shift(assembly, matrices.stiffness(), matrices.mass()) : 0.;
+    return find_spin_state(matrices,
+                           constant(rate),
+                           true,
+                           bed,
+                           name,
+                           [&](const SparseValues &K) -> LinearSolve {
+                             const auto solver =
+                               std::make_shared<DirectSolver>(assembly.pattern(), K, communicator_);
+                             // Spin softens what nothing holds: as many motions as are free may
+                             // have a negative stiffness.
+                             if (solver->n_negative() > n_free || solver->n_zero() > 0)
+                               throw NumericalError(
+                                 name + " no stable state of spin: the speed is too high");
+                             return [solver](OwnedVector &q) { solver->solve(q.data(), 1); };
+                           })
+      .displacements;
   }
 
   ModesAtSpeed RotatingBody::find_modes(const double rate) const
@@ -139,21 +144,15 @@ namespace vfife
     const Assembly        assembly(discretization_, unknowns, communicator_);
     const ModalSolver     solver(assembly, options_);
     const SystemMatrices &matrices = solver.matrices();
-    // K + K_sigma(u) - Omega^2 S + hub curvature, u the equilibrium. Hubs that turn freely are not
-    // pinned: their rotation is a rigid mode, which is told apart by its frequency.
-    SparseValues K = matrices.stiffness(), M = matrices.mass();
-    double       lowest = 0;
-    if (rate != 0)
-      {
-        K = add_scaled(std::move(K), 1., matrices.geometric(equilibrium));
-        K = add_scaled(std::move(K), -1., matrices.spin_mass(constant(rate)));
-        if (!options_.hold_hubs)
-          K = add_scaled(std::move(K), 1., matrices.hub_curvature(equilibrium, constant(rate)));
-        // Spin softens translations of a body that nothing holds by this much; the rotation of a
-        // hub is left with terms of the order of the strain.
-        lowest = (count_free_motions() > 0 ? -1. : -1e-3) * rate * rate;
-      }
-    const ModalResult found = solver.solve(K, M, lowest);
+    // About the equilibrium. Hubs that turn freely are not pinned: their rotation is a rigid mode,
+    // which is told apart by its frequency.
+    const SparseValues K =
+      rate != 0 ? matrices.spinning_stiffness(equilibrium, constant(rate)) : matrices.stiffness();
+    const SparseValues M = matrices.mass();
+    // Spin softens translations of a body that nothing holds by this much; the rotation of a hub is
+    // left with round-off.
+    const double      lowest = (count_free_motions() > 0 ? -1. : -1e-3) * rate * rate;
+    const ModalResult found  = solver.solve(K, M, lowest);
     result.n_rigid += found.n_rigid;
     result.n_unknowns = std::max(result.n_unknowns, found.n_unknowns);
     result.memory     = std::max(result.memory, found.memory);
@@ -192,7 +191,7 @@ namespace vfife
                                const ModalResult  &found,
                                ModesAtSpeed       &result) const
   {
-    const SystemMatrices matrices(assembly, options_.mass);
+    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
     const DirectSolver   factors(assembly.pattern(),
                                add_scaled(stiffness, -found.shift, mass),
                                communicator_);

@@ -239,14 +239,10 @@ namespace vfife
     const ModalSolver     solver(assembly, options);
     const SystemMatrices &matrices = solver.matrices();
     const auto         rate = [&d](const unsigned int body) { return d.model().bodies[body].rate; };
-    SparseValues       K    = add_scaled(matrices.stiffness(), 1., make_contact(assembly, ties));
     const SparseValues M    = matrices.mass();
-    if (centrifugal)
-      {
-        K = add_scaled(std::move(K), -1., matrices.spin_mass(rate));
-        K = add_scaled(std::move(K), 1., matrices.geometric(compliance.spun()));
-        K = add_scaled(std::move(K), 1., matrices.hub_curvature(compliance.spun(), rate));
-      }
+    SparseValues       K =
+      centrifugal ? matrices.spinning_stiffness(compliance.spun(), rate) : matrices.stiffness();
+    K = add_scaled(std::move(K), 1., make_contact(assembly, ties));
     CoupledModes result;
     OwnedVector  turn = make_unit_torque(assembly);
     {

@@ -2,11 +2,10 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/fem/statics/compliance.h>
-#include <vfife/fem/system/system_matrices.h>
+#include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/torque_forces.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace vfife
@@ -20,23 +19,6 @@ namespace vfife
       return bodies;
     }
 
-    double norm(const std::vector<double> &u)
-    {
-      return std::sqrt(std::inner_product(u.begin(), u.end(), u.begin(), 0.));
-    }
-
-    double distance(const std::vector<double> &u, const std::vector<double> &v)
-    {
-      double sum = 0;
-      for (std::size_t i = 0; i < u.size(); ++i)
-        sum += (u[i] - v[i]) * (u[i] - v[i]);
-      return std::sqrt(sum);
-    }
-
-    /** The state of spin changes its own stiffness by some per cent of the bending of slender webs:
-     * four rounds leave 1e-6 of it. */
-    constexpr unsigned int largest_rounds  = 4;
-    constexpr double       round_tolerance = 1e-5;
     /** Right sides solved for at once. */
     constexpr unsigned int block = 32;
   } // namespace
@@ -55,28 +37,23 @@ namespace vfife
     // pin carries nothing in equilibrium.
     unknowns.rotation = HubRotation::pinned;
     assembly_         = std::make_unique<Assembly>(discretization_, unknowns, communicator);
-    const SystemMatrices matrices(*assembly_, options.mass);
-    const auto rate = [&model](const unsigned int body) { return model.bodies[body].rate; };
-    // K0 - Omega^2 S. Stresses and curvature of the hub depend on the state of spin, which is
-    // looked for with them: a fixed point, begun without stresses. The factors stay those of the
-    // last round but one, which are the same to the tolerance.
-    SparseValues K = matrices.stiffness();
+    const SystemMatrices matrices(*assembly_, options.mass, options.strain);
     spun_.assign(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
-    if (centrifugal)
-      K = add_scaled(std::move(K), -1., matrices.spin_mass(rate));
-    factorize(K);
-    for (unsigned int round = 0; centrifugal && round <= largest_rounds; ++round)
-      {
-        const std::vector<double> before = spun_;
-        OwnedVector               q      = matrices.centrifugal_load(rate);
-        solver_->solve(q.data(), 1);
-        spun_ = assembly_->expand(q);
-        if (round == largest_rounds || distance(spun_, before) < round_tolerance * norm(spun_))
-          break;
-        SparseValues spinning = add_scaled(K, 1., matrices.geometric(spun_));
-        spinning = add_scaled(std::move(spinning), 1., matrices.hub_curvature(spun_, rate));
-        factorize(spinning);
-      }
+    if (!centrifugal)
+      factorize(matrices.stiffness());
+    else
+      // The factors that are left are those of the state of spin.
+      spun_ = find_spin_state(
+                matrices,
+                [&model](const unsigned int body) { return model.bodies[body].rate; },
+                true,
+                0.,
+                "the bodies have",
+                [this](const SparseValues &K) {
+                  factorize(K);
+                  return [this](OwnedVector &q) { solver_->solve(q.data(), 1); };
+                })
+                .displacements;
 
     // The traction of the torque bends the bodies at every position alike; contact is
     // added by who asks.

@@ -5,7 +5,7 @@
 #include <vfife/fem/solvers/multigrid_solver.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/fem/system/load_forces.h>
-#include <vfife/fem/system/system_matrices.h>
+#include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/torque_forces.h>
 
 #include <algorithm>
@@ -46,11 +46,6 @@ namespace vfife
     {
       return loads.time ? history.value(*loads.time) : loads.part_of_loads;
     }
-
-    /** The state of spin changes its own stiffness little; each round leaves that part of the
-     * change. */
-    constexpr unsigned int largest_rounds  = 20;
-    constexpr double       round_tolerance = 1e-7;
 
     /** Values at the corners of an element from those at its n^3 Gauss points. */
     Eigen::MatrixXd corner_extrapolation(const unsigned int n)
@@ -141,9 +136,9 @@ namespace vfife
                                             const std::vector<double> &spun,
                                             double                    &strain_energy) const
   {
-    // g(u) = (K + K_sigma) u - what acts: forces of the model and springs on one rank, the
-    // rest element by element. Without constraints it is zero in equilibrium; with them it is
-    // what they exert.
+    // g(u) = K u - what acts: forces of the model and springs on one rank, the rest element by
+    // element; about a state of spin u_s, f(u_s) + K(u_s) (u - u_s) instead of K u. Without
+    // constraints it is zero in equilibrium; with them it is what they exert.
     const Discretization &d       = discretization_;
     const bool            is_root = communicator_.is_root();
     // Without displacements, as in the first call where none are prescribed, no element stiffness
@@ -171,15 +166,19 @@ namespace vfife
         const ElementNodes    X      = d.element_nodes(e);
         const Eigen::VectorXd v      = d.gather(e, u);
         Eigen::VectorXd       forces = Eigen::VectorXd::Zero(v.size());
-        if (moved)
+        if (!spun.empty())
+          {
+            const Eigen::VectorXd v_s = d.gather(e, spun);
+            const ElementState    state =
+              compute_element_state(X, d.material(e), d.element(), options_.strain, v_s, true);
+            forces = state.forces + state.tangent * (v - v_s);
+            strain_energy +=
+              state.energy + (v - v_s).dot(state.forces + .5 * state.tangent * (v - v_s));
+          }
+        else if (moved)
           {
             forces = compute_fem_stiffness(X, d.material(e), d.element()) * v;
             strain_energy += .5 * v.dot(forces);
-            if (loads.centrifugal && loads.stress_stiffness)
-              forces += expand_coefficients(compute_geometric_coefficients(
-                                              X, d.material(e), d.element(), d.gather(e, spun)),
-                                            Matrix3::Identity()) *
-                        v;
           }
         if (loads.body_force)
           forces -= integrate_body_force(X, loads.body_force);
@@ -199,77 +198,47 @@ namespace vfife
     return sums;
   }
 
-  std::vector<double> StaticSolver::solve_system(const SystemMatrices &matrices,
-                                                 SparseValues          K,
-                                                 const OwnedVector    &f,
-                                                 unsigned int         &n_iterations) const
+  LinearSolve StaticSolver::prepare(const SystemMatrices &matrices,
+                                    SparseValues          K,
+                                    unsigned int         &n_iterations) const
   {
-    const Assembly &assembly = matrices.assembly();
-    OwnedVector     q        = f;
-    const double    size     = assembly.dot(f, f);
-    if (!std::isfinite(size))
-      throw NumericalError("the loads of the static solution are not finite");
-    // Nothing acts: conjugate gradients could not measure their residual by it.
-    if (size == 0)
-      return assembly.expand(q);
-    bool stable = true;
+    const Assembly                      &assembly = matrices.assembly();
+    std::function<bool(OwnedVector & q)> solve; // tells whether K is known to be positive
     if (options_.linear_solver == LinearSolverKind::direct)
       {
-        const DirectSolver solver(assembly.pattern(), K, communicator_);
-        stable = solver.n_negative() == 0 && solver.n_zero() == 0;
-        solver.solve(q.data(), 1);
+        const auto solver = std::make_shared<DirectSolver>(assembly.pattern(), K, communicator_);
+        const bool stable = solver->n_negative() == 0 && solver->n_zero() == 0;
+        solve             = [solver, stable](OwnedVector &q) {
+          solver->solve(q.data(), 1);
+          return stable;
+        };
       }
     else
       {
         assembly.set_padding(K, assembly.mean_diagonal(K));
-        MultigridSolver solver(assembly, K, matrices.near_kernel());
-        q            = solver.solve(f, options_.linear_tolerance);
-        n_iterations = solver.n_iterations();
+        const auto solver = std::make_shared<MultigridSolver>(assembly, K, matrices.near_kernel());
+        solve             = [this, solver, &n_iterations](OwnedVector &q) {
+          q            = solver->solve(q, options_.linear_tolerance);
+          n_iterations = solver->n_iterations();
+          return true;
+        };
       }
-    // Conjugate gradients count no pivots, but an indefinite matrix shows in negative work.
-    const double work = assembly.dot(f, q);
-    if (!std::isfinite(work))
-      throw NumericalError("the static solution is not finite");
-    if (!stable || !(work > 0))
-      throw NumericalError("the bodies have no stable equilibrium: a speed is too high");
-    return assembly.expand(q);
-  }
-
-  std::vector<double> StaticSolver::find_spun(const StaticLoads    &loads,
-                                              const SystemMatrices &matrices,
-                                              SparseValues         &K) const
-  {
-    std::vector<double> stressed(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
-    if (!loads.centrifugal || !loads.stress_stiffness)
-      return stressed;
-    // The fixed point of u = (K + K_sigma(u) + hub curvature(u))^-1 Omega^2 S X. K becomes the
-    // matrix it ends with, so that everything else is linear about the state of spin.
-    const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
-    // Softened bodies may be stable under their stresses only: the first round is not softened.
-    SparseValues now          = matrices.stiffness();
-    unsigned int n_iterations = 0;
-    for (unsigned int round = 0; round < largest_rounds; ++round)
-      {
-        const std::vector<double> spun =
-          solve_system(matrices, now, matrices.centrifugal_load(rate), n_iterations);
-        double change = 0, size = 0;
-        for (std::size_t i = 0; i < spun.size(); ++i)
-          {
-            change = std::max(change, std::abs(spun[i] - stressed[i]));
-            size   = std::max(size, std::abs(spun[i]));
-          }
-        if (change <= round_tolerance * size)
-          {
-            if (round > 0)
-              K = std::move(now);
-            return stressed;
-          }
-        stressed = spun;
-        now      = add_scaled(K, 1., matrices.geometric(stressed));
-        now      = add_scaled(std::move(now), 1., matrices.hub_curvature(stressed, rate));
-      }
-    throw NumericalError("the state of spin does not settle under its own stresses: a speed is too "
-                         "high");
+    return [&assembly, solve](OwnedVector &q) {
+      const OwnedVector f    = q;
+      const double      size = assembly.dot(f, f);
+      if (!std::isfinite(size))
+        throw NumericalError("the loads of the static solution are not finite");
+      // Nothing acts: conjugate gradients could not measure their residual by it.
+      if (size == 0)
+        return;
+      const bool stable = solve(q);
+      // Conjugate gradients count no pivots, but an indefinite matrix shows in negative work.
+      const double work = assembly.dot(f, q);
+      if (!std::isfinite(work))
+        throw NumericalError("the static solution is not finite");
+      if (!stable || !(work > 0))
+        throw NumericalError("the bodies have no stable equilibrium: a speed is too high");
+    };
   }
 
   StaticResult StaticSolver::solve(const StaticLoads &loads) const
@@ -280,35 +249,51 @@ namespace vfife
     unknowns.rotation     = rotation_;
     unknowns.led_are_held = true;
     const Assembly       assembly(discretization_, unknowns, communicator_);
-    const SystemMatrices matrices(assembly, options_.mass);
-    SparseValues         K = matrices.stiffness();
-    // K - Omega^2 S: the displaced mass is thrown outwards too.
-    if (loads.centrifugal && loads.spin_softening)
-      K = add_scaled(std::move(K), -1., matrices.spin_mass([this](const unsigned int body) {
-        return model_.bodies[body].rate;
-      }));
-    // First the state of spin, which stiffens and softens K.
-    const std::vector<double> spun = find_spun(loads, matrices, K);
-
-    // K T q = -(K u - f) at the prescribed displacements u alone.
-    const std::vector<double> prescribed =
-      compute_prescribed_displacements(discretization_, [&loads](const Constraint &constraint) {
-        return factor_of(constraint.history, loads);
-      });
-    double              energy = 0;
-    std::vector<double> forces = balance(loads, prescribed, spun, energy);
-    std::transform(forces.begin(), forces.end(), forces.begin(), std::negate<double>());
-
+    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
+    const auto   rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
     StaticResult result;
-    result.displacements =
-      solve_system(matrices, std::move(K), assembly.restrict_forces(forces), result.n_iterations);
-    std::transform(prescribed.begin(),
-                   prescribed.end(),
-                   result.displacements.begin(),
-                   result.displacements.begin(),
-                   std::plus<double>());
+    // First the state of spin, which stiffens and softens the bodies: everything else is linear
+    // about it.
+    SpinState  state;
+    const auto prepared = [&](SparseValues K) {
+      return prepare(matrices, std::move(K), result.n_iterations);
+    };
+    if (loads.centrifugal && loads.stress_stiffness)
+      state =
+        find_spin_state(matrices, rate, loads.spin_softening, 0., "the bodies have", prepared);
+    else
+      {
+        SparseValues K = matrices.stiffness();
+        // K - Omega^2 S: the displaced mass is thrown outwards too.
+        if (loads.centrifugal && loads.spin_softening)
+          K = add_scaled(std::move(K), -1., matrices.spin_mass(rate));
+        state.solve = prepared(std::move(K));
+      }
+
+    // K T q = -g(u) at the state of spin with the prescribed displacements.
+    std::vector<double> &u = result.displacements;
+    u = compute_prescribed_displacements(discretization_, [&loads](const Constraint &constraint) {
+      return factor_of(constraint.history, loads);
+    });
+    if (!state.displacements.empty())
+      u = add_scaled(std::move(u), 1., state.displacements);
+    double              energy = 0;
+    std::vector<double> forces = balance(loads, u, state.displacements, energy);
+    std::transform(forces.begin(), forces.end(), forces.begin(), std::negate<double>());
+    // The force of a hub's constraint that has turned with its point is in balance with the rest at
+    // the state of spin; as a force of a constraint it is no load.
+    if (!state.displacements.empty())
+      for (const auto &point : matrices.hub_curvature(state.displacements, rate))
+        {
+          const std::size_t row = 3 * std::size_t(point.first);
+          Eigen::Map<Vector3>(forces.data() + row) -=
+            point.second * Eigen::Map<const Vector3>(state.displacements.data() + row);
+        }
+    OwnedVector q = assembly.restrict_forces(forces);
+    state.solve(q);
+    u = add_scaled(std::move(u), 1., assembly.expand(q));
     // What is left of all forces at the solution is what the constraints exert.
-    result.reactions = balance(loads, result.displacements, spun, result.strain_energy);
+    result.reactions = balance(loads, u, state.displacements, result.strain_energy);
     return result;
   }
 

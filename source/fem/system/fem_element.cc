@@ -80,14 +80,6 @@ namespace vfife
                                                quadratic = make_reference_points(2);
       return n_nodes == 8 ? linear : quadratic;
     }
-
-    /** From xx yy zz xy yz zx. */
-    Matrix3 stress_tensor(const Eigen::Matrix<double, 6, 1> &s)
-    {
-      Matrix3 tensor;
-      tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-      return tensor;
-    }
   } // namespace
 
   const Choices<FemElement> &fem_element_choices()
@@ -181,22 +173,6 @@ namespace vfife
     for (unsigned int q = 0; q < 8; ++q)
       stresses.col(q) = D * (strains.displacement[q] * u + strains.bubble[q] * bubbles);
     return stresses;
-  }
-
-  Eigen::MatrixXd compute_geometric_coefficients(const ElementNodes    &X,
-                                                 const Material        &material,
-                                                 const FemElement       element,
-                                                 const Eigen::VectorXd &u)
-  {
-    // g_ab = sum_q w grad N_a . sigma grad N_b, with the trilinear gradients also where
-    // bubbles have taken part in sigma.
-    const auto      stresses = compute_point_stresses(X, material, element, u);
-    const auto      points   = compute_element_points(X);
-    Eigen::MatrixXd g        = Eigen::MatrixXd::Zero(X.cols(), X.cols());
-    for (std::size_t q = 0; q < points.size(); ++q)
-      g.noalias() += points[q].gradients.transpose() *
-                     (points[q].weight * stress_tensor(stresses.col(q)) * points[q].gradients);
-    return .5 * (g + g.transpose());
   }
 
   Eigen::MatrixXd expand_coefficients(const Eigen::MatrixXd &coefficients,

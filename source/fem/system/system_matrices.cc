@@ -24,9 +24,12 @@ namespace vfife
     }
   } // namespace
 
-  SystemMatrices::SystemMatrices(const Assembly &assembly, const MassKind mass)
+  SystemMatrices::SystemMatrices(const Assembly     &assembly,
+                                 const MassKind      mass,
+                                 const StrainMeasure strain)
     : assembly_(assembly)
     , mass_(mass)
+    , strain_(strain)
   {
   }
 
@@ -81,32 +84,8 @@ namespace vfife
     });
   }
 
-  SparseValues SystemMatrices::geometric(const std::vector<double> &u) const
-  {
-    const Discretization &d = assembly_.discretization();
-    return assembly_.matrix([&](const unsigned int e) {
-      // K_sigma = (int grad N_a . sigma grad N_b dV) 1, sigma the stress of u
-      return expand_coefficients(compute_geometric_coefficients(
-                                   d.element_nodes(e), d.material(e), d.element(), d.gather(e, u)),
-                                 Matrix3::Identity());
-    });
-  }
-
-  OwnedVector SystemMatrices::centrifugal_load(const Rate &rate) const
-  {
-    const Discretization &d = assembly_.discretization();
-    return assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
-      const Axis  &line  = axis(e);
-      const double omega = rate(body(e));
-      // Omega^2 m_ab (1 - a a^T) X_b, the columns of X being the element's points.
-      const ElementNodes arms =
-        across(line.direction) * (d.element_nodes(e).colwise() - line.point);
-      const ElementNodes forces = omega * omega * arms * mass_coefficients(e);
-      return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
-    });
-  }
-
-  SparseValues SystemMatrices::hub_curvature(const std::vector<double> &u, const Rate &rate) const
+  SystemMatrices::PointMatrices SystemMatrices::hub_curvature(const std::vector<double> &u,
+                                                              const Rate                &rate) const
   {
     const Discretization &d = assembly_.discretization();
     // The force F of the constraint stays radial. When the point moves by u_t along the circle of
@@ -131,21 +110,18 @@ namespace vfife
         const auto          is_hub = [&](const unsigned int p) { return reactions.count(p) != 0; };
         if (std::none_of(points, points + d.points_per_element(), is_hub))
           continue;
-        // The load acts on the moved mass, as in the equilibrium: K u - Omega^2 S (X + u).
-        const ElementNodes    X        = d.element_nodes(e);
-        const Eigen::VectorXd v        = d.gather(e, u);
-        const Eigen::VectorXd internal = compute_fem_stiffness(X, d.material(e), d.element()) * v;
-        const Axis           &line     = axis(e);
-        const double          omega    = rate(body(e));
-        const ElementNodes    moved = X + Eigen::Map<const ElementNodes>(v.data(), 3, v.size() / 3);
-        const ElementNodes    spin  = omega * omega * across(line.direction) *
-                                  (moved.colwise() - line.point) * mass_coefficients(e);
+        // The load acts on the moved mass, as in the equilibrium.
+        const Eigen::VectorXd v = d.gather(e, u);
+        const Eigen::VectorXd forces =
+          compute_element_state(d.element_nodes(e), d.material(e), d.element(), strain_, v, false)
+            .forces -
+          centrifugal_force(e, v, rate);
         for (unsigned int a = 0; a < d.points_per_element(); ++a)
           if (is_hub(points[a]))
-            reactions[points[a]] += internal.segment<3>(3 * a) - spin.col(a);
+            reactions[points[a]] += forces.segment<3>(3 * a);
       }
 
-    std::vector<std::pair<unsigned int, Matrix3>> curvatures;
+    PointMatrices curvatures;
     for (const auto &reaction : reactions)
       {
         const Axis   &line   = d.model().bodies[d.part_of_point(reaction.first).body].axis;
@@ -156,7 +132,62 @@ namespace vfife
                                   -reaction.second.dot(radial) / arm.norm() * tangent *
                                     tangent.transpose());
       }
-    return assembly_.point_matrix(curvatures);
+    return curvatures;
+  }
+
+  Eigen::VectorXd SystemMatrices::centrifugal_force(const unsigned int     e,
+                                                    const Eigen::VectorXd &u,
+                                                    const Rate            &rate) const
+  {
+    const Discretization &d     = assembly_.discretization();
+    const Axis           &line  = axis(e);
+    const double          omega = rate(body(e));
+    // Omega^2 m_ab (1 - a a^T) (X + u)_b, the columns of X being the element's points.
+    const ElementNodes moved =
+      d.element_nodes(e) + Eigen::Map<const ElementNodes>(u.data(), 3, u.size() / 3);
+    const ElementNodes forces = omega * omega * across(line.direction) *
+                                (moved.colwise() - line.point) * mass_coefficients(e);
+    return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
+  }
+
+  SparseValues SystemMatrices::spinning_stiffness(const std::vector<double> &u,
+                                                  const Rate                &rate) const
+  {
+    const Discretization &d      = assembly_.discretization();
+    PointMatrices         points = find_springs(d);
+    const PointMatrices   hub    = hub_curvature(u, rate);
+    points.insert(points.end(), hub.begin(), hub.end());
+    SparseValues K = assembly_.matrix([&](const unsigned int e) -> Eigen::MatrixXd {
+      const double omega = rate(body(e));
+      return compute_element_state(
+               d.element_nodes(e), d.material(e), d.element(), strain_, d.gather(e, u), true)
+               .tangent -
+             expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
+    });
+    return add_scaled(std::move(K), 1., assembly_.point_matrix(points));
+  }
+
+  OwnedVector SystemMatrices::spinning_residual(const std::vector<double> &u,
+                                                const Rate                &rate,
+                                                const bool                 softening) const
+  {
+    const Discretization &d        = assembly_.discretization();
+    OwnedVector           residual = assembly_.vector([&](const unsigned int e) -> Eigen::VectorXd {
+      const Eigen::VectorXd v = d.gather(e, u);
+      return centrifugal_force(e, softening ? v : Eigen::VectorXd::Zero(v.size()), rate) -
+             compute_element_state(
+               d.element_nodes(e), d.material(e), d.element(), strain_, v, false)
+               .forces;
+    });
+    std::vector<double>   held(3 * static_cast<std::size_t>(d.n_points()), 0.);
+    PointMatrices         points = find_springs(d);
+    const PointMatrices   hub    = hub_curvature(u, rate);
+    points.insert(points.end(), hub.begin(), hub.end());
+    for (const auto &point : points)
+      Eigen::Map<Vector3>(held.data() + 3 * std::size_t(point.first)) -=
+        point.second * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(point.first));
+    const OwnedVector springs = assembly_.restrict_forces(held);
+    return add_scaled(std::move(residual), 1., springs);
   }
 
   OwnedVector SystemMatrices::apply_mass(const std::vector<double> &field) const

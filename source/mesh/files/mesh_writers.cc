@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <ostream>
 #include <set>
+#include <sstream>
 
 namespace vfife
 {
@@ -30,6 +31,20 @@ namespace vfife
     {
       for (std::size_t i = 0; i < indices.size(); ++i)
         out << indices[i] + 1 << (i + 1 == indices.size() || i % 16 == 15 ? "\n" : ", ");
+    }
+
+    /** A number as CalculiX reads it, which takes the first twenty characters of a field: with
+     * fewer digits where fifteen would be longer. */
+    std::string field(const double value)
+    {
+      for (int digits = 15;; --digits)
+        {
+          std::ostringstream text;
+          text.precision(digits);
+          text << value;
+          if (text.str().size() <= 20)
+            return text.str();
+        }
     }
 
     /** Hexahedra (VTK's type 12), then the faces of the surfaces (type 9). */
@@ -192,11 +207,11 @@ namespace vfife
 
     out << "** Units: mm, N, MPa, t (10^3 kg), s\n*NODE, NSET=NALL\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-      out << i + 1 << ", " << mesh.nodes[i][0] << ", " << mesh.nodes[i][1] << ", "
-          << mesh.nodes[i][2] << '\n';
+      out << i + 1 << ", " << field(mesh.nodes[i][0]) << ", " << field(mesh.nodes[i][1]) << ", "
+          << field(mesh.nodes[i][2]) << '\n';
     for (const auto &region : mesh.regions)
       {
-        out << "*ELEMENT, TYPE=C3D8, ELSET=" << abaqus_name(region.name) << '\n';
+        out << "*ELEMENT, TYPE=C3D8I, ELSET=" << abaqus_name(region.name) << '\n';
         for (const unsigned int element : region.elements)
           {
             out << element + 1;
@@ -231,8 +246,8 @@ namespace vfife
         const std::string material = abaqus_name(body.material);
         if (written.insert(material).second)
           out << "*MATERIAL, NAME=" << material << "\n*ELASTIC\n"
-              << body.youngs_modulus << ", " << body.poissons_ratio << "\n*DENSITY\n"
-              << body.density << '\n';
+              << field(body.youngs_modulus) << ", " << field(body.poissons_ratio) << "\n*DENSITY\n"
+              << field(body.density) << '\n';
         out << "*SOLID SECTION, ELSET=" << abaqus_name(body.name) << ", MATERIAL=" << material
             << '\n';
       }

@@ -17,9 +17,8 @@ namespace vfife
    * about the axis, and the rotation of such a body is an unknown of whoever asks
    * (PairEquilibrium).
    *
-   * In spin the matrix is K + K_sigma(u0) - Omega^2 S (+ curvature of the hub), u0 the state of
-   * spin under the same matrix (doc/fem.md). All functions are collective; results are equal on all
-   * ranks.
+   * In spin the matrix is the tangent K(u0) - Omega^2 S (+ curvature of the hub) at the state of
+   * spin u0 (doc/fem.md). All functions are collective; results are equal on all ranks.
    */
   class Compliance
   {

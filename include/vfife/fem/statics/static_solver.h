@@ -4,7 +4,7 @@
 
 #include <vfife/element/stress.h>
 #include <vfife/fem/fem_options.h>
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/spin_state.h>
 
 #include <functional>
 #include <optional>
@@ -12,8 +12,6 @@
 
 namespace vfife
 {
-  class SystemMatrices;
-
   /** What acts on the bodies at rest, in axes that turn with them. */
   struct StaticLoads
   {
@@ -24,7 +22,7 @@ namespace vfife
     bool                  centrifugal = false; ///< at each body's rate
     /** Centrifugal force acts on the displaced mass: K - rate^2 S instead of K. */
     bool spin_softening = false;
-    /** K + K_sigma instead of K, under the stresses of the centrifugal force alone. */
+    /** The tangent stiffness at the state of spin instead of that of the undeformed bodies. */
     bool stress_stiffness = false;
     /** At the model's nodes, fixed frame [N]; empty: none. */
     std::vector<Vector3> nodal_forces;
@@ -80,12 +78,9 @@ namespace vfife
                                 const std::vector<double> &spun,
                                 double                    &strain_energy) const;
     std::vector<double> make_forces(const StaticLoads &loads) const;
-    std::vector<double>
-    find_spun(const StaticLoads &loads, const SystemMatrices &matrices, SparseValues &K) const;
-    std::vector<double> solve_system(const SystemMatrices &matrices,
-                                     SparseValues          K,
-                                     const OwnedVector    &f,
-                                     unsigned int         &n_iterations) const;
+    /** What solves with @p K, which it checks to be positive. */
+    LinearSolve
+    prepare(const SystemMatrices &matrices, SparseValues K, unsigned int &n_iterations) const;
 
     const Model        &model_;
     FemOptions          options_;

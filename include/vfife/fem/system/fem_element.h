@@ -71,15 +71,6 @@ namespace vfife
                                                                   FemElement             element,
                                                                   const Eigen::VectorXd &u);
 
-  /**
-   * n x n coefficients g_ab = int grad N_a . sigma grad N_b dV [N/mm] of the geometric stiffness
-   * (times the identity of components) under the stresses of the displacements @p u.
-   */
-  Eigen::MatrixXd compute_geometric_coefficients(const ElementNodes    &X,
-                                                 const Material        &material,
-                                                 FemElement             element,
-                                                 const Eigen::VectorXd &u);
-
   /** The 3n x 3n matrix with the blocks @p coefficients(a, b) * @p block. */
   Eigen::MatrixXd expand_coefficients(const Eigen::MatrixXd &coefficients,
                                       const Eigen::Matrix3d &block);

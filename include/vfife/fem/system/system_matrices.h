@@ -3,25 +3,27 @@
 #define vfife_fem_system_system_matrices_h
 
 #include <vfife/fem/system/assembly.h>
+#include <vfife/fem/system/finite_strain.h>
 
 namespace vfife
 {
   /**
    * The matrices of small motions u in axes that turn with the body at the rate Omega about its
-   * axis (doc/fem.md), on the unknowns of an assembly: M u'' + 2 Omega G u' + (K + K_sigma -
-   * Omega^2 S) u = Omega^2 S X + f. All functions are collective.
+   * axis (doc/fem.md), on the unknowns of an assembly, about the state of spin u0:
+   * M u'' + 2 Omega G u' + (K(u0) + C - Omega^2 S) u = f, K the tangent stiffness, C the hub's
+   * curvature. All functions are collective; fields are displacements of all points, first copy.
    */
   class SystemMatrices
   {
   public:
-    SystemMatrices(const Assembly &assembly, MassKind mass);
+    SystemMatrices(const Assembly &assembly, MassKind mass, StrainMeasure strain);
 
     const Assembly &assembly() const
     {
       return assembly_;
     }
 
-    /** With the model's springs to the ground. */
+    /** At rest, with the model's springs to the ground. */
     SparseValues stiffness() const;
     SparseValues mass() const;
     /** Angular velocity of a body of the model about its axis [rad/s]. */
@@ -31,17 +33,25 @@ namespace vfife
     SparseValues spin_mass(const Rate &rate) const;
     /** Omega G with G = m_ab [a]x, skew. */
     SparseValues gyroscopic(const Rate &rate) const;
-    /** Geometric stiffness under the stresses of @p u (all points, first copy). */
-    SparseValues geometric(const std::vector<double> &u) const;
-    /** Omega^2 S X, X from the axis [N]. */
-    OwnedVector centrifugal_load(const Rate &rate) const;
+
+    using PointMatrices = std::vector<std::pair<unsigned int, Matrix3>>;
 
     /**
      * What keeping the radius adds at the points of hubs that turn freely: -F/r t t^T, F the radial
      * force of the constraint in steady spin with the displacements @p u, r the radius, t the
      * tangent. Without it a spun body on such a hub would not turn freely.
      */
-    SparseValues hub_curvature(const std::vector<double> &u, const Rate &rate) const;
+    PointMatrices hub_curvature(const std::vector<double> &u, const Rate &rate) const;
+    /** K(u) - Omega^2 S + C of bodies that spin displaced by @p u. */
+    SparseValues spinning_stiffness(const std::vector<double> &u, const Rate &rate) const;
+
+    /**
+     * What acts on bodies that spin displaced by @p u and is not in balance: Omega^2 S (X + u) -
+     * f(u) - C u, f their internal forces [N]. @p softening: whether the load acts on the displaced
+     * mass, or as Omega^2 S X.
+     */
+    OwnedVector
+    spinning_residual(const std::vector<double> &u, const Rate &rate, bool softening) const;
 
     /** M r for a field r of all points: what a base motion r puts on the unknowns. */
     OwnedVector apply_mass(const std::vector<double> &field) const;
@@ -50,12 +60,16 @@ namespace vfife
     std::vector<OwnedVector> near_kernel() const;
 
   private:
+    /** Omega^2 S (X + u) of an element, 3 a point [N]. */
+    Eigen::VectorXd
+    centrifugal_force(unsigned int e, const Eigen::VectorXd &u, const Rate &rate) const;
     Eigen::MatrixXd mass_coefficients(unsigned int e) const;
     unsigned int    body(unsigned int e) const;
     const Axis     &axis(unsigned int e) const;
 
     const Assembly &assembly_;
     MassKind        mass_;
+    StrainMeasure   strain_;
   };
 
   /** a + factor * b. */
