@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/text/byte_stream.h>
 #include <vfife/contact/contact.h>
 
 #include <algorithm>
@@ -155,15 +154,22 @@ namespace vfife
   }
 
 
+  void Contact::limit_tangential_penalty(const double limit)
+  {
+    tangential_limit_ = limit;
+  }
+
+
   SurfaceInteraction Contact::interaction(const double dt) const
   {
     const double mass =
       mass_per_area_ > 0. ? mass_per_area_ : options_.penalty.mass_per_area_for(penalty_, dt);
     // A node of the area A is critically damped on its spring eps A by c A = 2 sqrt(eps A m).
     SurfaceInteraction interaction{*law_, penalty_};
-    interaction.damping            = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
-    interaction.friction           = options_.friction.coefficient;
-    interaction.tangential_penalty = options_.friction.stiffness_ratio * penalty_;
+    interaction.damping  = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
+    interaction.friction = options_.friction.coefficient;
+    interaction.tangential_penalty =
+      std::min(options_.friction.stiffness_ratio * penalty_, tangential_limit_);
     return interaction;
   }
 
@@ -178,17 +184,76 @@ namespace vfife
   {
     if (!(penalty_ > 0.))
       throw NumericalError("contact: no penalty has been set (Contact::set_penalty)");
+    std::vector<TouchingPoint> points = locate(slave, master, dt, 0., rank, n_ranks);
+    find_explicit_pressures(dt, points);
+    press(points, dt, slave_forces, master_forces);
+  }
+
+
+  void Contact::find_explicit_pressures(const double dt, std::vector<TouchingPoint> &points) const
+  {
+    // The elastic pressures go through the law all at once.
+    std::vector<PressedPoint> pressed(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        pressed[i].penetration = -points[i].gap;
+        pressed[i].penalty     = penalty_;
+      }
+    law_->evaluate(pressed);
     const SurfaceInteraction interaction = this->interaction(dt);
-    passes_[0].add_forces(slave, master, interaction, rank, n_ranks, slave_forces, master_forces);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        points[i].elastic  = pressed[i].pressure;
+        points[i].energy   = pressed[i].energy;
+        points[i].pressure = interaction.pressure(points[i].elastic, points[i].gap_rate);
+      }
+  }
+
+
+  std::vector<TouchingPoint> Contact::locate(const SurfaceMotion &slave,
+                                             const SurfaceMotion &master,
+                                             const double         dt,
+                                             const double         look_ahead,
+                                             const unsigned int   rank,
+                                             const unsigned int   n_ranks)
+  {
+    const SurfaceInteraction   interaction = this->interaction(dt);
+    std::vector<TouchingPoint> points;
+    for (unsigned int i = 0; i < passes_.size(); ++i)
+      {
+        // The second pass: the same pairs in the same order, seen from the master.
+        const SurfaceMotion &of_slave  = i == 0 ? slave : master,
+                            &of_master = i == 0 ? master : slave;
+        passes_[i].locate(of_slave, of_master, interaction, look_ahead, rank, n_ranks);
+        for (TouchingPoint &point : passes_[i].touching())
+          point.pass = i;
+        points.insert(points.end(), passes_[i].touching().begin(), passes_[i].touching().end());
+      }
+    return points;
+  }
+
+
+  void Contact::press(const std::vector<TouchingPoint> &points,
+                      const double                      dt,
+                      double                           *slave_forces,
+                      double                           *master_forces)
+  {
+    const SurfaceInteraction interaction = this->interaction(dt);
+    auto                     next        = points.begin();
+    for (unsigned int i = 0; i < passes_.size(); ++i)
+      {
+        std::vector<TouchingPoint> &touching = passes_[i].touching();
+        std::copy_n(next, touching.size(), touching.begin());
+        next += touching.size();
+        if (i == 0)
+          passes_[i].press(interaction, slave_forces, master_forces);
+        else
+          passes_[i].press(interaction, master_forces, slave_forces);
+      }
     results_ = passes_[0].results();
     if (passes_.size() == 2)
-      {
-        // The same pairs in the same order, seen from the master.
-        passes_[1].add_forces(
-          master, slave, interaction, rank, n_ranks, master_forces, slave_forces);
-        for (std::size_t i = 0; i < results_.size(); ++i)
-          add_swapped(passes_[1].results()[i], results_[i]);
-      }
+      for (std::size_t i = 0; i < results_.size(); ++i)
+        add_swapped(passes_[1].results()[i], results_[i]);
   }
 
 
@@ -270,66 +335,6 @@ namespace vfife
     for (std::size_t i = 0; i < passes_.size(); ++i)
       passes_[i].append_springs(*law_, penalty_, i == 1, springs);
     return springs;
-  }
-
-
-  void Contact::serialize(ByteStream &stream)
-  {
-    stream.pass(candidate_pairs_);
-    for (const GroupPair &pair : candidate_pairs_)
-      stream.require(pair.first < passes_[0].slave().n_groups() &&
-                       pair.second < passes_[0].master().n_groups(),
-                     "groups that the surfaces have not");
-    for (ContactPass &pass : passes_)
-      pass.serialize(stream);
-    if (stream.reads())
-      find_active_nodes();
-  }
-
-
-  void Contact::set_friction_mode(const FrictionMode mode)
-  {
-    for (ContactPass &pass : passes_)
-      pass.set_friction_mode(mode);
-  }
-
-
-  std::vector<AnchorOfPoint> Contact::anchors() const
-  {
-    std::vector<AnchorOfPoint> anchors;
-    for (unsigned int i = 0; i < passes_.size(); ++i)
-      passes_[i].append_anchors(i, anchors);
-    return anchors;
-  }
-
-
-  bool Contact::has_restored_anchors() const
-  {
-    return std::any_of(passes_.begin(), passes_.end(), [](const ContactPass &pass) {
-      return pass.has_restored_anchors();
-    });
-  }
-
-
-  bool Contact::has_place(const AnchorOfPoint &of_point) const
-  {
-    const ContactAnchor &anchor = of_point.anchor;
-    return of_point.pass < passes_.size() &&
-           anchor.facet < passes_[of_point.pass].master().n_facets() &&
-           std::isfinite(anchor.xi + anchor.eta + anchor.elastic + anchor.energy);
-  }
-
-
-  void Contact::restore_anchors(const std::vector<AnchorOfPoint> &anchors)
-  {
-    for (unsigned int i = 0; i < passes_.size(); ++i)
-      {
-        std::vector<AnchorOfPoint> of_pass;
-        for (const AnchorOfPoint &anchor : anchors)
-          if (anchor.pass == i)
-            of_pass.push_back(anchor);
-        passes_[i].restore_anchors(of_pass);
-      }
   }
 
 

@@ -281,13 +281,12 @@ namespace vfife
   }
 
 
-  void ContactPass::add_forces(const SurfaceMotion      &slave,
-                               const SurfaceMotion      &master,
-                               const SurfaceInteraction &interaction,
-                               const unsigned int        rank,
-                               const unsigned int        n_ranks,
-                               double                   *slave_forces,
-                               double                   *master_forces)
+  void ContactPass::locate(const SurfaceMotion      &slave,
+                           const SurfaceMotion      &master,
+                           const SurfaceInteraction &interaction,
+                           const double              look_ahead,
+                           const unsigned int        rank,
+                           const unsigned int        n_ranks)
   {
     // Other points than before are this rank's: all lists are to be made anew.
     if (rank != rank_ || n_ranks != n_ranks_)
@@ -321,16 +320,18 @@ namespace vfife
       }
     add_time(&ContactTimes::wide_search);
     for (Pair &pair : pairs_)
-      find_gaps(pair);
+      find_gaps(pair, look_ahead);
     add_time(&ContactTimes::projection);
 
+    touching_.clear();
+    touches_.clear();
     results_.resize(pairs_.size());
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
         results_[i]              = GroupPairResult();
         results_[i].slave_group  = pairs_[i].slave_group;
         results_[i].master_group = pairs_[i].master_group;
-        press_pair(pairs_[i], interaction, results_[i], slave_forces, master_forces);
+        describe(pairs_[i], interaction.damping > 0., results_[i]);
       }
     add_time(&ContactTimes::forces);
   }

@@ -36,40 +36,12 @@ namespace vfife
       target[1] += f[1];
       target[2] += f[2];
     }
-
-    /** Weight and its slope: 0 at t = 0, 1 from t = 1 on, without kink. */
-    struct SmoothStep
-    {
-      double value, slope;
-
-      explicit SmoothStep(const double t)
-        : value(t <= 0.   ? 0.
-                : t >= 1. ? 1.
-                          : t * t * (3. - 2. * t))
-        , slope(t <= 0. || t >= 1. ? 0. : 6. * t * (1. - t))
-      {
-      }
-    };
   } // namespace
 
 
-  ContactPass::Fading ContactPass::fading(const Projection &p) const
+  Fading ContactPass::find_fading(const Projection &p) const
   {
-    Fading             fading;
-    const unsigned int border = master_.border_sides(p.facet);
-    if (border == 0 || edge_fading_ <= 0.)
-      return fading;
-    // The product of a step from each border side, so that corners fade in both directions.
-    const double     scale = 1. / edge_fading_;
-    const SmoothStep one((border & 8u) != 0 ? p.xi * scale : 1.);
-    const SmoothStep two((border & 2u) != 0 ? (1. - p.xi) * scale : 1.);
-    const SmoothStep three((border & 1u) != 0 ? p.eta * scale : 1.);
-    const SmoothStep four((border & 4u) != 0 ? (1. - p.eta) * scale : 1.);
-    const double     along_xi = one.value * two.value, along_eta = three.value * four.value;
-    fading.weight    = along_xi * along_eta;
-    fading.slope_xi  = scale * (one.slope * two.value - one.value * two.slope) * along_eta;
-    fading.slope_eta = scale * (three.slope * four.value - three.value * four.slope) * along_xi;
-    return fading;
+    return edge_fading_ > 0. ? Fading(master_, p, edge_fading_) : Fading();
   }
 
 
@@ -115,7 +87,7 @@ namespace vfife
   }
 
 
-  void ContactPass::find_gaps(Pair &pair)
+  void ContactPass::find_gaps(Pair &pair, const double look_ahead)
   {
     const double path =
       slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
@@ -127,9 +99,9 @@ namespace vfife
           continue;
         ListedPoint  &point = pair.points[i];
         const Vector3 x     = slave_point(point.slave_facet, point.rule_point);
-        point.pressure      = 0.;
         if (!locate(pair, point, x, path, pair.awake_at[i]))
           {
+            point.pressure = 0.;
             if (has_friction_)
               open(pair, i, false);
             continue;
@@ -138,123 +110,169 @@ namespace vfife
         const Projection &p      = point.projection;
         const double      length = master_.state(p.facet).normal(p.xi, p.eta).norm();
         point.gap = p.lambda * length - master_.offset(p.facet, p.xi, p.eta) - point.slave_offset;
-        // Open: sleep. Closed: touching, unless it is deep enough to belong to the other side of a
-        // thin body.
-        if (point.gap >= 0.)
-          pair.awake_at[i] = path + sleep_per_gap * point.gap;
+        // Open: sleep. Closed: touching (the pressure of the step before is a first guess), unless
+        // it is deep enough to belong to the other side of a thin body.
+        const double reach = find_reach(point, look_ahead);
+        if (point.gap >= reach)
+          // Accelerated while it sleeps, it may reach farther when it wakes.
+          pair.awake_at[i] = path + std::max(0., sleep_per_gap * point.gap - 2. * reach);
         else if (point.gap > -depth_limit_)
           {
             pair.touching.push_back(i);
             continue;
           }
+        point.pressure = 0.;
         if (has_friction_)
           open(pair, i, true);
       }
   }
 
 
-  void ContactPass::press_pair(Pair                     &pair,
-                               const SurfaceInteraction &interaction,
-                               GroupPairResult          &result,
-                               double                   *slave_forces,
-                               double                   *master_forces)
+  double ContactPass::find_reach(const ListedPoint &point, const double look_ahead) const
   {
-    // Penetrations of all touching points go through the law at once, then each point presses.
-    pressed_.resize(pair.touching.size());
-    for (std::size_t i = 0; i < pressed_.size(); ++i)
+    // A point that is closed at either end of the step touches: half as far again as the faster of
+    // its velocities over the master there goes in that time. Points too many carry nothing.
+    constexpr double margin = 1.5;
+    if (!(look_ahead > 0.))
+      return 0.;
+    const auto  weights = bilinear_weights(point.projection.xi, point.projection.eta);
+    const auto &shape   = rule_[point.rule_point].shape;
+    const auto &slave   = slave_.corners(point.slave_facet);
+    const auto &master  = master_.corners(point.projection.facet);
+    Vector3     before = Vector3::Zero(), after = Vector3::Zero();
+    for (unsigned int k = 0; k < 4; ++k)
       {
-        pressed_[i].penetration = -pair.points[pair.touching[i]].gap;
-        pressed_[i].penalty     = interaction.penalty;
+        before += shape[k] * slave_.velocity(slave[k]) - weights[k] * master_.velocity(master[k]);
+        after += shape[k] * slave_.later_velocity(slave[k]) -
+                 weights[k] * master_.later_velocity(master[k]);
       }
-    interaction.law.evaluate(pressed_);
-    for (std::size_t i = 0; i < pressed_.size(); ++i)
-      {
-        const unsigned int point  = pair.touching[i];
-        ContactAnchor     *anchor = has_friction_ ? &pair.anchors[point] : nullptr;
-        if (!press(pair.points[point],
-                   pressed_[i],
-                   interaction,
-                   anchor,
-                   result,
-                   slave_forces,
-                   master_forces) &&
-            has_friction_)
-          open(pair, point, true);
-      }
-    result.friction_loss += pair.released;
-    pair.released = 0.;
+    return margin * look_ahead * std::sqrt(std::max(before.squaredNorm(), after.squaredNorm()));
   }
 
 
-  bool ContactPass::press(ListedPoint              &point,
-                          const PressedPoint       &elastic,
+  void ContactPass::describe(Pair &pair, const bool with_rates, GroupPairResult &result)
+  {
+    const unsigned int number = &pair - pairs_.data();
+    for (const unsigned int i : pair.touching)
+      {
+        ListedPoint      &point  = pair.points[i];
+        const Projection &p      = point.projection;
+        const Vector3     normal = master_.state(p.facet).normal(p.xi, p.eta).normalized();
+        // Surfaces that do not face each other do not press.
+        const Vector3 slave_normal = slave_.vector_area(point.slave_facet);
+        const bool    faces = normal.dot(slave_normal) <= facing_cosine * slave_normal.norm();
+        const Fading  fade  = faces ? find_fading(p) : Fading();
+        if (faces)
+          result.largest_penetration = std::max(result.largest_penetration, -point.gap);
+        if (!faces || point.area * fade.weight <= 0.)
+          {
+            point.pressure = 0.;
+            if (has_friction_)
+              open(pair, i, true);
+            continue;
+          }
+        // The gap's slopes: along the normal, and along the facet where the gap changes as the
+        // point slides; the couple of that part goes to the master's corners (balance_couple()).
+        const Vector3 x = slave_point(point.slave_facet, point.rule_point);
+        touches_.push_back({number, i, x, normal, fade, TangentBasis(master_, p, x, normal)});
+        const TangentBasis &basis   = touches_.back().basis;
+        const auto          weights = bilinear_weights(p.xi, p.eta);
+        const Vector3       tangential =
+          -basis.slope_xi * basis.dual_xi - basis.slope_eta * basis.dual_eta;
+
+        TouchingPoint touching;
+        touching.slave_facet  = point.slave_facet;
+        touching.rule_point   = point.rule_point;
+        touching.slave_nodes  = slave_.corners(point.slave_facet);
+        touching.master_nodes = master_.corners(p.facet);
+        touching.area         = point.area * fade.weight;
+        touching.gap          = point.gap;
+        touching.pressure     = fade.weight > 0. ? point.pressure / fade.weight : 0.;
+        Eigen::Map<Vector3>(touching.direction) = normal + tangential;
+        for (unsigned int k = 0; k < 4; ++k)
+          {
+            touching.slave_weights[k] = rule_[point.rule_point].shape[k];
+            Eigen::Map<Vector3> slope(touching.master_slopes[k]);
+            slope =
+              -weights[k] * (normal + tangential) + basis.couple_share(tangential, k) * normal;
+            if (with_rates)
+              touching.gap_rate +=
+                touching.slave_weights[k] *
+                  touching.normal_slope().dot(slave_.velocity(touching.slave_nodes[k])) +
+                slope.dot(master_.velocity(touching.master_nodes[k]));
+          }
+        touching_.push_back(touching);
+      }
+  }
+
+
+  void ContactPass::press(const SurfaceInteraction &interaction,
+                          double                   *slave_forces,
+                          double                   *master_forces)
+  {
+    for (std::size_t i = 0; i < touching_.size(); ++i)
+      {
+        const Touch   &touch  = touches_[i];
+        Pair          &pair   = pairs_[touch.pair];
+        ContactAnchor *anchor = has_friction_ ? &pair.anchors[touch.point] : nullptr;
+        if (!press(touching_[i],
+                   touch,
+                   interaction,
+                   pair.points[touch.point],
+                   anchor,
+                   results_[touch.pair],
+                   slave_forces,
+                   master_forces) &&
+            has_friction_)
+          open(pair, touch.point, true);
+      }
+    for (Pair &pair : pairs_)
+      {
+        results_[&pair - pairs_.data()].friction_loss += pair.released;
+        pair.released = 0.;
+      }
+  }
+
+
+  bool ContactPass::press(const TouchingPoint      &touching,
+                          const Touch              &touch,
                           const SurfaceInteraction &interaction,
+                          ListedPoint              &point,
                           ContactAnchor            *anchor,
                           GroupPairResult          &result,
                           double                   *slave_forces,
                           double                   *master_forces)
   {
-    const Vector3 x      = slave_point(point.slave_facet, point.rule_point);
-    const Vector3 normal = master_.state(point.projection.facet)
-                             .normal(point.projection.xi, point.projection.eta)
-                             .normalized();
-    // Surfaces that do not face each other do not press.
-    const Vector3 slave_normal = slave_.vector_area(point.slave_facet);
-    if (normal.dot(slave_normal) > facing_cosine * slave_normal.norm())
-      return false;
-    const Projection &p        = point.projection;
-    const Fading      fade     = fading(p);
-    const double      area     = point.area * fade.weight;
-    result.largest_penetration = std::max(result.largest_penetration, -point.gap);
-    if (area <= 0.)
-      return false;
-
-    const auto        &shape          = rule_[point.rule_point].shape;
-    const auto         weights        = bilinear_weights(p.xi, p.eta);
-    const auto        &slave_corners  = slave_.corners(point.slave_facet);
-    const auto        &master_corners = master_.corners(p.facet);
-    const TangentBasis basis(*this, point, x, normal);
-
-    // Pressure: elastic, and damped where the gap's rate counts.
-    double gap_rate = 0.;
-    if (interaction.damping > 0.)
-      {
-        Vector3 velocity = Vector3::Zero(); // of the slave's point over the master's
-        for (unsigned int k = 0; k < 4; ++k)
-          velocity += shape[k] * slave_.velocity(slave_corners[k]) -
-                      weights[k] * master_.velocity(master_corners[k]);
-        const Vector3 slip = basis.slip(velocity, normal, master_, master_corners);
-        gap_rate           = normal.dot(velocity) - basis.slope_xi * basis.dual_xi.dot(slip) -
-                   basis.slope_eta * basis.dual_eta.dot(slip);
-      }
-    const double pressure = interaction.pressure(elastic.pressure, gap_rate);
+    const double pressure = touching.pressure, area = touching.area;
     // What acts on the slave's area: a faded edge is soft and sinks in deeply, but carries little.
-    point.pressure          = fade.weight * pressure;
+    point.pressure          = touch.fade.weight * pressure;
     result.largest_pressure = std::max(result.largest_pressure, point.pressure);
-    result.energy += elastic.energy * area;
-    result.damping_power -= (pressure - elastic.pressure) * gap_rate * area;
+    result.energy += touching.energy * area;
+    result.damping_power -= (pressure - touching.elastic) * touching.gap_rate * area;
     if (pressure <= 0.)
       return false;
 
-    // The force is the slope of the energy w E(-g) A of the contact law: along the normal with the
-    // gap, and along the facet where gap or weight change as the point slides.
-    const double weight_energy = elastic.energy * point.area;
-    const double along_xi      = pressure * area * basis.slope_xi + weight_energy * fade.slope_xi;
-    const double along_eta     = pressure * area * basis.slope_eta + weight_energy * fade.slope_eta;
-    Vector3      tangential    = -along_xi * basis.dual_xi - along_eta * basis.dual_eta;
+    // The force is the slope of the energy w E(-g) A of the contact law: by the slopes of the gap,
+    // and along the facet where the weight changes as the point slides.
+    const double weight_energy = touching.energy * point.area;
+    Vector3      tangential    = -weight_energy * (touch.fade.slope_xi * touch.basis.dual_xi +
+                                           touch.fade.slope_eta * touch.basis.dual_eta);
     if (anchor != nullptr)
-      tangential += stick(p, normal, basis, pressure, area, interaction, *anchor, result);
+      tangential += stick(
+        point.projection, touch.normal, touch.basis, pressure, area, interaction, *anchor, result);
     // Opposite forces on the corners of both facets, by the weights of the point in each.
-    basis.balance_couple(tangential, normal, master_corners, master_forces);
-
-    const Vector3 force = (pressure * area) * normal + tangential;
+    const auto    weights = bilinear_weights(point.projection.xi, point.projection.eta);
+    const Vector3 force   = (pressure * area) * touching.normal_slope() + tangential;
     for (unsigned int k = 0; k < 4; ++k)
       {
-        add_to(slave_forces, slave_corners[k], shape[k] * force);
-        add_to(master_forces, master_corners[k], -weights[k] * force);
+        add_to(slave_forces, touching.slave_nodes[k], touching.slave_weights[k] * force);
+        add_to(master_forces,
+               touching.master_nodes[k],
+               (pressure * area) * touching.master_slope(k) - weights[k] * tangential +
+                 touch.basis.couple_share(tangential, k) * touch.normal);
       }
     result.force += force;
-    result.moment += x.cross(force);
+    result.moment += touch.x.cross(force);
     result.area += area;
     result.normal_force += pressure * area;
     return true;
@@ -269,17 +287,17 @@ namespace vfife
     for (const Pair &pair : pairs_)
       {
         std::vector<const ListedPoint *> points;
-        pressed_.clear();
+        std::vector<PressedPoint>        pressed;
         for (const ListedPoint &point : pair.points)
           if (point.pressure > 0.)
             {
               points.push_back(&point);
-              pressed_.push_back({-point.gap, penalty * point.area});
+              pressed.push_back({-point.gap, penalty * point.area});
             }
-        law.evaluate(pressed_);
+        law.evaluate(pressed);
         for (std::size_t i = 0; i < points.size(); ++i)
           {
-            springs.push_back(make_spring(*points[i], pressed_[i]));
+            springs.push_back(make_spring(*points[i], pressed[i]));
             springs.back().swapped = swapped;
           }
       }
@@ -291,8 +309,8 @@ namespace vfife
     const Projection  &p = point.projection;
     const Vector3      x = slave_point(point.slave_facet, point.rule_point);
     const Vector3      n = master_.state(p.facet).normal(p.xi, p.eta).normalized();
-    const TangentBasis basis(*this, point, x, n);
-    const Fading       fade = fading(p);
+    const TangentBasis basis(master_, p, x, n);
+    const Fading       fade = find_fading(p);
     // The slope of g sqrt(w), by the slopes of the gap and of the weight along the facet.
     const double by_weight = 0.5 * point.gap / fade.weight;
 
@@ -306,62 +324,5 @@ namespace vfife
                                 (basis.slope_eta - by_weight * fade.slope_eta) * basis.dual_eta);
     spring.stiffness = elastic.tangent;
     return spring;
-  }
-
-
-  ContactPass::TangentBasis::TangentBasis(ContactPass       &pass,
-                                          const ListedPoint &point,
-                                          const Vector3     &x,
-                                          const Vector3     &normal)
-  {
-    // Dual vectors of y_xi, y_eta, n; slopes of bilinear weights in the order (0,0), (1,0), (1,1),
-    // (0,1).
-    const Projection &p      = point.projection;
-    const FacetState &state  = pass.master_.state(p.facet);
-    const Vector3     y_xi   = state.along_xi(p.eta);
-    const Vector3     y_eta  = state.along_eta(p.xi);
-    const auto        offset = pass.master_.offset_gradient(p.facet, p.xi, p.eta);
-    const double      by_det = 1. / y_xi.dot(y_eta.cross(normal));
-    distance                 = (x - state.position(p.xi, p.eta)).dot(normal);
-    dual_xi                  = by_det * y_eta.cross(normal);
-    dual_eta                 = by_det * normal.cross(y_xi);
-    slope_xi                 = normal.dot(y_xi) + offset[0];
-    slope_eta                = normal.dot(y_eta) + offset[1];
-    shape_xi                 = {{p.eta - 1., 1. - p.eta, p.eta, -p.eta}};
-    shape_eta                = {{p.xi - 1., -p.xi, p.xi, 1. - p.xi}};
-  }
-
-
-  Vector3 ContactPass::TangentBasis::slip(const Vector3                     &relative_velocity,
-                                          const Vector3                     &normal,
-                                          const SurfaceGeometry             &master,
-                                          const std::array<unsigned int, 4> &corners) const
-  {
-    // The velocity that the balancing forces work on completes the slip, which then vanishes for
-    // any rigid motion of both bodies together.
-    double tilt_xi = 0., tilt_eta = 0.;
-    for (unsigned int k = 0; k < 4; ++k)
-      {
-        const double v_n = normal.dot(master.velocity(corners[k]));
-        tilt_xi += shape_xi[k] * v_n;
-        tilt_eta += shape_eta[k] * v_n;
-      }
-    return relative_velocity - normal.dot(relative_velocity) * normal +
-           distance * (tilt_xi * dual_xi + tilt_eta * dual_eta);
-  }
-
-
-  void ContactPass::TangentBasis::balance_couple(const Vector3                     &force,
-                                                 const Vector3                     &normal,
-                                                 const std::array<unsigned int, 4> &corners,
-                                                 double *master_forces) const
-  {
-    // Slave and master points are apart by `distance` along the normal (gap and offsets), so a
-    // tangential force makes a couple. Normal forces h_k n on the master's corners balance it: h_k
-    // = alpha N_k,xi + beta N_k,eta sum to zero and have the moment (alpha y_xi + beta y_eta) x n.
-    const double alpha = distance * force.dot(dual_xi);
-    const double beta  = distance * force.dot(dual_eta);
-    for (unsigned int k = 0; k < 4; ++k)
-      add_to(master_forces, corners[k], (alpha * shape_xi[k] + beta * shape_eta[k]) * normal);
   }
 } // namespace vfife

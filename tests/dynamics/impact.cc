@@ -16,7 +16,8 @@ namespace
   constexpr double       length = 100, width = 5, gap = 0.01, speed = 2000;
   constexpr unsigned int cells = 40;
 
-  Model make_model()
+  /** @p penalty [N/mm^3] of implicit contact; 0: explicit, from the step. */
+  Model make_model(const double penalty)
   {
     Material material;
     material.poissons_ratio = 0; // the wave of the one-dimensional bar
@@ -34,13 +35,19 @@ namespace
       }
     ContactPair pair         = contact_of("faces", "x+", "x-", ContactSurfaceKind::flat_facets);
     pair.options.edge_fading = 0; // the faces match: fading would press on the middle only
+    if (penalty > 0)
+      {
+        pair.options.time              = ContactTime::implicit;
+        pair.options.penalty.from_step = false;
+        pair.options.penalty.value     = penalty;
+      }
     model.contacts.push_back(pair);
     return model;
   }
 
-  void hit()
+  void hit(const double penalty)
   {
-    const Model model = make_model();
+    const Model model = make_model(penalty);
     OneSolver   run(model, undamped());
 
     const Material &material = model.bodies[0].material();
@@ -131,17 +138,21 @@ namespace
                 at_faces / largest_force,
                 1e-9);
     check_below("contact force of other nodes, over its largest", elsewhere / largest_force, 1e-9);
-    const ContactLosses &losses = run.solver.contact_losses();
-    check_close("contact is lost one step after the last touch",
-                (losses.first - last_touch) / run.state.dt,
-                1.,
-                1e-6);
-    check("contact is lost once", losses.count == 1);
+    // On the stiffest springs the shock makes the faces rattle.
+    if (penalty < 1e6)
+      {
+        const ContactLosses &losses = run.solver.contact_losses();
+        check_close("contact is lost one step after the last touch",
+                    (losses.first - last_touch) / run.state.dt,
+                    1.,
+                    1e-6);
+        check("contact is lost once", losses.count == 1);
+      }
     check("contact has ended",
           run.state.measured.contact_force == 0 && run.state.measured.energy.contact == 0);
     // Velocities at half steps and penalty springs met in the middle of a step: a part of the
-    // energy of the first layer of 40.
-    check_below("energy residual over that of flight", energy, 0.003);
+    // energy of the first layer of 40. Implicitly no energy comes in with the springs.
+    check_below("energy residual over that of flight", energy, penalty > 0 ? 1e-9 : 0.003);
     // Before they meet nothing is exchanged; then at most what bars that stick together would lose.
     check_below("energy scale before the touch over m v^2/4",
                 scale_in_flight / (0.25 * mass * speed * speed),
@@ -151,9 +162,21 @@ namespace
                 1.,
                 1e-9);
   }
+
+  void hit_explicitly()
+  {
+    hit(0);
+  }
+
+  /** With springs of twice and forty times (m/A)/dt^2; explicit ones may have half of it. */
+  void hit_implicitly()
+  {
+    hit(1e5);
+    hit(2e6);
+  }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {hit});
+  run_parts(argc, argv, {hit_explicitly, hit_implicitly});
 }

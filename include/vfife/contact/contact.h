@@ -7,6 +7,7 @@
 #include <vfife/contact/law/contact_options.h>
 #include <vfife/contact/search/broad_search.h>
 
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -72,7 +73,9 @@ namespace vfife
      * area [t/mm^2], which scales the gap-rate damping c = 2 ratio sqrt(eps m/A). Without it (0)
      * that of PenaltyOptions::mass_per_area_for the step is taken.
      */
-    void   set_penalty(double penalty, double mass_per_area = 0.);
+    void set_penalty(double penalty, double mass_per_area = 0.);
+    /** Points that stick have at most this stiffness [N/mm^3]. */
+    void   limit_tangential_penalty(double limit);
     double penalty() const
     {
       return penalty_;
@@ -91,6 +94,34 @@ namespace vfife
                     unsigned int         n_ranks,
                     double              *slave_forces,
                     double              *master_forces);
+
+    /** The first part of add_forces(): the points of this rank that touch, or that may within
+     * @p look_ahead [s], their pressures those of the evaluation before. */
+    std::vector<TouchingPoint> locate(const SurfaceMotion &slave,
+                                      const SurfaceMotion &master,
+                                      double               dt,
+                                      double               look_ahead,
+                                      unsigned int         rank,
+                                      unsigned int         n_ranks);
+
+    /** The pressures of the gaps as they are. */
+    void find_explicit_pressures(double dt, std::vector<TouchingPoint> &points) const;
+
+    /** The forces of what locate() has found, with pressures, in the same order. */
+    void press(const std::vector<TouchingPoint> &points,
+               double                            dt,
+               double                           *slave_forces,
+               double                           *master_forces);
+
+    const ContactLaw &law() const
+    {
+      return *law_;
+    }
+    /** Pressure per closing speed at the step @p dt [N s/mm^3]. */
+    double damping(const double dt) const
+    {
+      return interaction(dt).damping;
+    }
 
     /** Of this rank in the last add_forces(), in the order of candidate_pairs(). */
     const std::vector<GroupPairResult> &results() const
@@ -128,8 +159,7 @@ namespace vfife
     std::vector<double> slave_carried_areas() const;
     std::vector<double> master_carried_areas() const;
 
-    /** Least m/A [t/mm^2] over the surface nodes with tributary area; masses [t] by surface node.
-     */
+    /** Least m/A [t/mm^2] over the nodes with tributary area; masses [t] by surface node. */
     double mass_per_area(const std::vector<double> &slave_masses,
                          const std::vector<double> &master_masses) const;
 
@@ -192,7 +222,7 @@ namespace vfife
         pass.measure_times(times);
     }
 
-    /** Points kept for possible contact, and wide searches so far. */
+    /** Points kept for possible contact; wide searches so far. */
     std::size_t n_listed_points() const;
     std::size_t n_wide_searches() const;
 
@@ -205,7 +235,8 @@ namespace vfife
     std::vector<ContactPass>          passes_; ///< one, or two with swapped roles
     BroadSearch                       broad_search_;
     double                            penalty_;
-    double                            mass_per_area_ = 0.;
+    double                            mass_per_area_    = 0.;
+    double                            tangential_limit_ = std::numeric_limits<double>::infinity();
 
     std::vector<std::pair<unsigned int, unsigned int>> candidate_pairs_;
     std::vector<unsigned int>                          active_slave_nodes_, active_master_nodes_;

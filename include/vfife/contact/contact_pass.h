@@ -11,6 +11,8 @@
 #include <vfife/contact/search/carried_area.h>
 #include <vfife/contact/search/group_path.h>
 #include <vfife/contact/search/local_search.h>
+#include <vfife/contact/touch_geometry.h>
+#include <vfife/contact/touching_point.h>
 
 #include <array>
 #include <utility>
@@ -41,14 +43,26 @@ namespace vfife
     /** Pairs of groups to look at (sorted); lists of pairs that remain are kept. */
     void set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs);
 
-    /** See Contact::add_forces. */
-    void add_forces(const SurfaceMotion      &slave,
-                    const SurfaceMotion      &master,
-                    const SurfaceInteraction &interaction,
-                    unsigned int              rank,
-                    unsigned int              n_ranks,
-                    double                   *slave_forces,
-                    double                   *master_forces);
+    /**
+     * The points that touch, of this rank: those with a gap below zero, and those that close or
+     * have been closed within @p look_ahead [s]. The velocities of the surfaces are read where
+     * there is damping or where @p look_ahead is not 0.
+     */
+    void locate(const SurfaceMotion      &slave,
+                const SurfaceMotion      &master,
+                const SurfaceInteraction &interaction,
+                double                    look_ahead,
+                unsigned int              rank,
+                unsigned int              n_ranks);
+
+    /** What locate() has found, and where press() reads the pressures. */
+    std::vector<TouchingPoint> &touching()
+    {
+      return touching_;
+    }
+
+    /** Adds the forces of the touching points at their pressures, and makes the results. */
+    void press(const SurfaceInteraction &interaction, double *slave_forces, double *master_forces);
 
     /** See Contact::smallest_gap. */
     ContactPoint smallest_gap(const SurfaceMotion &slave,
@@ -130,39 +144,6 @@ namespace vfife
       double       gap, pressure; ///< of the last evaluation
     };
 
-    /** Weight of a point near the master's border and its slopes in xi and eta. */
-    struct Fading
-    {
-      double weight = 1., slope_xi = 0., slope_eta = 0.;
-    };
-
-    /** Directions along the master's facet at a point, and what a tangential force there needs. */
-    struct TangentBasis
-    {
-      Vector3               dual_xi, dual_eta;   ///< gradients of xi and eta [1/mm]
-      double                slope_xi, slope_eta; ///< of the gap, as the point slides: -dg/dxi [mm]
-      double                distance; ///< of slave and master point along the normal [mm]
-      std::array<double, 4> shape_xi, shape_eta; ///< derivatives of the bilinear weights
-
-      TangentBasis(ContactPass       &pass,
-                   const ListedPoint &point,
-                   const Vector3     &x,
-                   const Vector3     &normal);
-
-      /** Velocity of the point over the facet [mm/s], zero in any rigid motion of both bodies. */
-      Vector3 slip(const Vector3                     &relative_velocity,
-                   const Vector3                     &normal,
-                   const SurfaceGeometry             &master,
-                   const std::array<unsigned int, 4> &corners) const;
-
-      /** Adds normal forces to the master's corners that balance the moment of a tangential @p
-       * force on the slave. */
-      void balance_couple(const Vector3                     &force,
-                          const Vector3                     &normal,
-                          const std::array<unsigned int, 4> &corners,
-                          double                            *master_forces) const;
-    };
-
     struct Pair
     {
       unsigned int             slave_group, master_group;
@@ -171,11 +152,20 @@ namespace vfife
       std::vector<ListedPoint> points;
       /** Path of the pair at which each point must be looked at again [mm]. */
       std::vector<double>       awake_at;
-      std::vector<unsigned int> touching; ///< points with a gap below zero in this step
+      std::vector<unsigned int> touching; ///< points that touch in this step
       /** Of each point, where there is friction; energy of those that have opened [mJ]. */
       std::vector<ContactAnchor> anchors;
       double                     released = 0.;
     };
+    /** What press() needs of a touching point beside it. */
+    struct Touch
+    {
+      unsigned int pair, point;
+      Vector3      x, normal;
+      Fading       fade;
+      TangentBasis basis;
+    };
+
     /** Smallest gap over a slave facet, from its smallest sample on. */
     ContactPoint refined_gap(const ListedPoint &sample);
     void         bound_master_areas(const FacetDirections &directions);
@@ -197,7 +187,7 @@ namespace vfife
                       double                           reach,
                       Projection                      &projection);
     void list_points(unsigned int rank, unsigned int n_ranks);
-    void find_gaps(Pair &pair);
+    void find_gaps(Pair &pair, double look_ahead);
     bool
     locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);
     void open(Pair &pair, unsigned int i, bool located); ///< located: its projection is known
@@ -211,22 +201,21 @@ namespace vfife
                   ContactAnchor            &anchor,
                   GroupPairResult          &result);
     static void
-         append_anchors(unsigned int pass, const Pair &pair, std::vector<AnchorOfPoint> &anchors);
-    void place_anchors(const std::vector<AnchorOfPoint> &anchors, Pair &pair) const;
-    void press_pair(Pair                     &pair,
-                    const SurfaceInteraction &interaction,
-                    GroupPairResult          &result,
-                    double                   *slave_forces,
-                    double                   *master_forces);
-    bool press(ListedPoint              &point,
-               const PressedPoint       &elastic,
-               const SurfaceInteraction &interaction,
-               ContactAnchor            *anchor,
-               GroupPairResult          &result,
-               double                   *slave_forces,
-               double                   *master_forces);
+           append_anchors(unsigned int pass, const Pair &pair, std::vector<AnchorOfPoint> &anchors);
+    void   place_anchors(const std::vector<AnchorOfPoint> &anchors, Pair &pair) const;
+    Fading find_fading(const Projection &projection) const;
+    /** Gap below which a point touches within @p look_ahead [mm]. */
+    double find_reach(const ListedPoint &point, double look_ahead) const;
+    void   describe(Pair &pair, bool with_rates, GroupPairResult &result);
+    bool   press(const TouchingPoint      &touching,
+                 const Touch              &touch,
+                 const SurfaceInteraction &interaction,
+                 ListedPoint              &point,
+                 ContactAnchor            *anchor,
+                 GroupPairResult          &result,
+                 double                   *slave_forces,
+                 double                   *master_forces);
     ContactSpring make_spring(const ListedPoint &point, const PressedPoint &elastic);
-    Fading        fading(const Projection &projection) const;
 
     SurfaceGeometry                   slave_, master_;
     std::vector<FacetQuadraturePoint> rule_;
@@ -237,7 +226,8 @@ namespace vfife
     GroupPath                    slave_path_, master_path_;
     std::vector<Pair>            pairs_;
     std::vector<GroupPairResult> results_;
-    std::vector<PressedPoint>    pressed_; ///< of the pair at hand
+    std::vector<TouchingPoint>   touching_; ///< of all pairs, in their order
+    std::vector<Touch>           touches_;  ///< of the same
     unsigned int                 rank_ = 0, n_ranks_ = 0;
     std::size_t                  n_wide_searches_ = 0;
     ContactTimes                *times_           = nullptr;

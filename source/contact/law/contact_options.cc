@@ -33,6 +33,14 @@ namespace vfife
   }
 
 
+  const Choices<ContactTime> &contact_times()
+  {
+    static const Choices<ContactTime> choices = {{"implicit", ContactTime::implicit},
+                                                 {"explicit", ContactTime::explicit_}};
+    return choices;
+  }
+
+
   void ContactOptions::declare(dealii::ParameterHandler &prm)
   {
     declare_choice(prm,
@@ -49,6 +57,12 @@ namespace vfife
                    "quadratic patches with the nodal normals, or themselves");
     declare_integer(
       prm, "points per facet", points_per_facet, "Gauss points of a facet per direction", 1, 10);
+    declare_choice(prm,
+                   "integration",
+                   time,
+                   contact_times(),
+                   "Pressure of a step: its mean over the step by the gaps at both ends, which "
+                   "bears any penalty, or that of the gap before it");
     penalty.declare(prm);
     declare_number(prm,
                    "damping ratio",

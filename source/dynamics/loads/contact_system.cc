@@ -20,33 +20,6 @@ namespace vfife
       const Matrix3 turn = rotation_about(rate.omega / omega, omega * duration);
       return {turn * motion.rotation, turn * motion.translation + duration * rate.velocity};
     }
-
-    /** Adds up over the ranks what belongs to the active nodes of all surfaces, 3 numbers a node:
-     * the owner of a node has it, all others zero, so that sums are exact copies. */
-    void sum_over_ranks(const std::vector<std::unique_ptr<ContactOfPair>> &pairs,
-                        std::vector<double> ContactSurface::*values,
-                        std::vector<double>                 &buffer,
-                        const Communicator                  &communicator)
-    {
-      if (communicator.size() == 1)
-        return;
-      buffer.clear();
-      for (const auto &pair : pairs)
-        for (const ContactSurface *surface : pair->surfaces())
-          for (const unsigned int i : *surface->active)
-            buffer.insert(buffer.end(),
-                          (surface->*values).begin() + 3 * i,
-                          (surface->*values).begin() + 3 * i + 3);
-      communicator.sum(buffer);
-      const double *record = buffer.data();
-      for (const auto &pair : pairs)
-        for (ContactSurface *surface : pair->surfaces())
-          for (const unsigned int i : *surface->active)
-            {
-              std::copy_n(record, 3, (surface->*values).data() + 3 * i);
-              record += 3;
-            }
-    }
   } // namespace
 
   ContactSystem::ContactSystem(const Model        &model,
@@ -61,7 +34,9 @@ namespace vfife
       {
         pairs_.push_back(std::make_unique<ContactOfPair>(pair, model, partition, safety));
         needs_velocities_ = needs_velocities_ || pair.options.damping_ratio > 0.;
+        is_implicit_      = is_implicit_ || pairs_.back()->is_implicit();
       }
+    number_nodes();
   }
 
   ContactSystem::~ContactSystem() = default;
@@ -83,7 +58,10 @@ namespace vfife
   void ContactSystem::set_penalties(const double dt)
   {
     for (const auto &pair : pairs_)
-      pair->contact.set_penalty(pair->penalty_for_step(dt), pair->mass_per_area);
+      {
+        pair->contact.set_penalty(pair->penalty_for_step(dt), pair->mass_per_area);
+        pair->contact.limit_tangential_penalty(pair->tangential_limit(dt));
+      }
   }
 
   std::vector<double> ContactSystem::penalties() const
@@ -102,6 +80,7 @@ namespace vfife
     if (pairs_.empty())
       return;
     const double start = times_ != nullptr ? processor_time() : 0.;
+    is_numbered_       = false;
     // 1. Where the bodies' rigid motion is now and will be at the end of the time asked for.
     std::vector<RigidMotion> later;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
@@ -134,6 +113,7 @@ namespace vfife
   {
     for (const auto &pair : pairs_)
       pair->contact.serialize(stream);
+    is_numbered_ = false;
   }
 
   void ContactSystem::serialize_friction(ByteStream &stream)
@@ -167,18 +147,8 @@ namespace vfife
   {
     if (pairs_.empty())
       return;
-    // 1. The active nodes' motion, on every rank.
-    for (const auto &pair : pairs_)
-      for (ContactSurface *surface : pair->surfaces())
-        surface->collect_motion(partition_, positions, velocities, needs_velocities_);
-    sum_over_ranks(pairs_, &ContactSurface::positions, buffer_, communicator_);
-    if (needs_velocities_)
-      sum_over_ranks(pairs_, &ContactSurface::velocities, buffer_, communicator_);
-
-    // 2. Forces of this rank's share of the points; energy, lost power, and whether one is too
-    // deep.
-    largest_penetration_ = 0;
-    sums_                = {{0., 0., 0., 0.}};
+    bring_motion(positions, velocities, nullptr, dt);
+    // Forces of this rank's share of the points.
     for (const auto &pair : pairs_)
       {
         ContactSurface &s = pair->slave, &m = pair->master;
@@ -189,23 +159,8 @@ namespace vfife
                                  communicator_.size(),
                                  s.forces.data(),
                                  m.forces.data());
-        for (const GroupPairResult &result : pair->contact.results())
-          {
-            sums_[0] += result.energy;
-            sums_[1] += result.damping_power;
-            sums_[3] += result.friction_loss;
-            largest_penetration_ = std::max(largest_penetration_, result.largest_penetration);
-            if (result.largest_penetration > pair->penetration_limit())
-              sums_[2] = 1;
-          }
       }
-
-    // 3. The sums of all ranks' shares, to all copies of the nodes.
-    sum_over_ranks(pairs_, &ContactSurface::forces, buffer_, communicator_);
-    communicator_.sum(sums_.data(), sums_.size());
-    for (const auto &pair : pairs_)
-      for (const ContactSurface *surface : pair->surfaces())
-        surface->distribute_forces(forces);
+    add_up(forces);
   }
 
   void ContactSystem::add_relaxation_masses(const double         fraction,

@@ -58,6 +58,7 @@ namespace vfife
     , damping_watch_(model)
     , contact_watch_(log)
   {
+    contact_.set_masses(operator_.masses());
   }
 
   VfifeOperator &ExplicitSolver::vfife_operator()
@@ -225,22 +226,22 @@ namespace vfife
       else
         operator_.compute_internal_forces(state.position, forces_);
     }
-    // 2. Contact: candidates every so many steps, forces in each. Observers get its part of the
-    // forces.
+    // 2. Walls, torques, other loads.
+    walls_.add_forces(state.position, forces_);
+    torques_.add_forces(state.time, state.position, forces_);
+    loads_.add_forces(state.time, state.position, forces_);
+    // 3. Contact, which may ask where all else leads: candidates every so many steps, forces in
+    // each. Observers get its part of the forces.
     {
       const auto scope = timers_.time(timers_.section("contact"));
       if (state.step % search_interval == 0)
         contact_.search(state.body_motion, rigid_, state.position, search_interval * state.dt);
       if (measured)
         state.contact_force = forces_;
-      contact_.add_forces(state.body_motion, state.position, state.velocity, state.dt, forces_);
+      contact_.add_step_forces(state.body_motion, state.position, state.velocity, dt_, forces_);
       if (measured)
         state.contact_force = forces_ - std::move(state.contact_force);
     }
-    // 3. Walls, torques, other loads.
-    walls_.add_forces(state.position, forces_);
-    torques_.add_forces(state.time, state.position, forces_);
-    loads_.add_forces(state.time, state.position, forces_);
     return measures;
   }
 

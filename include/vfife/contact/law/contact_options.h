@@ -26,8 +26,16 @@ namespace vfife
     flat_facets     ///< the bilinear facets themselves with averaged facet normals
   };
 
+  /** When in a step of explicit dynamics the pressure is taken. */
+  enum class ContactTime
+  {
+    implicit, ///< the mean over the step, of the gaps at both ends (PressureSolver)
+    explicit_ ///< of the gap before the step
+  };
+
   const Choices<ContactDiscretization> &contact_discretizations();
   const Choices<ContactSurfaceKind>    &contact_surface_kinds();
+  const Choices<ContactTime>           &contact_times();
 
   /** Options of the contact between two surfaces (section "Contact"). */
   struct ContactOptions
@@ -36,6 +44,7 @@ namespace vfife
     ContactSurfaceKind    surface          = ContactSurfaceKind::true_flank;
     unsigned int          points_per_facet = 3; ///< Gauss points per direction
 
+    ContactTime    time = ContactTime::explicit_;
     PenaltyOptions penalty;
 
     double damping_ratio = 0.; ///< of the critical gap-rate damping of a surface node [-]

@@ -21,6 +21,8 @@ namespace vfife
     const double *positions;  ///< 3 per surface node [mm]
     const double *velocities; ///< 3 per surface node [mm/s]
     RigidMotion   body;       ///< mean rigid motion, undeformed body frame to fixed frame
+    /** Of a step of explicit dynamics: after it, without contact. */
+    const double *later_velocities = nullptr;
   };
 
   /** A facet in its current state: bilinear position and (not normalized) normal field as
@@ -80,6 +82,11 @@ namespace vfife
     Vector3 velocity(const unsigned int n) const
     {
       return Eigen::Map<const Vector3>(motion_.velocities + 3 * static_cast<std::size_t>(n));
+    }
+    /** Only where the motion has them. */
+    Vector3 later_velocity(const unsigned int n) const
+    {
+      return Eigen::Map<const Vector3>(motion_.later_velocities + 3 * static_cast<std::size_t>(n));
     }
 
     /** Current vector area [mm^2]: half the cross product of the diagonals, exact for a bilinear

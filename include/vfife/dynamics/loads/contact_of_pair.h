@@ -42,7 +42,9 @@ namespace vfife
     std::vector<std::uint32_t>       local; ///< local node of each surface node, or absent
     std::vector<double>              mass;  ///< [t]
     std::vector<double>              positions, velocities, forces;
+    std::vector<double>              free_velocities;  ///< after the step without contact
     const std::vector<unsigned int> *active = nullptr; ///< surface nodes, of the contact
+    std::vector<unsigned int>        numbers;          ///< of each surface node among all pairs
   };
 
   /** A contact pair of the model with its contact. */
@@ -66,6 +68,14 @@ namespace vfife
       return definition.options.penetration_limit * contact.depth_limit();
     }
 
+    bool is_implicit() const
+    {
+      return definition.options.time == ContactTime::implicit;
+    }
+
+    /** Stiffness of points that stick [N/mm^3] which the step @p dt [s] bears. */
+    double tangential_limit(double dt) const;
+
     const PenaltyOptions &penalty() const
     {
       return definition.options.penalty;
@@ -84,6 +94,9 @@ namespace vfife
     double carried_mass_per_area;
 
   private:
+    /** Penalty that central differences bear at the step @p dt [s] [N/mm^3]. */
+    double value_from_step(double dt) const;
+
     double safety_;
   };
 } // namespace vfife

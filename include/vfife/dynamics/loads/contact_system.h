@@ -3,6 +3,7 @@
 #define vfife_dynamics_loads_contact_system_h
 
 #include <vfife/contact/law/coulomb_slider.h>
+#include <vfife/contact/touching_point.h>
 #include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/model/state.h>
 
@@ -72,6 +73,20 @@ namespace vfife
                     double                          dt,
                     NodeField                      &forces);
 
+    /** Masses of this rank's nodes [t], which add_step_forces() reckons with. Collective. */
+    void set_masses(const std::vector<double> &masses);
+
+    /**
+     * The same in a step of explicit dynamics, where pairs may be integrated implicitly: their
+     * pressures follow from the gaps at both ends of the step (PressureSolver). @p forces: all
+     * others on the nodes. Collective.
+     */
+    void add_step_forces(const std::vector<RigidMotion> &body_motion,
+                         const NodeField                &positions,
+                         const NodeField                &velocities,
+                         double                          dt,
+                         NodeField                      &forces);
+
     /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. */
     double energy() const;
     /** Power lost in contact damping at the last add_forces() [mW = mJ/s]; all ranks. */
@@ -116,13 +131,31 @@ namespace vfife
     std::size_t n_listed_points() const;
 
   private:
+    /** A point in the solution for the pressures, and whose it is. */
+    struct SharedPoint;
+
+    void number_nodes();
+    void bring_motion(const NodeField &positions,
+                      const NodeField &velocities,
+                      const NodeField *forces,
+                      double           dt);
+    void find_pressures(double dt, std::vector<std::vector<TouchingPoint>> &points);
+    void sum_results();
+    void add_up(NodeField &forces);
+
     const Model                                &model_;
     const Partition                            &partition_;
     const Communicator                         &communicator_;
     std::vector<std::unique_ptr<ContactOfPair>> pairs_;
     bool                                        needs_velocities_ = false; ///< a pair has damping
-    std::vector<double>                         buffer_;
-    double                                      largest_penetration_ = 0;
+    bool                                        is_implicit_      = false; ///< a pair is
+    /** Of the nodes of all surfaces by their numbers: 1/m [1/t], zero along held directions; the
+     * places of those that are active in the solution for the pressures. */
+    std::vector<Matrix3>      inverse_masses_;
+    std::vector<unsigned int> active_numbers_, places_;
+    bool                      is_numbered_ = false; ///< places_ are those of the last search
+    std::vector<double>       buffer_;
+    double                    largest_penetration_ = 0;
     /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
      * that is too deep, friction loss. */
     std::array<double, 4> sums_  = {{0., 0., 0., 0.}};
