@@ -110,7 +110,7 @@ namespace
     const std::string loaded = "loaded tooth contact analysis", modal = "modal";
     add("loaded_contact.csv", loaded, make_loaded_contact_table());
     add("loaded_teeth.csv", loaded, make_loaded_teeth_table());
-    add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0), 0).table());
+    add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0)).table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());
     add("reactions.csv", "linear static", make_reaction_table());
     add("modes.csv", modal, make_mode_table());
@@ -158,6 +158,7 @@ namespace
       summary.transmission_error.push_back({part, {1, "arcsec"}});
     summary.steady = SteadyPart();
     summary.steady->columns.push_back({"COLUMN", "UNIT"});
+    summary.probes.push_back(make_probe_record("PROBE", {0., 1.}, {1., 2.}, 1., {2., 1.}, 1., .5));
     summary.energy         = EnergyLedger();
     summary.energy->scale  = 1.;
     summary.damping        = {{"pinion"}};

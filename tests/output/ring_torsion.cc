@@ -83,7 +83,7 @@ namespace
     const VfifeOperator vfife(model, frame, kind, alone);
     const State         state    = make_state(model, vfife, turn);
     const auto          stresses = compute_node_stresses(model, state, kind, frame, alone);
-    const auto          values   = measure_probes(model, state, vfife, alone);
+    const auto          values   = measure_probes(model, model.probes, state, vfife, alone);
     for (std::size_t p = 0; p < values.size(); ++p)
       {
         const unsigned int node = model.probes[p].node;

@@ -69,7 +69,7 @@ namespace
     stepping.add<HistoryWriter>(model, sample_steps);
     const auto   start    = make_start(model, options, stepped.solver, world, log);
     const double end_time = n_steps * dt;
-    stepping.run(nullptr, end_time, end_time, *start, [] {});
+    stepping.run(nullptr, end_time, end_time, *start, [] {}, [] {});
 
     Result result;
     result.history    = read_columns(name + "/history.csv");

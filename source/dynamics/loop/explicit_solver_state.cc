@@ -131,7 +131,8 @@ namespace vfife
     const auto scope = timers_.time(timers_.section("measurement"));
     observed_        = state;
     measure_transmission(model_, observed_, communicator_);
-    observed_.measured.probes = measure_probes(model_, observed_, operator_, communicator_);
+    observed_.measured.probes =
+      measure_probes(model_, model_.probes, observed_, operator_, communicator_);
     measure_momentum(observed_, operator_.masses(), communicator_);
     measure_contact(contact_, walls_, observed_.measured);
   }

@@ -103,17 +103,18 @@ namespace vfife
     measured.largest_penetration = std::max(measured.largest_penetration, wall.penetration);
   }
 
-  std::vector<ProbeValue> measure_probes(const Model         &model,
-                                         const State         &state,
-                                         const VfifeOperator &vfife,
-                                         const Communicator  &communicator)
+  std::vector<ProbeValue> measure_probes(const Model              &model,
+                                         const std::vector<Probe> &probes,
+                                         const State              &state,
+                                         const VfifeOperator      &vfife,
+                                         const Communicator       &communicator)
   {
     // 1. The owner brings the position, each rank the stresses of its elements at the node.
     constexpr unsigned int n = 10; // position 3, stress 6, number of elements
-    std::vector<double>    sums(n * model.probes.size(), 0.);
-    for (std::size_t p = 0; p < model.probes.size(); ++p)
+    std::vector<double>    sums(n * probes.size(), 0.);
+    for (std::size_t p = 0; p < probes.size(); ++p)
       {
-        const Probe        &probe = model.probes[p];
+        const Probe        &probe = probes[p];
         const Body         &body  = model.bodies[probe.body];
         double             *s     = sums.data() + n * p;
         const std::uint32_t local = state.partition->local_node[body.first_node + probe.node];
@@ -148,10 +149,10 @@ namespace vfife
 
     // 2. Displacement in the turning body along r, theta, z; stress averaged over the elements and
     // turned into the same axes. Both along x, y, z where the probe asks for it.
-    std::vector<ProbeValue> values(model.probes.size());
-    for (std::size_t p = 0; p < model.probes.size(); ++p)
+    std::vector<ProbeValue> values(probes.size());
+    for (std::size_t p = 0; p < probes.size(); ++p)
       {
-        const Probe  &probe = model.probes[p];
+        const Probe  &probe = probes[p];
         const Body   &body  = model.bodies[probe.body];
         const double *s     = sums.data() + n * p;
         const Matrix3 axes  = compute_cylindrical_axes(body, body.node_positions()[probe.node]);

@@ -90,6 +90,22 @@ namespace vfife
                                 {"unit", column.unit}};
     }
 
+    Json probe(const ProbeRecord &record)
+    {
+      Json json;
+      json[summary_place::passes_mesh]  = figure_json(record.passes_mesh, "s");
+      json["largest of the record"]     = figure_json(record.peak, "MPa");
+      json["at"]                        = figure_json(record.peak_time, "s");
+      json["least of the record"]       = figure_json(record.least, "MPa");
+      json["largest of a turn"]         = figure_json(record.largest, "MPa");
+      json["after the mesh"]            = figure_json(record.largest_after_mesh, "tooth meshes");
+      json["median of a turn"]          = figure_json(record.median, "MPa");
+      json["the record has the peak"]   = record.has_peak;
+      json["the record has the median"] = record.has_median;
+      json["explanation"]               = record.explain();
+      return json;
+    }
+
     void add_energy(const EnergyLedger &ledger, Json &json)
     {
       Json &energy      = json["energy"];
@@ -152,6 +168,8 @@ namespace vfife
       add_steady_part(*summary.steady, json);
     if (!summary.transmission_error.empty())
       at(summary_place::transmission_error, json) = figures_json(summary.transmission_error);
+    for (const ProbeRecord &record : summary.probes)
+      at(summary_place::probes, json)[record.name] = probe(record);
 
     // What speaks for it or against it.
     if (summary.energy)

@@ -235,10 +235,12 @@ namespace vfife
     {
       // Two rows a probe: its largest stress, and how far the run is from the static curve
       // anywhere.
-      const auto passages = compare_passages(run.table("probes.csv"),
-                                             loaded.table("loaded_probes.csv"),
-                                             run.mesh_frequency,
-                                             run.start);
+      const auto passages = compare_passages(
+        run.table("probes.csv"),
+        loaded.table("loaded_probes.csv"),
+        [&](const std::string &probe) { return run.summary(summary_place::passage_of(probe)); },
+        run.mesh_frequency,
+        run.start);
       for (const ProbePassage &passage : passages)
         {
           const double  tolerance = run.tolerances.stress * passage.reference_peak;

@@ -12,13 +12,14 @@ namespace vfife
     /** Times and von Mises stresses of one probe, ascending in time. */
     using Curve = std::vector<std::pair<double, double>>;
 
-    Curve curve_of(const Table &table, const std::string &probe)
+    /** @p abscissa: column of the times or places. */
+    Curve curve_of(const Table &table, const std::string &probe, const char *abscissa)
     {
       Curve                           curve;
       const std::vector<std::string> &names = table.column(column::probe).texts;
       for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == probe)
-          curve.emplace_back(table.numbers(column::time)[i], table.numbers(column::von_mises)[i]);
+          curve.emplace_back(table.numbers(abscissa)[i], table.numbers(column::von_mises)[i]);
       std::sort(curve.begin(), curve.end());
       return curve;
     }
@@ -37,10 +38,11 @@ namespace vfife
     }
   } // namespace
 
-  std::vector<ProbePassage> compare_passages(const Table &probes,
-                                             const Table &loaded,
-                                             const double mesh_frequency,
-                                             const double start)
+  std::vector<ProbePassage> compare_passages(const Table       &probes,
+                                             const Table       &loaded,
+                                             const PassageTime &passes_mesh,
+                                             const double       mesh_frequency,
+                                             const double       start)
   {
     std::vector<std::string> names = loaded.column(column::probe).texts;
     std::sort(names.begin(), names.end());
@@ -48,17 +50,19 @@ namespace vfife
     std::vector<ProbePassage> passages;
     for (const std::string &name : names)
       {
-        const Curve run = curve_of(probes, name);
-        if (run.empty())
+        const Curve  run     = curve_of(probes, name, column::time);
+        const double in_mesh = passes_mesh(name);
+        if (run.empty() || std::isnan(in_mesh))
           continue;
         ProbePassage passage{name};
         // Samples lie on the positions up to round-off.
         const double slack = 1e-6 / mesh_frequency;
-        for (const auto &[meshes, stress] : curve_of(loaded, name))
+        for (const auto &[meshes, stress] : curve_of(loaded, name, column::after_mesh))
           {
-            // Instants of both: the static positions count tooth meshes from the begin of the run.
-            // Peaks are taken at the same instants, for a run has many more of them.
-            const double time = meshes / mesh_frequency;
+            // Instants of both: the static places count tooth meshes from the mesh on, which each
+            // probe passes at its time. Peaks are taken at the same instants, for a run has many
+            // more of them.
+            const double time = in_mesh + meshes / mesh_frequency;
             if (time < std::max(start, run.front().first) - slack ||
                 time > run.back().first + slack)
               continue;

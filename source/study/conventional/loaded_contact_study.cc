@@ -3,6 +3,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/operator/mass_scaling.h>
@@ -169,7 +170,7 @@ namespace vfife
     // One factorization serves all positions: in turning axes the bodies stay as they are, and unit
     // forces that one position has solved for are kept for the next.
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
-    LoadedProbes    probes(model, gear_case_.operation().meshes);
+    LoadedProbes    probes(model);
     for (const double turn : turns)
       {
         start                              = WallClock::now();
@@ -191,6 +192,16 @@ namespace vfife
         // Modes are those of the pair tied together where it touches in the reference position.
         if (turn == turns.front() && options_.coupled_modes > 0)
           find_modes(model, compliance, result, folder, log);
+      }
+    for (const Probe &probe : model.probes)
+      {
+        const std::size_t row = probes.find_largest(probe.name);
+        log.line(probe.name,
+                 ": largest von Mises stress of a turn ",
+                 probes.table().numbers(column::von_mises)[row],
+                 " MPa, ",
+                 probes.table().numbers(column::after_mesh)[row],
+                 " tooth meshes after the mesh");
       }
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);

@@ -52,7 +52,7 @@ namespace vfife
     const double one_mesh = 1. / model.transmission->mesh_frequency();
     teeth_                = &stepping.add<TeethWriter>(model, history_steps, hertz).table();
     stepping.add<PatternWriter>(model, std::max(0., end_time - one_mesh), history_steps);
-    stepping.add<ProbeWriter>(history_steps);
+    probes_ = &stepping.add<ProbeWriter>(history_steps).table();
     stepping.add<RimWriter>(model, history_steps);
   }
 

@@ -15,6 +15,7 @@
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/run/contact_width_watch.h>
+#include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
@@ -194,8 +195,14 @@ namespace vfife
     summary                            = start_summary("run", model, stepped.solver, dt, folder);
     const Table               &history = stepping.add<HistoryWriter>(model, history_steps).table();
     std::optional<PairResults> pair;
+    std::optional<PairProbes>  probes;
     if (transmission != nullptr)
       {
+        probes.emplace(model,
+                       stepped.solver,
+                       communicator,
+                       log,
+                       std::lround(whole_time * transmission->mesh_frequency()));
         pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time, stepping);
         summary.figures = pair->list_figures(stepped.solver);
         pair->log_hertz(log);
@@ -207,12 +214,21 @@ namespace vfife
       model, stepped, stepped.expect_run_time(stepping.state(), end_time / dt), log);
 
     // The steps; what has been found is put together when they have ended, well or not.
-    const auto start = make_start(model, dynamics_, stepped.solver, communicator, log);
-    stepping.run(checkpoint_ ? &*checkpoint_ : nullptr, end_time, whole_time, *start, [&] {
+    const auto start    = make_start(model, dynamics_, stepped.solver, communicator, log);
+    const auto prepared = [&] {
+      // With a ramp the torque is still to come, and with it what the copies would tell.
+      if (probes && dynamics_.start == Start::static_preload)
+        probes->choose(stepping.state());
+      if (probes)
+        probes->log_passages();
+    };
+    const auto complete = [&] {
       if (pair && start->preload() != nullptr)
         pair->complete(history, *start->preload(), summary, log);
       if (summary.status == "failed")
         return;
+      if (probes)
+        summary.probes = probes->judge(stepping.state(), pair->probe_rows());
       summary.timers = list_times(stepped.timers.report(communicator));
       if (end_time < whole_time)
         log.line("ended after Dynamics/largest number of steps, ",
@@ -220,7 +236,9 @@ namespace vfife
                  " of ",
                  1e3 * whole_time,
                  " ms");
-    });
+    };
+    stepping.run(
+      checkpoint_ ? &*checkpoint_ : nullptr, end_time, whole_time, *start, prepared, complete);
     if (output_.pictures)
       draw_pictures(folder, log);
   }

@@ -255,6 +255,7 @@ namespace vfife
                      const double                 end_time,
                      const double                 whole_time,
                      RunStart                    &start,
+                     const std::function<void()> &prepared,
                      const std::function<void()> &complete)
   {
     observers_.push_back(
@@ -266,8 +267,11 @@ namespace vfife
       {
         if (checkpoint != nullptr)
           restore(*checkpoint);
-        if (checkpoint == nullptr)
-          start.prepare(state_);
+        else
+          {
+            start.prepare(state_);
+            prepared();
+          }
         // 2. The steps. Run time and clock of the checkpoints begin here: the equilibrium is no
         // part of the speed in steps. Signals are caught only while there is something to save.
         begin_ = last_checkpoint_     = WallClock::now();

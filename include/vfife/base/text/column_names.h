@@ -34,6 +34,7 @@ namespace vfife
     constexpr char displacement[] = "displacement";
     constexpr char stress[]       = "stress";
     constexpr char von_mises[]    = "von mises";
+    constexpr char after_mesh[] = "after the mesh"; ///< place of a probe, from the mean contact on
 
     // Positions of a loaded tooth contact analysis.
     constexpr char position[]                    = "position";

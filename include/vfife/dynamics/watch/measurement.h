@@ -38,12 +38,13 @@ namespace vfife
   void
   measure_contact(const ContactSystem &contact, const RigidWalls &walls, Measurements &measured);
 
-  /** Displacement in the turning body and stress at the probes; elements' nodal stresses averaged.
-   * Collective. */
-  std::vector<ProbeValue> measure_probes(const Model         &model,
-                                         const State         &state,
-                                         const VfifeOperator &vfife,
-                                         const Communicator  &communicator);
+  /** Displacement in the turning body and stress at @p probes, those of the model or other nodes of
+   * its bodies; elements' nodal stresses averaged. Collective. */
+  std::vector<ProbeValue> measure_probes(const Model              &model,
+                                         const std::vector<Probe> &probes,
+                                         const State              &state,
+                                         const VfifeOperator      &vfife,
+                                         const Communicator       &communicator);
 } // namespace vfife
 
 #endif

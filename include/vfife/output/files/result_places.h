@@ -27,6 +27,12 @@ namespace vfife
     constexpr char figures[]            = "/figures";
     constexpr char transmission_error[] = "/transmission error"; ///< parts of the mean DTE
     constexpr char steady_columns[]     = "/steady part/columns";
+    constexpr char probes[]             = "/probes"; ///< by name
+
+    constexpr char passes_mesh[] = "passes the mesh"; ///< of a probe [s]
+
+    /** When a probe passes the mesh. */
+    std::string passage_of(const std::string &probe);
 
     /** A figure of the run, figure_name. */
     std::string figure(const std::string &name);

@@ -4,6 +4,7 @@
 
 #include <vfife/model/state.h>
 #include <vfife/output/files/figures.h>
+#include <vfife/output/measures/probe_record.h>
 #include <vfife/output/measures/steady_part.h>
 
 #include <cstdint>
@@ -46,6 +47,7 @@ namespace vfife
     NamedFigures figures; ///< anything that is given or derived: speeds, torque, penalty, lever arm
     std::optional<SteadyPart>   steady;
     NamedFigures                transmission_error; ///< parts of the mean DTE
+    std::vector<ProbeRecord>    probes;             ///< of a gear pair
     std::optional<EnergyLedger> energy;
     std::vector<DampingAudit>   damping;
     ContactLosses               contact_losses;

@@ -4,6 +4,7 @@
 
 #include <vfife/base/text/table.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,19 @@ namespace vfife
     double       distance       = 0; ///< largest difference of both [MPa]
   };
 
+  /** Time [s] at which a probe of that name passes the mesh; NaN where it is not known. */
+  using PassageTime = std::function<double(const std::string &)>;
+
   /**
    * For each probe of @p probes (rows of probes.csv) that @p loaded (rows of loaded_probes.csv)
    * knows, over its instants from @p start [s] on; linear between samples. Probes without such
    * instants are left out.
    */
-  std::vector<ProbePassage>
-  compare_passages(const Table &probes, const Table &loaded, double mesh_frequency, double start);
+  std::vector<ProbePassage> compare_passages(const Table       &probes,
+                                             const Table       &loaded,
+                                             const PassageTime &passes_mesh,
+                                             double             mesh_frequency,
+                                             double             start);
 } // namespace vfife
 
 #endif

@@ -13,28 +13,31 @@ namespace vfife
   /**
    * Stresses of the probes of a turning gear pair from static positions over one tooth mesh. After
    * m tooth meshes a probe is where its copy m sectors farther on was at the start, so the copies'
-   * stresses at the position p are the probe's at the time m + p: the whole of its passage.
+   * stresses at the position p are the probe's at the time m + p: its whole passage through a turn.
    */
   class LoadedProbes
   {
   public:
-    /** Over @p meshes tooth meshes. Throws InputError where the model is no gear pair or the
-     * sectors of a body are not rotated copies of each other. */
-    LoadedProbes(const Model &model, unsigned int meshes);
+    /** Throws InputError as list_copies(). */
+    explicit LoadedProbes(const Model &model);
 
     /** Stresses of the model's nodes (fixed frame at time zero) at a position [tooth meshes]. */
     void add_position(double position, const std::vector<Stress> &stresses);
 
-    /** A row a probe and time [tooth meshes]: von Mises, stresses in r, theta, z of the body. */
+    /** A row a probe and place [tooth meshes after it has passed the mean contact], of a whole
+     * turn: von Mises, stresses in r, theta, z of the body. */
     const Table &table() const
     {
       return table_;
     }
 
+    /** Where the largest von Mises stress of a probe is, a row of table(). */
+    std::size_t find_largest(const std::string &probe) const;
+
   private:
-    const Model                           &model_;
-    std::vector<std::vector<unsigned int>> copies_; ///< node of the body, by probe and tooth mesh
-    Table                                  table_;
+    const Model                    &model_;
+    std::vector<std::vector<Probe>> copies_; ///< by probe and tooth mesh
+    Table                           table_;
   };
 } // namespace vfife
 

@@ -40,6 +40,12 @@ namespace vfife
     void
     complete(const Table &history, const PairPreload &preload, RunSummary &summary, Log &log) const;
 
+    /** Rows of probes.csv. */
+    const Table &probe_rows() const
+    {
+      return *probes_;
+    }
+
   private:
     void find_steady(const Table       &history,
                      const PairPreload &preload,
@@ -50,7 +56,8 @@ namespace vfife
     const Model         &model_;
     HertzContact         hertz_;
     const OutputOptions &output_;
-    const Table         *teeth_ = nullptr; ///< rows of teeth.csv
+    const Table         *teeth_  = nullptr; ///< rows of teeth.csv
+    const Table         *probes_ = nullptr;
   };
 } // namespace vfife
 

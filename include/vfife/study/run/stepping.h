@@ -64,14 +64,16 @@ namespace vfife
 
     /**
      * Runs from where @p start takes the state, or from @p checkpoint (nullptr: none), to
-     * @p end_time [s], of a run that would end at @p whole_time. @p complete fills in the summary
-     * of a run that has ended or failed, before it is written. Throws NumericalError after the
+     * @p end_time [s], of a run that would end at @p whole_time. @p prepared is called in the state
+     * that @p start has found. @p complete fills in the summary of a run that has ended or failed,
+     * before it is written. Throws NumericalError after the
      * summary of a failed run has been written, Interrupted after a checkpoint.
      */
     void run(const Checkpoint            *checkpoint,
              double                       end_time,
              double                       whole_time,
              RunStart                    &start,
+             const std::function<void()> &prepared,
              const std::function<void()> &complete);
 
   private:

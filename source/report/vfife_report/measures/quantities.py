@@ -48,7 +48,13 @@ def list_tooth_quantities(run):
 def list_probe_quantities(run):
     for name, passage in find_passages(run):
         yield f"{name}, peak von Mises stress", passage.peak, "MPa"
-        yield f"{name}, steady von Mises stress", passage.steady, "MPa"
+        # A record of a part of a turn has a median of its own: that of all sectors is no matter of it.
+        turn = run.summary.get("probes", {}).get(name)
+        if turn:
+            yield f"{name}, largest von Mises stress of a turn", turn["largest of a turn"]["value"], "MPa"
+            yield f"{name}, median von Mises stress of a turn", turn["median of a turn"]["value"], "MPa"
+        else:
+            yield f"{name}, steady von Mises stress", passage.steady, "MPa"
         if passage.whole:
             yield f"{name}, duration of the passage", 1e3 * passage.duration, "ms"
 

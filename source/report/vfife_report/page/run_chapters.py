@@ -71,7 +71,9 @@ def tell_probes(run, plots):
                   "whole passage" if p.whole else "passage cut by the record"]
                  for name, p in find_passages(run)],
                 f"Passage through the mesh: duration above {DURATION_LEVEL_IN_WORDS} of the rise over the "
-                "steady stress.")
+                "steady stress, which is the median of the record outside it.")
+    for probe in run.summary.get("probes", {}).values():
+        yield Paragraph(probe["explanation"] + ".")
 
 
 def tell_rim(run, plots):

@@ -1,0 +1,73 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/output/measures/probe_record.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** The upper one of the middle two, where there are two. */
+    double median_of(std::vector<double> values)
+    {
+      const auto middle = values.begin() + values.size() / 2;
+      std::nth_element(values.begin(), middle, values.end());
+      return *middle;
+    }
+  } // namespace
+
+  ProbeRecord make_probe_record(const std::string         &name,
+                                const std::vector<double> &times,
+                                const std::vector<double> &stresses,
+                                const double               end,
+                                const std::vector<double> &turn,
+                                const double               frequency,
+                                const double               passes_mesh)
+  {
+    ProbeRecord record;
+    record.name          = name;
+    record.passes_mesh   = passes_mesh;
+    const auto peak      = std::max_element(stresses.begin(), stresses.end());
+    record.peak          = *peak;
+    record.peak_time     = times[peak - stresses.begin()];
+    record.least         = *std::min_element(stresses.begin(), stresses.end());
+    const double n       = turn.size();
+    const auto   largest = std::max_element(turn.begin(), turn.end());
+    record.largest       = *largest;
+    record.median        = median_of(turn);
+
+    // Where the largest stress is the probe comes after `ahead` meshes more, and was n - ahead
+    // meshes ago: in the record if that was within it, which whole meshes decide.
+    const double ahead = largest - turn.begin(), ago = ahead > 0 ? n - ahead : 0.;
+    const double recorded     = (end - times.front()) * frequency;
+    record.has_peak           = ago <= recorded + 1e-6;
+    const double after        = (end - passes_mesh) * frequency + ahead;
+    record.largest_after_mesh = after - n * std::floor(after / n + .5);
+    record.has_median =
+      record.least <= record.median + ProbeRecord::level * (record.largest - record.median);
+    return record;
+  }
+
+  std::string ProbeRecord::explain() const
+  {
+    std::ostringstream text;
+    text << name << ": largest von Mises stress of the record " << peak << " MPa at "
+         << 1e3 * peak_time << " ms; of a whole turn (copies in all sectors at the end) " << largest
+         << " MPa, " << largest_after_mesh << " tooth meshes after the mesh, median " << median
+         << " MPa; ";
+    if (has_peak && has_median)
+      text << "the record has both";
+    else if (has_peak)
+      text
+        << "the record has the peak, but ends or begins before it comes down to the median (least "
+        << least << " MPa)";
+    else if (has_median)
+      text << "the peak of the passage does not lie in the record";
+    else
+      text << "neither the peak of the passage nor its median lies in the record (least " << least
+           << " MPa)";
+    return text.str();
+  }
+} // namespace vfife

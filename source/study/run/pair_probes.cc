@@ -1,0 +1,116 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/base/text/table.h>
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/dynamics/watch/measurement.h>
+#include <vfife/model/state.h>
+#include <vfife/output/measures/probe_record.h>
+#include <vfife/study/cases/probe_copies.h>
+#include <vfife/study/run/pair_probes.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Tooth meshes of a run after which a probe has its largest stress: two thirds. Stress rises
+     * in 4 to 16 tooth meshes and falls over 15 to 60, so that what is nearest to the steady value
+     * lies before the peak. */
+    unsigned int peak_mesh(const unsigned int meshes)
+    {
+      return 2 * meshes / 3;
+    }
+  } // namespace
+
+  PairProbes::PairProbes(Model              &model,
+                         ExplicitSolver     &solver,
+                         const Communicator &communicator,
+                         Log                &log,
+                         const unsigned int  meshes)
+    : model_(model)
+    , solver_(solver)
+    , communicator_(communicator)
+    , log_(log)
+    , meshes_(meshes)
+  {
+  }
+
+  std::vector<double> PairProbes::measure_turn(const State &state, const Probe &probe) const
+  {
+    std::vector<double> turn;
+    for (const ProbeValue &value : measure_probes(
+           model_, list_copies(model_, probe), state, solver_.vfife_operator(), communicator_))
+      turn.push_back(value.von_mises);
+    return turn;
+  }
+
+  void PairProbes::choose(const State &state)
+  {
+    for (Probe &probe : model_.probes)
+      {
+        // Copy m is where the probe will be after m meshes: the copy that is n meshes behind the
+        // place of the largest stress comes there in n meshes. All ranks have the same sums.
+        const std::vector<double> turn    = measure_turn(state, probe);
+        const auto                largest = std::max_element(turn.begin(), turn.end());
+        const std::size_t         z = turn.size(), n = peak_mesh(meshes_);
+        const std::size_t         place = largest - turn.begin();
+        log_.line(probe.name,
+                  ": largest von Mises stress of its copies in all sectors ",
+                  *largest,
+                  " MPa; that copy is recorded that comes there after ",
+                  n,
+                  " of ",
+                  meshes_,
+                  " tooth meshes");
+        probe = list_copies(model_, probe)[(place + z - n % z) % z];
+      }
+  }
+
+  double PairProbes::passes_mesh(const Probe &probe) const
+  {
+    const double meshes = meshes_to_contact(model_, probe);
+    return meshes <= meshes_ ? meshes : meshes - list_copies(model_, probe).size();
+  }
+
+  void PairProbes::log_passages() const
+  {
+    for (const Probe &probe : model_.probes)
+      {
+        const double meshes = passes_mesh(probe);
+        log_.line(probe.name,
+                  meshes < 0 ? ": has passed the mesh " : ": passes the mesh after ",
+                  meshes < 0 ? -meshes : meshes,
+                  meshes < 0 ? " tooth meshes before the start" : " tooth meshes");
+      }
+  }
+
+  std::vector<ProbeRecord> PairProbes::judge(const State &state, const Table &rows) const
+  {
+    std::vector<ProbeRecord> records;
+    const double             frequency = model_.transmission->mesh_frequency();
+    for (const Probe &probe : model_.probes)
+      {
+        std::vector<double> times, stresses;
+        for (std::size_t i = 0; i < rows.n_rows(); ++i)
+          if (rows.column(column::probe).texts[i] == probe.name)
+            {
+              times.push_back(rows.numbers(column::time)[i]);
+              stresses.push_back(rows.numbers(column::von_mises)[i]);
+            }
+        if (times.empty())
+          continue;
+        records.push_back(make_probe_record(probe.name,
+                                            times,
+                                            stresses,
+                                            state.time,
+                                            measure_turn(state, probe),
+                                            frequency,
+                                            passes_mesh(probe) / frequency));
+        log_.line(records.back().explain());
+      }
+    return records;
+  }
+} // namespace vfife
