@@ -235,7 +235,7 @@ namespace vfife
       throw InputError(
         "the checkpoint is of another model: bodies, mesh and material must be those "
         "of the run that wrote it");
-    // Probes "that pass the mesh at 75 % of the run" depend on its length, which may have changed.
+    // Which copies the probes are depends on the length of the run, which may have changed.
     for (Probe &probe : model.probes)
       {
         stream.pass(probe.node);
