@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
@@ -22,9 +23,8 @@ namespace vfife
      * at the end only. */
     bool has_results(const std::string &folder, const std::string &last_file)
     {
-      return last_file == "summary.json"
-               ? read_run_figures(folder).status == "finished"
-               : !last_file.empty() && fs::exists(folder + "/" + last_file);
+      return last_file == "summary.json" ? read_run_figures(folder).status == "finished"
+                                         : !last_file.empty() && is_there(folder + "/" + last_file);
     }
   } // namespace
 
@@ -118,7 +118,7 @@ namespace vfife
           return {Outcome::finished, "was finished before"};
         // The root's word counts on all ranks: they must all begin anew, or all go on.
         line.restart = communicator.any(communicator.is_root() &&
-                                        fs::exists(line.output_folder + "/checkpoint.bin"));
+                                        is_there(line.output_folder + "/checkpoint.bin"));
       }
     try
       {

@@ -169,6 +169,10 @@ int main()
   show("a column twice", run_program({VFIFE_PROGRAM, "twice.prm", "-o", "list"}));
   show("no entry", sweep("list", {"--set", "Sweep/entries=Output/pictures"}));
   show("nothing beside", sweep("list", {"--set", "Sweep/beside=all"}));
+  // No file can have this name: there is none, as of any other that is not there.
+  check("beside: a name too long for a folder",
+        sweep("list", {"--set", "Sweep/beside=" + std::string(300, 'x')})
+            .text.find("has neither coupled modes") != std::string::npos);
   show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));
   return 0;
 }

@@ -95,6 +95,12 @@ namespace vfife
            (pattern == formula_words && names_a_table(text));
   }
 
+  bool is_there(const std::string &path)
+  {
+    std::error_code error;
+    return fs::exists(path, error);
+  }
+
   std::string find_beside(const std::string &folder, const std::string &name)
   {
     // An absolute name stays as it is.

@@ -80,7 +80,6 @@ namespace vfife
     if (pairs_.empty())
       return;
     const double start = times_ != nullptr ? processor_time() : 0.;
-    is_numbered_       = false;
     // 1. Where the bodies' rigid motion is now and will be at the end of the time asked for.
     std::vector<RigidMotion> later;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
@@ -113,7 +112,6 @@ namespace vfife
   {
     for (const auto &pair : pairs_)
       pair->contact.serialize(stream);
-    is_numbered_ = false;
   }
 
   void ContactSystem::serialize_friction(ByteStream &stream)

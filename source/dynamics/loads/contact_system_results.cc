@@ -69,6 +69,11 @@ namespace vfife
     }
   } // namespace
 
+  bool ContactSystem::is_pressed() const
+  {
+    return sums_[4] > 0;
+  }
+
   double ContactSystem::energy() const
   {
     return sums_[0];

@@ -14,6 +14,8 @@ namespace vfife
 {
   namespace
   {
+    constexpr unsigned int no_place = static_cast<unsigned int>(-1);
+
     /** Adds up over the ranks what belongs to the active nodes of all surfaces, 3 numbers a node:
      * the owner of a node has it, all others zero, so that sums are exact copies. */
     void sum_over_ranks(const std::vector<std::unique_ptr<ContactOfPair>>        &pairs,
@@ -66,7 +68,7 @@ namespace vfife
         for (const unsigned int node : surface->facets->nodes)
           surface->numbers.push_back(
             numbers.emplace(std::make_pair(surface->body, node), numbers.size()).first->second);
-    places_.assign(numbers.size(), 0);
+    places_.assign(numbers.size(), no_place);
   }
 
   void ContactSystem::set_masses(const std::vector<double> &masses)
@@ -81,9 +83,10 @@ namespace vfife
               node != Partition::absent && partition_.owned[node])
             sums[surface->numbers[i]] = masses[node];
     communicator_.sum(sums);
-    inverse_masses_.assign(sums.size(), Matrix3::Zero());
-    for (std::size_t i = 0; i < sums.size(); ++i)
-      inverse_masses_[i] = Matrix3::Identity() / sums[i];
+    inverse_masses_.resize(sums.size());
+    std::transform(sums.begin(), sums.end(), inverse_masses_.begin(), [](const double mass) {
+      return 1. / mass;
+    });
     // Held directions do not give way, prescribed motion not at all. A node that turns about its
     // axis with others counts as free: it is taken for lighter than it is, which is stable.
     for (const auto &pair : pairs_)
@@ -95,13 +98,19 @@ namespace vfife
               const auto found = constraints.find(surface->facets->nodes[i]);
               if (found == constraints.end() || found->second.turning() != nullptr)
                 continue;
+              const unsigned int number = surface->numbers[i];
               const Matrix3      axes   = found->second.axes();
-              const unsigned int n_free = 3 - found->second.n_held();
-              const auto         free   = axes.rightCols(n_free);
-              inverse_masses_[surface->numbers[i]] =
-                free * free.transpose() / sums[surface->numbers[i]];
+              const auto         free   = axes.rightCols(3 - found->second.n_held());
+              held_[number]             = inverse_masses_[number] * free * free.transpose();
             }
         }
+  }
+
+  Matrix3 ContactSystem::inverse_mass(const unsigned int number) const
+  {
+    const auto held = held_.find(number);
+    return held != held_.end() ? held->second
+                               : Matrix3(inverse_masses_[number] * Matrix3::Identity());
   }
 
   void ContactSystem::bring_motion(const NodeField &positions,
@@ -114,16 +123,20 @@ namespace vfife
       for (ContactSurface *surface : pair->surfaces())
         {
           surface->collect_motion(partition_, positions, velocities, with_velocities);
-          if (forces != nullptr)
-            for (const unsigned int i : *surface->active)
-              {
-                const std::uint32_t node  = surface->local[i];
-                const bool          owned = node != Partition::absent && partition_.owned[node];
-                Eigen::Map<Vector3>(surface->free_velocities.data() + 3 * i) =
-                  owned ? Vector3(velocities.value(node) +
-                                  dt * inverse_masses_[surface->numbers[i]] * forces->value(node))
-                        : Vector3(0., 0., 0.);
-              }
+          if (forces == nullptr)
+            continue;
+          for (const unsigned int i : *surface->active)
+            {
+              const std::uint32_t node  = surface->local[i];
+              const bool          owned = node != Partition::absent && partition_.owned[node];
+              Eigen::Map<Vector3> free(surface->free_velocities.data() + 3 * i);
+              if (!owned)
+                free.setZero();
+              else if (const unsigned int number = surface->numbers[i]; held_.empty())
+                free = velocities.value(node) + dt * inverse_masses_[number] * forces->value(node);
+              else
+                free = velocities.value(node) + dt * inverse_mass(number) * forces->value(node);
+            }
         }
     std::vector<std::vector<double> ContactSurface::*> fields = {&ContactSurface::positions};
     if (with_velocities)
@@ -189,51 +202,50 @@ namespace vfife
       shared = communicator_.all_gather(shared);
     std::sort(shared.begin(), shared.end());
 
-    // 2. The active nodes, numbered after each search.
-    if (!is_numbered_)
+    // 2. Every rank solves for all. Few nodes are touched: they get their places as they come.
+    std::vector<PressureSolver::Node> nodes;
+    std::vector<unsigned int>         used;
+    const auto place_of = [&](const ContactSurface &surface, const unsigned int i) {
+      const unsigned int number = surface.numbers[i];
+      if (places_[number] == no_place)
+        {
+          places_[number] = nodes.size();
+          used.push_back(number);
+          nodes.push_back({Eigen::Map<const Vector3>(surface.velocities.data() + 3 * i),
+                           Eigen::Map<const Vector3>(surface.free_velocities.data() + 3 * i),
+                           inverse_mass(number)});
+        }
+      return places_[number];
+    };
+    std::vector<std::array<unsigned int, 4>> slave_places(shared.size()),
+      master_places(shared.size());
+    for (std::size_t p = 0; p < shared.size(); ++p)
       {
-        active_numbers_.clear();
-        for (const auto &pair : pairs_)
-          for (const ContactSurface *surface : pair->surfaces())
-            for (const unsigned int i : *surface->active)
-              active_numbers_.push_back(surface->numbers[i]);
-        std::sort(active_numbers_.begin(), active_numbers_.end());
-        active_numbers_.erase(std::unique(active_numbers_.begin(), active_numbers_.end()),
-                              active_numbers_.end());
-        for (unsigned int i = 0; i < active_numbers_.size(); ++i)
-          places_[active_numbers_[i]] = i;
-        is_numbered_ = true;
-      }
-    std::vector<PressureSolver::Node> nodes(active_numbers_.size());
-    for (const auto &pair : pairs_)
-      for (const ContactSurface *surface : pair->surfaces())
-        for (const unsigned int i : *surface->active)
-          nodes[places_[surface->numbers[i]]] = {
-            Eigen::Map<const Vector3>(surface->velocities.data() + 3 * i),
-            Eigen::Map<const Vector3>(surface->free_velocities.data() + 3 * i),
-            inverse_masses_[surface->numbers[i]]};
-
-    // 3. Every rank solves for all, and takes its own.
-    PressureSolver             solver(dt, std::move(nodes));
-    std::vector<TouchingPoint> solved;
-    for (const SharedPoint &s : shared)
-      {
-        const ContactOfPair  &pair   = *pairs_[s.pair];
-        const ContactSurface &slave  = s.point.pass == 0 ? pair.slave : pair.master,
-                             &master = s.point.pass == 0 ? pair.master : pair.slave;
-        std::array<unsigned int, 4> slave_nodes, master_nodes;
+        const TouchingPoint  &point  = shared[p].point;
+        const ContactOfPair  &pair   = *pairs_[shared[p].pair];
+        const ContactSurface &slave  = point.pass == 0 ? pair.slave : pair.master,
+                             &master = point.pass == 0 ? pair.master : pair.slave;
         for (unsigned int k = 0; k < 4; ++k)
           {
-            slave_nodes[k]  = places_[slave.numbers[s.point.slave_nodes[k]]];
-            master_nodes[k] = places_[master.numbers[s.point.master_nodes[k]]];
+            slave_places[p][k]  = place_of(slave, point.slave_nodes[k]);
+            master_places[p][k] = place_of(master, point.master_nodes[k]);
           }
-        solver.add(s.point,
-                   slave_nodes,
-                   master_nodes,
-                   pair.contact.law(),
-                   pair.contact.penalty(),
-                   pair.contact.damping(dt));
-        solved.push_back(s.point);
+      }
+    for (const unsigned int number : used)
+      places_[number] = no_place;
+
+    PressureSolver             solver(dt, std::move(nodes));
+    std::vector<TouchingPoint> solved;
+    for (std::size_t p = 0; p < shared.size(); ++p)
+      {
+        const Contact &contact = pairs_[shared[p].pair]->contact;
+        solver.add(shared[p].point,
+                   slave_places[p],
+                   master_places[p],
+                   contact.law(),
+                   contact.penalty(),
+                   contact.damping(dt));
+        solved.push_back(shared[p].point);
       }
     solver.solve(solved);
     for (std::size_t i = 0; i < shared.size(); ++i)
@@ -243,15 +255,16 @@ namespace vfife
 
   void ContactSystem::sum_results()
   {
-    // Energy, lost power, friction loss, and whether a point is too deep.
+    // Energy, lost power, whether a point is too deep, friction loss, pressure.
     largest_penetration_ = 0;
-    sums_                = {{0., 0., 0., 0.}};
+    sums_                = {};
     for (const auto &pair : pairs_)
       for (const GroupPairResult &result : pair->contact.results())
         {
           sums_[0] += result.energy;
           sums_[1] += result.damping_power;
           sums_[3] += result.friction_loss;
+          sums_[4] += result.normal_force;
           largest_penetration_ = std::max(largest_penetration_, result.largest_penetration);
           if (result.largest_penetration > pair->penetration_limit())
             sums_[2] = 1;

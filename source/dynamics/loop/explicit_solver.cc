@@ -248,8 +248,8 @@ namespace vfife
   void ExplicitSolver::watch_contact(const State &state)
   {
     // Of surfaces with each other and with walls.
-    const bool touching = contact_.energy() > 0 || walls_.energy() > 0;
-    if (contact_.energy() > 0 && state.step == beginning_->step)
+    const bool touching = contact_.is_pressed() || walls_.energy() > 0;
+    if (contact_.is_pressed() && state.step == beginning_->step)
       log_.line("deepest point at the start: ", contact_.describe_deepest_point());
     contact_watch_.observe(state.time, dt_, touching);
     energy_.observe_contact(touching);

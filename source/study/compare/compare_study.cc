@@ -182,7 +182,7 @@ namespace vfife
     const std::string section = "Compare/Case " + one.name;
     if (!one.results.empty())
       {
-        if (!fs::exists(fs::path(one.results) / "parameters.prm"))
+        if (!is_there(one.results + "/parameters.prm"))
           throw InputError(section + "/results",
                            "the folder \"" + one.results + "\" has no results of a case");
         return;

@@ -1,15 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/study/compare/compared_case.h>
-
-#include <filesystem>
 
 namespace vfife
 {
   bool ComparedCase::has(const std::string &file) const
   {
-    return std::filesystem::exists(folder + "/" + file);
+    return is_there(folder + "/" + file);
   }
 
   Table ComparedCase::table(const std::string &file) const

@@ -14,7 +14,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -23,13 +22,10 @@ namespace vfife
 {
   namespace
   {
-    namespace fs = std::filesystem;
-
     /** Results that are drawn beside those of the runs; a folder has at least one of them. */
     bool can_stand_beside(const std::string &folder)
     {
-      return fs::exists(fs::path(folder) / "coupled_modes.csv") ||
-             fs::exists(fs::path(folder) / "resonance.csv");
+      return is_there(folder + "/coupled_modes.csv") || is_there(folder + "/resonance.csv");
     }
   } // namespace
 

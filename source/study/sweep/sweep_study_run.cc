@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of SweepStudy that does the runs.
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
@@ -186,7 +187,7 @@ namespace vfife
         // Copied, so that the report finds them when the folder of the sweep is moved.
         for (const char *file :
              {"coupled_modes.csv", "resonance.csv", "lumped.json", "parameters.prm"})
-          if (folder.is_writer() && fs::exists(from / file))
+          if (folder.is_writer() && is_there((from / file).string()))
             folder.copy_file((from / file).string(), name + "/" + file);
       }
   }

@@ -41,6 +41,10 @@ namespace vfife
    * declare_file_name(). */
   std::string find_beside(const std::string &folder, const std::string &name);
 
+  /** Whether there is a file or folder. One with a name that no file can have, as it is too long,
+   * is not there. */
+  bool is_there(const std::string &path);
+
   /** As long as it lives all names of files in force in a handler are absolute, so that its text
    * means the same files from any folder; then they are again what the user wrote, as messages
    * show them. */

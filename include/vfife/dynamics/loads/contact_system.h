@@ -8,6 +8,7 @@
 #include <vfife/model/state.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -87,7 +88,10 @@ namespace vfife
                          double                          dt,
                          NodeField                      &forces);
 
-    /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. */
+    /** Whether anything pressed at the last add_forces(); all ranks. */
+    bool is_pressed() const;
+    /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. That of a
+     * step that is integrated implicitly may be negative where a point comes or goes. */
     double energy() const;
     /** Power lost in contact damping at the last add_forces() [mW = mJ/s]; all ranks. */
     double lost_power() const;
@@ -134,14 +138,15 @@ namespace vfife
     /** A point in the solution for the pressures, and whose it is. */
     struct SharedPoint;
 
-    void number_nodes();
-    void bring_motion(const NodeField &positions,
-                      const NodeField &velocities,
-                      const NodeField *forces,
-                      double           dt);
-    void find_pressures(double dt, std::vector<std::vector<TouchingPoint>> &points);
-    void sum_results();
-    void add_up(NodeField &forces);
+    void    number_nodes();
+    Matrix3 inverse_mass(unsigned int number) const;
+    void    bring_motion(const NodeField &positions,
+                         const NodeField &velocities,
+                         const NodeField *forces,
+                         double           dt);
+    void    find_pressures(double dt, std::vector<std::vector<TouchingPoint>> &points);
+    void    sum_results();
+    void    add_up(NodeField &forces);
 
     const Model                                &model_;
     const Partition                            &partition_;
@@ -149,16 +154,17 @@ namespace vfife
     std::vector<std::unique_ptr<ContactOfPair>> pairs_;
     bool                                        needs_velocities_ = false; ///< a pair has damping
     bool                                        is_implicit_      = false; ///< a pair is
-    /** Of the nodes of all surfaces by their numbers: 1/m [1/t], zero along held directions; the
-     * places of those that are active in the solution for the pressures. */
-    std::vector<Matrix3>      inverse_masses_;
-    std::vector<unsigned int> active_numbers_, places_;
-    bool                      is_numbered_ = false; ///< places_ are those of the last search
+    /** Of the nodes of all surfaces by their numbers: 1/m [1/t]; instead, of nodes with held
+     * directions, a matrix that is zero along these. */
+    std::vector<double>             inverse_masses_;
+    std::map<unsigned int, Matrix3> held_;
+    /** Place of a node in the solution for the pressures, while there is one. */
+    std::vector<unsigned int> places_;
     std::vector<double>       buffer_;
     double                    largest_penetration_ = 0;
     /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
-     * that is too deep, friction loss. */
-    std::array<double, 4> sums_  = {{0., 0., 0., 0.}};
+     * that is too deep, friction loss, integral of the pressure. */
+    std::array<double, 5> sums_  = {};
     ContactTimes         *times_ = nullptr;
   };
 } // namespace vfife
