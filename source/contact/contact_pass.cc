@@ -331,7 +331,7 @@ namespace vfife
         results_[i]              = GroupPairResult();
         results_[i].slave_group  = pairs_[i].slave_group;
         results_[i].master_group = pairs_[i].master_group;
-        describe(pairs_[i], interaction.damping > 0., results_[i]);
+        describe(i, interaction.damping > 0.);
       }
     add_time(&ContactTimes::forces);
   }

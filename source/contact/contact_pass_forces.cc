@@ -13,6 +13,7 @@
 // the fading at the master's border. The force on the slave is its slope, in the dual vectors a of
 // the facet (n.a = 0, a_xi.y_xi = 1):
 //   f = w A p n - (w A p c_xi + A E w_xi) a_xi - (the same in eta),   c_xi = n.y_xi + offset_xi.
+#include <vfife/base/process/machine_speed.h>
 #include <vfife/contact/contact_pass.h>
 
 #include <algorithm>
@@ -150,9 +151,10 @@ namespace vfife
   }
 
 
-  void ContactPass::describe(Pair &pair, const bool with_rates, GroupPairResult &result)
+  void ContactPass::describe(const unsigned int number, const bool with_rates)
   {
-    const unsigned int number = &pair - pairs_.data();
+    Pair            &pair   = pairs_[number];
+    GroupPairResult &result = results_[number];
     for (const unsigned int i : pair.touching)
       {
         ListedPoint      &point  = pair.points[i];
@@ -172,7 +174,7 @@ namespace vfife
             continue;
           }
         // The gap's slopes: along the normal, and along the facet where the gap changes as the
-        // point slides; the couple of that part goes to the master's corners (balance_couple()).
+        // point slides; the couple of that part goes to the master's corners.
         const Vector3 x = slave_point(point.slave_facet, point.rule_point);
         touches_.push_back({number, i, x, normal, fade, TangentBasis(master_, p, x, normal)});
         const TangentBasis &basis   = touches_.back().basis;
@@ -210,6 +212,7 @@ namespace vfife
                           double                   *slave_forces,
                           double                   *master_forces)
   {
+    const double start = times_ != nullptr ? processor_time() : 0.;
     for (std::size_t i = 0; i < touching_.size(); ++i)
       {
         const Touch   &touch  = touches_[i];
@@ -226,11 +229,13 @@ namespace vfife
             has_friction_)
           open(pair, touch.point, true);
       }
-    for (Pair &pair : pairs_)
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
-        results_[&pair - pairs_.data()].friction_loss += pair.released;
-        pair.released = 0.;
+        results_[i].friction_loss += pairs_[i].released;
+        pairs_[i].released = 0.;
       }
+    if (times_ != nullptr)
+      times_->forces += processor_time() - start;
   }
 
 

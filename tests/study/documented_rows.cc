@@ -74,16 +74,14 @@ namespace
 
   /** Does a case of prm/, or of this folder, with other entries. */
   std::string
-  do_case(const std::string &file, std::vector<std::string> overrides, Communicator &world)
+  do_case(const std::string &file, const std::vector<std::string> &overrides, Communicator &world)
   {
-    CommandLine line;
-    line.parameter_file = file.rfind("prm/", 0) == 0 ? SOURCE_DIR "/../../" + file : file;
-    line.output_folder  = "documented";
-    line.overrides      = std::move(overrides);
-    std::ostringstream nothing;
-    Log                log(nothing, world.is_root(), Verbosity::quiet);
-    run_study(line, world, log);
-    return line.output_folder + "/";
+    const std::string folder = "documented";
+    run_pair(file.rfind("prm/", 0) == 0 ? SOURCE_DIR "/../../" + file : file,
+             folder,
+             world,
+             overrides);
+    return folder + "/";
   }
 
   /** Histories of a case, a sample every step. */

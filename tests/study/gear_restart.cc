@@ -12,24 +12,6 @@
 
 using namespace vfife;
 
-namespace
-{
-  void run(const std::string              &folder,
-           const std::vector<std::string> &overrides,
-           const bool                      restart,
-           Communicator                   &communicator)
-  {
-    CommandLine line;
-    line.parameter_file = "gear.prm";
-    line.output_folder  = folder;
-    line.overrides      = overrides;
-    line.restart        = restart;
-    std::ostringstream nothing;
-    Log                log(nothing, communicator.is_root(), Verbosity::quiet);
-    run_study(line, communicator, log);
-  }
-} // namespace
-
 int main(int argc, char **argv)
 {
   MpiSession    session(argc, argv);
@@ -41,10 +23,10 @@ int main(int argc, char **argv)
                             << "subsection Contact\n  set friction coefficient = 0.1\n"
                                "  set damping ratio = 0.1\nend\n";
   const std::string steps = "Dynamics/largest number of steps=";
-  run("whole", {}, false, world);
-  run("parts", {steps + "333"}, false, world);
-  run("parts", {steps + "1200"}, true, world);
-  run("parts", {}, true, world);
+  run_pair("gear.prm", "whole", world);
+  run_pair("gear.prm", "parts", world, {steps + "333"});
+  run_pair("gear.prm", "parts", world, {steps + "1200"}, true);
+  run_pair("gear.prm", "parts", world, {}, true);
 
   for (const char *name : {"history.csv", "teeth.csv", "probes.csv", "pattern.csv"})
     {

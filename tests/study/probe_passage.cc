@@ -27,14 +27,7 @@ namespace
     if (!restart && communicator.is_root())
       std::filesystem::remove_all(folder);
     communicator.barrier();
-    CommandLine line;
-    line.parameter_file = "passage.prm";
-    line.output_folder  = folder;
-    line.overrides      = overrides;
-    line.restart        = restart;
-    std::ostringstream nothing;
-    Log                log(nothing, communicator.is_root(), Verbosity::quiet);
-    run_study(line, communicator, log);
+    run_pair("passage.prm", folder, communicator, overrides, restart);
   }
 
   nlohmann::json read_probe(const std::string &folder, const std::string &probe)

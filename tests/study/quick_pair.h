@@ -59,12 +59,18 @@ end
 )";
 }
 
-inline void
-run_pair(const std::string &file, const std::string &folder, vfife::Communicator &communicator)
+/** Does the case of a parameter file without a word, with other entries, or goes on with it. */
+inline void run_pair(const std::string              &file,
+                     const std::string              &folder,
+                     vfife::Communicator            &communicator,
+                     const std::vector<std::string> &overrides = {},
+                     const bool                      restart   = false)
 {
   vfife::CommandLine line;
   line.parameter_file = file;
   line.output_folder  = folder;
+  line.overrides      = overrides;
+  line.restart        = restart;
   std::ostringstream nothing;
   vfife::Log         log(nothing, communicator.is_root(), vfife::Verbosity::quiet);
   vfife::run_study(line, communicator, log);

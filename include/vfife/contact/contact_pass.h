@@ -205,16 +205,16 @@ namespace vfife
     void   place_anchors(const std::vector<AnchorOfPoint> &anchors, Pair &pair) const;
     Fading find_fading(const Projection &projection) const;
     /** Gap below which a point touches within @p look_ahead [mm]. */
-    double find_reach(const ListedPoint &point, double look_ahead) const;
-    void   describe(Pair &pair, bool with_rates, GroupPairResult &result);
-    bool   press(const TouchingPoint      &touching,
-                 const Touch              &touch,
-                 const SurfaceInteraction &interaction,
-                 ListedPoint              &point,
-                 ContactAnchor            *anchor,
-                 GroupPairResult          &result,
-                 double                   *slave_forces,
-                 double                   *master_forces);
+    double        find_reach(const ListedPoint &point, double look_ahead) const;
+    void          describe(unsigned int pair, bool with_rates);
+    bool          press(const TouchingPoint      &touching,
+                        const Touch              &touch,
+                        const SurfaceInteraction &interaction,
+                        ListedPoint              &point,
+                        ContactAnchor            *anchor,
+                        GroupPairResult          &result,
+                        double                   *slave_forces,
+                        double                   *master_forces);
     ContactSpring make_spring(const ListedPoint &point, const PressedPoint &elastic);
 
     SurfaceGeometry                   slave_, master_;

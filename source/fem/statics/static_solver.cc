@@ -27,20 +27,6 @@ namespace vfife
       return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
     }
 
-    /** Of a body's element at some places, its points undeformed at @p X [N]. */
-    Eigen::VectorXd centrifugal_force(const ElementNodes &X,
-                                      const ElementNodes &places,
-                                      const Body         &body,
-                                      const MassKind      mass)
-    {
-      const Vector3     &a = body.axis.direction;
-      const ElementNodes arms =
-        (Matrix3::Identity() - a * a.transpose()) * (places.colwise() - body.axis.point);
-      const ElementNodes forces =
-        body.rate * body.rate * arms * compute_mass_coefficients(X, body.material().density, mass);
-      return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
-    }
-
     /** Of a load: its history at the time asked for, or the part of all loads. */
     double factor_of(const ParameterHistory &history, const StaticLoads &loads)
     {
@@ -131,7 +117,13 @@ namespace vfife
     return forces;
   }
 
-  std::vector<double> StaticSolver::balance(const StaticLoads         &loads,
+  SystemMatrices::Rate StaticSolver::body_rate() const
+  {
+    return [this](const unsigned int body) { return model_.bodies[body].rate; };
+  }
+
+  std::vector<double> StaticSolver::balance(const SystemMatrices      &matrices,
+                                            const StaticLoads         &loads,
                                             const std::vector<double> &u,
                                             const std::vector<double> &spun,
                                             double                    &strain_energy) const
@@ -161,6 +153,7 @@ namespace vfife
     const auto first = [&](const unsigned int rank) {
       return static_cast<unsigned long long>(rank) * d.n_elements() / communicator_.size();
     };
+    const SystemMatrices::Rate rate = body_rate();
     for (unsigned int e = first(communicator_.rank()); e < first(communicator_.rank() + 1); ++e)
       {
         const ElementNodes    X      = d.element_nodes(e);
@@ -184,11 +177,10 @@ namespace vfife
           forces -= integrate_body_force(X, loads.body_force);
         if (loads.centrifugal)
           {
-            ElementNodes places = X;
-            if (loads.spin_softening)
-              places += Eigen::Map<const ElementNodes>(v.data(), 3, X.cols());
             forces -=
-              centrifugal_force(X, places, model_.bodies[d.part_of_element(e).body], options_.mass);
+              matrices.centrifugal_force(e,
+                                         loads.spin_softening ? v : Eigen::VectorXd::Zero(v.size()),
+                                         rate);
           }
         for (int i = 0; i < forces.size(); ++i)
           sums[3 * std::size_t(d.element_points(e)[i / 3]) + i % 3] += forces[i];
@@ -248,10 +240,10 @@ namespace vfife
     unknowns.padded       = options_.linear_solver == LinearSolverKind::multigrid;
     unknowns.rotation     = rotation_;
     unknowns.led_are_held = true;
-    const Assembly       assembly(discretization_, unknowns, communicator_);
-    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
-    const auto   rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
-    StaticResult result;
+    const Assembly             assembly(discretization_, unknowns, communicator_);
+    const SystemMatrices       matrices(assembly, options_.mass, options_.strain);
+    const SystemMatrices::Rate rate = body_rate();
+    StaticResult               result;
     // First the state of spin, which stiffens and softens the bodies: everything else is linear
     // about it.
     SpinState  state;
@@ -278,7 +270,7 @@ namespace vfife
     if (!state.displacements.empty())
       u = add_scaled(std::move(u), 1., state.displacements);
     double              energy = 0;
-    std::vector<double> forces = balance(loads, u, state.displacements, energy);
+    std::vector<double> forces = balance(matrices, loads, u, state.displacements, energy);
     std::transform(forces.begin(), forces.end(), forces.begin(), std::negate<double>());
     // The force of a hub's constraint that has turned with its point is in balance with the rest at
     // the state of spin; as a force of a constraint it is no load.
@@ -293,7 +285,7 @@ namespace vfife
     state.solve(q);
     u = add_scaled(std::move(u), 1., assembly.expand(q));
     // What is left of all forces at the solution is what the constraints exert.
-    result.reactions = balance(loads, u, state.displacements, result.strain_energy);
+    result.reactions = balance(matrices, loads, u, state.displacements, result.strain_energy);
     return result;
   }
 

@@ -150,21 +150,27 @@ namespace vfife
     return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
   }
 
+  SystemMatrices::PointMatrices SystemMatrices::point_stiffnesses(const std::vector<double> &u,
+                                                                  const Rate &rate) const
+  {
+    PointMatrices       points = find_springs(assembly_.discretization());
+    const PointMatrices hub    = hub_curvature(u, rate);
+    points.insert(points.end(), hub.begin(), hub.end());
+    return points;
+  }
+
   SparseValues SystemMatrices::spinning_stiffness(const std::vector<double> &u,
                                                   const Rate                &rate) const
   {
-    const Discretization &d      = assembly_.discretization();
-    PointMatrices         points = find_springs(d);
-    const PointMatrices   hub    = hub_curvature(u, rate);
-    points.insert(points.end(), hub.begin(), hub.end());
-    SparseValues K = assembly_.matrix([&](const unsigned int e) -> Eigen::MatrixXd {
+    const Discretization &d = assembly_.discretization();
+    SparseValues          K = assembly_.matrix([&](const unsigned int e) -> Eigen::MatrixXd {
       const double omega = rate(body(e));
       return compute_element_state(
                d.element_nodes(e), d.material(e), d.element(), strain_, d.gather(e, u), true)
                .tangent -
              expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
     });
-    return add_scaled(std::move(K), 1., assembly_.point_matrix(points));
+    return add_scaled(std::move(K), 1., assembly_.point_matrix(point_stiffnesses(u, rate)));
   }
 
   OwnedVector SystemMatrices::spinning_residual(const std::vector<double> &u,
@@ -180,10 +186,7 @@ namespace vfife
                .forces;
     });
     std::vector<double>   held(3 * static_cast<std::size_t>(d.n_points()), 0.);
-    PointMatrices         points = find_springs(d);
-    const PointMatrices   hub    = hub_curvature(u, rate);
-    points.insert(points.end(), hub.begin(), hub.end());
-    for (const auto &point : points)
+    for (const auto &point : point_stiffnesses(u, rate))
       Eigen::Map<Vector3>(held.data() + 3 * std::size_t(point.first)) -=
         point.second * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(point.first));
     const OwnedVector springs = assembly_.restrict_forces(held);

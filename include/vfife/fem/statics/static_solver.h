@@ -73,11 +73,13 @@ namespace vfife
 
   private:
     /** K u less what acts on the bodies, of all points [N]; adds up the strain energy [mJ]. */
-    std::vector<double> balance(const StaticLoads         &loads,
-                                const std::vector<double> &u,
-                                const std::vector<double> &spun,
-                                double                    &strain_energy) const;
-    std::vector<double> make_forces(const StaticLoads &loads) const;
+    std::vector<double>  balance(const SystemMatrices      &matrices,
+                                 const StaticLoads         &loads,
+                                 const std::vector<double> &u,
+                                 const std::vector<double> &spun,
+                                 double                    &strain_energy) const;
+    std::vector<double>  make_forces(const StaticLoads &loads) const;
+    SystemMatrices::Rate body_rate() const;
     /** What solves with @p K, which it checks to be positive. */
     LinearSolve
     prepare(const SystemMatrices &matrices, SparseValues K, unsigned int &n_iterations) const;

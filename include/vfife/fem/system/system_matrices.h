@@ -53,6 +53,10 @@ namespace vfife
     OwnedVector
     spinning_residual(const std::vector<double> &u, const Rate &rate, bool softening) const;
 
+    /** Omega^2 S (X + u) of an element, 3 a point [N]. */
+    Eigen::VectorXd
+    centrifugal_force(unsigned int e, const Eigen::VectorXd &u, const Rate &rate) const;
+
     /** M r for a field r of all points: what a base motion r puts on the unknowns. */
     OwnedVector apply_mass(const std::vector<double> &field) const;
 
@@ -60,9 +64,8 @@ namespace vfife
     std::vector<OwnedVector> near_kernel() const;
 
   private:
-    /** Omega^2 S (X + u) of an element, 3 a point [N]. */
-    Eigen::VectorXd
-    centrifugal_force(unsigned int e, const Eigen::VectorXd &u, const Rate &rate) const;
+    /** What does not come from the elements: springs to the ground, and hub_curvature(). */
+    PointMatrices   point_stiffnesses(const std::vector<double> &u, const Rate &rate) const;
     Eigen::MatrixXd mass_coefficients(unsigned int e) const;
     unsigned int    body(unsigned int e) const;
     const Axis     &axis(unsigned int e) const;
