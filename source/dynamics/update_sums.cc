@@ -11,7 +11,7 @@ namespace vfife
 {
   UpdateAxis UpdateAxis::of(const Body &body)
   {
-    return {body.turns_on_axis, body.axis.point, body.axis.direction};
+    return {body.turns_on_axis && !body.floats, body.axis.point, body.axis.direction};
   }
 
   void add_node_moments(

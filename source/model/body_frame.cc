@@ -2,6 +2,7 @@
 #include <vfife/model/body_frame.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vfife
 {
@@ -45,7 +46,14 @@ namespace vfife
     if (!body.turns_on_axis)
       return Matrix3::Identity();
     // Both lead from the body frame to the fixed frame, now and at time zero.
-    return now.rotation * body.placement.rotation.transpose();
+    const Matrix3 turn = now.rotation * body.placement.rotation.transpose();
+    if (!body.floats)
+      return turn;
+    // Tilts are displacements like all others: what is left is the part of the quaternion about the
+    // axis.
+    const Eigen::Quaterniond quaternion(turn);
+    const double             about_axis = quaternion.vec().dot(body.axis.direction);
+    return rotation_about(body.axis.direction, 2. * std::atan2(about_axis, quaternion.w()));
   }
 
   Vector3 compute_displacement(const Body        &body,

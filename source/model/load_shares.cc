@@ -4,33 +4,35 @@
 #include <vfife/model/constraints/held_direction.h>
 #include <vfife/model/load_shares.h>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
-
 #include <numeric>
 
 namespace vfife
 {
   std::vector<double> compute_load_shares(const Load &load, const Body &body)
   {
-    std::vector<double> shares;
+    // Of an acceleration a node takes its mass [t]; shares of other loads have no unit and sum
+    // to 1.
     if (load.kind == LoadKind::acceleration)
       {
-        // Of an acceleration a node takes its mass [t]; shares of other loads have no unit and sum
-        // to 1.
+        std::vector<double> masses;
         for (const unsigned int node : load.nodes)
-          shares.push_back(body.node_masses()[node]);
-        return shares;
+          masses.push_back(body.node_masses()[node]);
+        return masses;
       }
-    shares     = compute_nodal_areas(body, load.nodes);
-    double sum = std::accumulate(shares.begin(), shares.end(), 0.);
-    // Single nodes or lines of nodes: equal shares, where the load has no need of a face.
+    if (load.kind == LoadKind::pressure && find_boundary_faces(body, load.nodes).empty())
+      throw InputError("load \"" + load.name + "\": its nodes carry no face of body \"" +
+                       body.name() + "\" that the pressure could act on");
+    return compute_area_shares(body, load.nodes);
+  }
+
+  std::vector<double> compute_area_shares(const Body &body, const std::vector<unsigned int> &nodes)
+  {
+    std::vector<double> shares = compute_nodal_areas(body, nodes);
+    double              sum    = std::accumulate(shares.begin(), shares.end(), 0.);
+    // Single nodes or lines of nodes have no area.
     if (!(sum > 0))
       {
-        if (load.kind == LoadKind::pressure)
-          throw InputError("load \"" + load.name + "\": its nodes carry no face of body \"" +
-                           body.name() + "\" that the pressure could act on");
-        shares.assign(load.nodes.size(), 1.);
+        shares.assign(nodes.size(), 1.);
         sum = shares.size();
       }
     for (double &share : shares)
@@ -104,74 +106,5 @@ namespace vfife
   {
     // Half the cross product of the diagonals.
     return 0.5 * (c - a).cross(d - b);
-  }
-
-  MomentTraction::MomentTraction(std::vector<double>         shares,
-                                 const std::vector<Vector3> &places,
-                                 const std::string          &load)
-    : shares_(std::move(shares))
-    , load_(load)
-  {
-    Vector3 centre = Vector3::Zero();
-    for (std::size_t i = 0; i < places.size(); ++i)
-      centre += shares_[i] * places[i];
-    centre /= std::accumulate(shares_.begin(), shares_.end(), 0.);
-    for (const Vector3 &place : places)
-      arms_.push_back(place - centre);
-    try
-      {
-        solve(Vector3::Zero());
-      }
-    catch (const NumericalError &)
-      {
-        throw InputError("load \"" + load_ +
-                         "\": its nodes lie on a line and cannot carry a moment");
-      }
-  }
-
-  void
-  MomentTraction::add(const std::size_t i, const Vector3 &place, std::vector<double> &sums) const
-  {
-    // The present centre is not needed: sum A r = 0.
-    Eigen::Map<Matrix3>(sums.data()) += shares_[i] * place * arms_[i].transpose();
-  }
-
-  MomentTraction::Motion MomentTraction::solve(const Vector3             &moment,
-                                               const std::vector<double> &sums) const
-  {
-    // 1. Mean rotation: R minimizes sum A |x - c - R r|^2. Nodes of a plane leave the third
-    // singular value at zero; its direction is chosen so that R does not mirror.
-    const Eigen::Map<const Matrix3> second(sums.data());
-    const Eigen::JacobiSVD<Matrix3> svd(second, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Matrix3                         U = svd.matrixU();
-    if ((U * svd.matrixV().transpose()).determinant() < 0)
-      U.col(2) *= -1;
-    Motion motion;
-    motion.rotation = U * svd.matrixV().transpose();
-
-    // 2. A spin w of R needs J w = sum A (R r) x dx, J = tr(S) I - S with the symmetric
-    // S = sum A x (R r)^T: M . w is the power of the forces A (J^-1 M) x (R r).
-    const Matrix3                   S       = second * motion.rotation.transpose();
-    const Matrix3                   inertia = S.trace() * Matrix3::Identity() - S;
-    const Eigen::FullPivLU<Matrix3> factors(inertia);
-    if (!factors.isInvertible())
-      throw NumericalError("load \"" + load_ +
-                           "\": its nodes have come to lie on a line, where a "
-                           "moment finds no arm");
-    motion.turn = factors.solve(moment);
-    return motion;
-  }
-
-  MomentTraction::Motion MomentTraction::solve(const Vector3 &moment) const
-  {
-    std::vector<double> sums = make_sums();
-    for (std::size_t i = 0; i < arms_.size(); ++i)
-      add(i, arms_[i], sums);
-    return solve(moment, sums);
-  }
-
-  Vector3 MomentTraction::force(const std::size_t i, const Motion &motion) const
-  {
-    return shares_[i] * motion.turn.cross(motion.rotation * arms_[i]);
   }
 } // namespace vfife

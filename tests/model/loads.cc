@@ -5,6 +5,7 @@
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/bearing/mean_motion.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/load_shares.h>
 #include <vfife/model/state.h>
@@ -69,12 +70,12 @@ namespace
   {
     std::vector<double>  areas;
     std::vector<Vector3> undeformed;
-    MomentTraction       traction;
+    MeanMotion           set;
 
     explicit LoadedFace(const Body &body)
       : areas(compute_nodal_areas(body, body.node_set("x+")))
       , undeformed(places_of(body))
-      , traction(areas, undeformed, "bend")
+      , set(areas, undeformed, "load \"bend\"")
     {
     }
 
@@ -86,27 +87,29 @@ namespace
       return places;
     }
 
-    /** What the traction does with the nodes at @p places, summed as by two ranks. */
-    MomentTraction::Motion motion(const std::vector<Vector3> &places, const Vector3 &moment) const
+    /** The motion of the nodes at @p places, summed as by two ranks. */
+    MeanMotion::Motion motion(const std::vector<Vector3> &places) const
     {
-      std::vector<double> sums           = MomentTraction::make_sums();
-      std::vector<double> of_other_ranks = MomentTraction::make_sums();
+      std::vector<double> sums           = MeanMotion::make_sums();
+      std::vector<double> of_other_ranks = MeanMotion::make_sums();
       for (std::size_t i = 0; i < places.size(); ++i)
-        traction.add(i, places[i], i % 3 == 0 ? of_other_ranks : sums);
+        set.add(i, places[i], Vector3::Zero(), i % 3 == 0 ? of_other_ranks : sums);
       for (std::size_t c = 0; c < sums.size(); ++c)
         sums[c] += of_other_ranks[c];
-      return traction.solve(moment, sums);
+      return set.solve(sums);
     }
 
     /** Sum of the forces, and of their moments about the origin. */
-    std::pair<Vector3, Vector3> resultant(const std::vector<Vector3>   &places,
-                                          const MomentTraction::Motion &at) const
+    std::pair<Vector3, Vector3> resultant(const std::vector<Vector3> &places,
+                                          const MeanMotion::Motion   &at,
+                                          const Vector3              &moment) const
     {
       std::pair<Vector3, Vector3> sums(Vector3::Zero(), Vector3::Zero());
       for (std::size_t i = 0; i < places.size(); ++i)
         {
-          sums.first += traction.force(i, at);
-          sums.second += places[i].cross(traction.force(i, at));
+          const Vector3 nodal = set.force(i, at, Vector3::Zero(), moment);
+          sums.first += nodal;
+          sums.second += places[i].cross(nodal);
         }
       return sums;
     }
@@ -128,12 +131,13 @@ namespace
         std::vector<Vector3> places;
         for (const Vector3 &place : face.undeformed)
           places.push_back(motion(place));
-        const auto at              = face.motion(places, motion.rotation * moment);
-        const auto [force, turned] = face.resultant(places, at);
+        const auto    at           = face.motion(places);
+        const Vector3 acting       = motion.rotation * moment;
+        const auto [force, turned] = face.resultant(places, at, acting);
         double deviation           = 0;
         for (std::size_t i = 0; i < places.size(); ++i)
           {
-            const Vector3 nodal = face.traction.force(i, at);
+            const Vector3 nodal = face.set.force(i, at, Vector3::Zero(), acting);
             // Beam theory with the second moments of the nodes' areas.
             const Vector3 r  = body.node_positions()[body.node_set("x+")[i]] - Vector3(20., 0., 0.);
             const double  Iz = width * height * (width * width / 12 + 4. / 6);
@@ -155,7 +159,7 @@ namespace
     std::vector<Vector3> line;
     for (unsigned int i = 0; i < 4; ++i)
       line.emplace_back(i, 2. * i, 1.);
-    print_refusal([&] { MomentTraction({1., 1., 1., 1.}, line, "bend"); });
+    print_refusal([&] { MeanMotion({1., 1., 1., 1.}, line, "load \"bend\""); });
   }
 
   /** A deformed end face that deforms further: the power of the forces is the moment times the
@@ -174,11 +178,11 @@ namespace
                          .3 * Vector3(std::sin(3 * s), std::cos(5 * s), std::sin(7 * s + 1)));
         way.push_back(Vector3(std::cos(2 * s), std::sin(11 * s), std::cos(13 * s + 2)));
       }
-    const auto at              = face.motion(places, moment);
-    const auto [force, turned] = face.resultant(places, at);
+    const auto at              = face.motion(places);
+    const auto [force, turned] = face.resultant(places, at, moment);
     double power               = 0;
     for (std::size_t i = 0; i < places.size(); ++i)
-      power += face.traction.force(i, at).dot(way[i]);
+      power += face.set.force(i, at, Vector3::Zero(), moment).dot(way[i]);
     check_below("deformed end face: sum of the forces [N]", force.norm(), 1e-9);
     check_below("deformed end face: their moment less the load's [N mm]",
                 (turned - moment).norm(),
@@ -190,7 +194,7 @@ namespace
       std::vector<Vector3> there = places;
       for (std::size_t i = 0; i < there.size(); ++i)
         there[i] += amount * way[i];
-      return face.motion(there, moment).rotation;
+      return face.motion(there).rotation;
     };
     const Matrix3 change = moved(h) * moved(-h).transpose();
     const Vector3 spin   = Vector3(change(2, 1) - change(1, 2),
@@ -201,6 +205,24 @@ namespace
                 power / moment.dot(spin),
                 1.,
                 1e-8);
+
+    // The same spin from velocities; a force besides works on the centre.
+    std::vector<double> sums    = MeanMotion::make_sums();
+    double              of_both = 0;
+    const Vector3       push(-40., 90., 20.);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        face.set.add(i, places[i], way[i], sums);
+        of_both += face.set.force(i, at, push, moment).dot(way[i]);
+      }
+    const MeanMotion::Motion moving = face.set.solve(sums);
+    check_below("deformed end face: spin by velocities less spin by differences [rad]",
+                (moving.spin - spin).norm(),
+                1e-8);
+    check_close("deformed end face: power of force and moment over that of the mean motion",
+                of_both / (push.dot(moving.velocity) + moment.dot(moving.spin)),
+                1.,
+                1e-12);
   }
 
   void transmission()

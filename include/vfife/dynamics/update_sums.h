@@ -20,7 +20,7 @@ namespace vfife
     /** Of the new state, for the next step's rigid rate. */
     double  axial_momentum   = 0;               ///< sum m e . v_+
     double  axial_inertia    = 0;               ///< sum m e . e
-    Vector3 momentum         = Vector3::Zero(); ///< sum m v_+ (bodies without bearings)
+    Vector3 momentum         = Vector3::Zero(); ///< sum m v_+ (bodies without a fixed axis)
     Vector3 first_moment     = Vector3::Zero(); ///< sum m x
     Vector3 angular_momentum = Vector3::Zero(); ///< sum m x x v_+, about the fixed origin
     Matrix3 second_moment    = Matrix3::Zero(); ///< sum m x x^T
@@ -34,8 +34,8 @@ namespace vfife
     double     drive_torque = 0; ///< about the axis [N mm]
   };
 
-  /** The line through `point` in unit `direction`: turning bodies; use_axis false: all moments are
-   * summed instead. */
+  /** The line through `point` in unit `direction`: bodies that turn on a fixed axis; use_axis
+   * false: all moments are summed instead. */
   struct UpdateAxis
   {
     bool    use_axis = false;

@@ -66,10 +66,13 @@ namespace vfife
     /** Moment of inertia of the lumped masses about the body's axis of rotation [t mm^2]. */
     double axial_inertia() const;
 
-    RigidMotion placement;         ///< body frame -> fixed frame at time zero
-    Axis        axis;              ///< axis of rotation, fixed frame
-    bool    turns_on_axis = false; ///< held by bearings: rigid motion is a rotation about the axis
-    double  rate          = 0;     ///< angular velocity about the axis at time zero [rad/s]
+    RigidMotion placement;      ///< body frame -> fixed frame at time zero
+    Axis        axis;           ///< axis of rotation, fixed frame
+    bool turns_on_axis = false; ///< held by bearings: rigid motion is a rotation about the axis
+    /** On elastic bearings: it turns about the axis in the mean, and beside that its rigid motion
+     * has translations and tilts. */
+    bool    floats = false;
+    double  rate   = 0; ///< angular velocity about the axis at time zero [rad/s]
     Vector3 velocity =
       Vector3::Zero(); ///< translation velocity at time zero (bodies without bearings) [mm/s]
     /** Added to the rigid motion at time zero: by node, or empty [mm/s]. */

@@ -7,11 +7,14 @@
 #include <vfife/contact/law/friction_options.h>
 #include <vfife/contact/law/penalty_options.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace vfife
 {
+  class BearingLaw;
+
   enum class LoadKind
   {
     /** The vector is the sum of the nodal forces [N], fixed in space, shared out by the area that
@@ -19,7 +22,7 @@ namespace vfife
     force,
     /** The vector is the sum of the moments about the set's centre [N mm], fixed in space:
      * bending traction on an end face, torsion about its normal.
-     * The traction turns with the mean rotation of the set (see MomentTraction); the forces
+     * The traction turns with the mean rotation of the set (see MeanMotion); the forces
      * sum to zero. */
     moment,
     /** Pressure [MPa] on the faces within the set, on their present areas and normals (follows). */
@@ -41,6 +44,28 @@ namespace vfife
     Vector3                   vector   = Vector3::Zero();
     double                    pressure = 0; ///< [MPa], + into the body
     ParameterHistory          history;      ///< factor
+  };
+
+  /** Holds the mean motion of a ring of a body's nodes (ShaftSeat) elastically. */
+  struct Bearing
+  {
+    std::string               name;
+    unsigned int              body = 0;
+    std::vector<unsigned int> nodes; ///< of the body
+    /** Columns x, y, z in the fixed frame, z along the body's axis. */
+    Matrix3                           axes = Matrix3::Identity();
+    std::shared_ptr<const BearingLaw> law;
+  };
+
+  /** A torsional spring and damper between the mean twist of a ring of a body's nodes and the turn
+   * that the body's rate prescribes; it holds nothing else. */
+  struct Coupling
+  {
+    std::string               name;
+    unsigned int              body = 0;
+    std::vector<unsigned int> nodes;         ///< of the body
+    double                    stiffness = 0; ///< [N mm/rad]
+    double                    damping   = 0; ///< [N mm s/rad]
   };
 
   /**

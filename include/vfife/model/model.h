@@ -91,6 +91,8 @@ namespace vfife
     std::vector<Torque>         torques;
     std::vector<Load>           loads;
     std::vector<RigidWall>      walls;
+    std::vector<Bearing>        bearings;
+    std::vector<Coupling>       couplings;
     std::vector<ContactPair>    contacts;
     std::vector<Probe>          probes;
     std::optional<Transmission> transmission; ///< where two of the bodies are a gear pair

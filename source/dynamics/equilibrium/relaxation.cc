@@ -75,6 +75,7 @@ namespace vfife
     , log_(log)
     , torques_(model, vfife.partition())
     , loads_(model, vfife, communicator)
+    , bearings_(model, vfife.partition(), communicator)
     , forces_(vfife.make_field())
     , no_velocity_(vfife.make_field())
   {
@@ -90,6 +91,8 @@ namespace vfife
       loads_.add_part(*loads.part, state.position, forces);
     else
       loads_.add_forces(0., state.position, forces);
+    // Bearings, of bodies that have not turned yet ...
+    bearings_.add_forces_at_rest(state.position, forces);
     // ... and m omega^2 r in the frames that turn with the bodies, r in the deformed state.
     if (!loads.centrifugal)
       return;
@@ -130,6 +133,7 @@ namespace vfife
     // pseudo step of 1.
     std::vector<double> masses = operator_.compute_relaxation_masses(stability_fraction);
     loads_.add_relaxation_masses(stability_fraction, masses);
+    bearings_.add_relaxation_masses(stability_fraction, masses);
     if (loads.contact)
       {
         contact_.add_relaxation_masses(stability_fraction, masses);
@@ -186,6 +190,7 @@ namespace vfife
     std::vector<Reaction> reactions(list_supports(model_).size());
     constraints.add_static_reactions(state.position, forces, projected, reactions);
     loads_.add_spring_reactions(state.position, reactions);
+    bearings_.add_reactions(state.position, first_bearing(model_), reactions);
     sum_over_ranks(reactions, communicator_);
     return reactions;
   }

@@ -38,7 +38,7 @@ namespace vfife
             std::vector<Vector3> places;
             for (const unsigned int node : load.nodes)
               places.push_back(body.placement(body.node_positions()[node]));
-            group.traction.emplace(weights, places, load.name);
+            group.motion.emplace(weights, places, "load \"" + load.name + "\"");
           }
         if (load.kind == LoadKind::pressure)
           {
@@ -112,14 +112,14 @@ namespace vfife
 
   void NodalLoads::add_moment(const Group &group, const Vector3 &moment, const NodeField &positions)
   {
-    std::vector<double> sums = MomentTraction::make_sums();
+    std::vector<double> sums = MeanMotion::make_sums();
     for (const Node &node : group.nodes)
       if (node.owned)
-        group.traction->add(node.of_set, positions.value(node.local), sums);
+        group.motion->add(node.of_set, positions.value(node.local), Vector3::Zero(), sums);
     communicator_.sum(sums);
-    const MomentTraction::Motion motion = group.traction->solve(moment, sums);
+    const MeanMotion::Motion motion = group.motion->solve(sums);
     for (const Node &node : group.nodes)
-      forces_.add(node.local, group.traction->force(node.of_set, motion));
+      forces_.add(node.local, group.motion->force(node.of_set, motion, Vector3::Zero(), moment));
   }
 
   void

@@ -48,6 +48,7 @@ namespace vfife
     , walls_(model, operator_.partition(), communicator)
     , torques_(model, operator_.partition())
     , loads_(model, operator_, communicator)
+    , bearings_(model, operator_.partition(), communicator)
     , constraints_(model, operator_.partition(), communicator)
     , element_step_(find_element_step(model, options.step_bound, operator_, communicator, log))
     , forces_(operator_.make_field())
@@ -79,9 +80,9 @@ namespace vfife
   double ExplicitSolver::vote_on_step(const double element_step)
   {
     // Squares of frequencies add up: of elements, of contact springs, of springs to the ground,
-    // walls.
-    return walls_.vote_on_step(
-      loads_.vote_on_step(contact_.vote_on_step(options_.safety * element_step)));
+    // bearings, walls.
+    return walls_.vote_on_step(bearings_.vote_on_step(
+      loads_.vote_on_step(contact_.vote_on_step(options_.safety * element_step))));
   }
 
   double ExplicitSolver::stable_step()
@@ -226,10 +227,11 @@ namespace vfife
       else
         operator_.compute_internal_forces(state.position, forces_);
     }
-    // 2. Walls, torques, other loads.
+    // 2. Walls, torques, other loads, bearings.
     walls_.add_forces(state.position, forces_);
     torques_.add_forces(state.time, state.position, forces_);
     loads_.add_forces(state.time, state.position, forces_);
+    bearings_.add_forces(state.time, state.position, state.velocity, forces_);
     // 3. Contact, which may ask where all else leads: candidates every so many steps, forces in
     // each. Observers get its part of the forces.
     {
@@ -263,7 +265,7 @@ namespace vfife
         const Body &body  = model_.bodies[b];
         damping_[b].zeta  = options_.damping;
         damping_[b].rigid = rigid_[b];
-        if (options_.damping_rate == DampingRate::mean_speed && body.turns_on_axis &&
+        if (options_.damping_rate == DampingRate::mean_speed && UpdateAxis::of(body).use_axis &&
             options_.damping > 0)
           damping_[b].rigid = compute_mean_speed_rate(body, state, b, communicator_);
 
@@ -288,6 +290,7 @@ namespace vfife
     // All nodes by central differences, then the constrained ones to where they belong. The power
     // of loads takes the mean of the velocities before and after.
     powers.torque = torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
+    const BearingLoads::Powers bearing_powers = bearings_.half_powers(state.velocity);
     constraints_.save(state.position, state.velocity);
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
@@ -311,6 +314,11 @@ namespace vfife
                        state.velocity,
                        sums_);
     powers.torque += torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
+    {
+      const BearingLoads::Powers after = bearings_.half_powers(state.velocity);
+      powers.drive += bearing_powers.drive + after.drive;
+      powers.damping += bearing_powers.loss + after.loss;
+    }
 
     // Sums and powers over all ranks.
     powers.torque = communicator_.sum(powers.torque);
@@ -353,11 +361,11 @@ namespace vfife
         const double  angle  = turn.norm();
         const Matrix3 step =
           angle > 0 ? rotation_about(turn / angle, angle) : Matrix3(Matrix3::Identity());
-        const Vector3 pivot = body.turns_on_axis
-                                ? body.axis.point
-                                : Vector3(sums_[b].update.first_moment / body.mass());
+        const bool    on_axis = UpdateAxis::of(body).use_axis;
+        const Vector3 pivot =
+          on_axis ? body.axis.point : Vector3(sums_[b].update.first_moment / body.mass());
         const Vector3 drift =
-          body.turns_on_axis ? Vector3(Vector3::Zero()) : Vector3(dt_ * rigid_[b].at(pivot));
+          on_axis ? Vector3(Vector3::Zero()) : Vector3(dt_ * rigid_[b].at(pivot));
         motion.rotation    = step * motion.rotation;
         motion.translation = pivot + step * (motion.translation + drift - pivot);
       }

@@ -140,7 +140,8 @@ namespace vfife
   void ExplicitSolver::take_energies(const ElementMeasures &measures)
   {
     energy_.take_sample(sums_,
-                        measures.strain_energy + loads_.compute_spring_energy(observed_.position),
+                        measures.strain_energy + loads_.compute_spring_energy(observed_.position) +
+                          bearings_.energy(),
                         contact_.energy() + walls_.energy());
   }
 
@@ -150,6 +151,7 @@ namespace vfife
     std::vector<Reaction> reactions(list_supports(model_).size());
     constraints_.add_reactions(dt_, damping_, forces_, state.velocity, reactions);
     loads_.add_spring_reactions(observed_.position, reactions);
+    bearings_.add_reactions(observed_.position, first_bearing(model_), reactions);
     sum_over_ranks(reactions, communicator_);
     observed_.measured.reactions = std::move(reactions);
   }
@@ -183,13 +185,14 @@ namespace vfife
     state.contact_force         = operator_.make_field();
     contact_.add_forces(state.body_motion, state.position, no_velocity, dt_, state.contact_force);
     walls_.add_forces(state.position, state.contact_force);
+    bearings_.add_forces_at_rest(state.position, forces_);
 
     // At rest there are stored energies only.
     take_measurements(state);
     state.measured        = observed_.measured;
     state.measured.energy = EnergyLedger();
     state.measured.energy.strain =
-      measures.strain_energy + loads_.compute_spring_energy(state.position);
+      measures.strain_energy + loads_.compute_spring_energy(state.position) + bearings_.energy();
     state.measured.energy.contact = contact_.energy() + walls_.energy();
     state.measured.body_rates.assign(model_.bodies.size(), 0.);
     state.measured.momentum = state.measured.angular_momentum = Vector3::Zero();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -22,6 +23,29 @@ namespace vfife
              : description.forward < .25 ? "backward"
                                          : "standing";
     }
+
+    /** A wave of n diameters as an observer at rest sees it: its rate [rad/s], negative where it
+     * travels against the spin; not a number where diameters are not known. cos(n phi - s w t) in
+     * axes that turn is cos(n phi' - (n Omega + s w) t) in axes that do not. */
+    double fixed_rate(const RotatingMode &mode, const double rate)
+    {
+      const ModeDescription &d = mode.description;
+      if (d.nodal_diameter < 0 || mode.frequency == 0)
+        return std::numeric_limits<double>::quiet_NaN();
+      const double sense = direction_of(d) == "forward"    ? 1.
+                           : direction_of(d) == "backward" ? -1.
+                                                           : 0.;
+      // Standing waves in turning axes are two travelling ones to others, unless nothing turns.
+      if (sense == 0 && d.nodal_diameter > 0 && rate != 0)
+        return std::numeric_limits<double>::quiet_NaN();
+      return d.nodal_diameter * std::abs(rate) +
+             (sense == 0 ? 1. : sense) * 2. * pi * mode.frequency;
+    }
+
+    std::string whirl_of(const double rate)
+    {
+      return std::isnan(rate) ? "-" : rate < 0 ? "backward" : "forward";
+    }
   } // namespace
 
   Table make_mode_table()
@@ -36,6 +60,8 @@ namespace vfife
     table.add_column("nodal circles", "-");
     table.add_column("share of the diameter", "-");
     table.add_text_column(column::direction);
+    table.add_column("fixed frequency", "Hz");
+    table.add_text_column("whirl");
     for (const char *part : {"axial", "radial", "tangential"})
       table.add_column(part, "-");
     for (const char *axis : {"x", "y", "z"})
@@ -60,6 +86,8 @@ namespace vfife
                                          d.nodal_circles,
                                          d.share,
                                          direction_of(d),
+                                         std::abs(fixed_rate(mode, modes.rate)) / (2. * pi),
+                                         whirl_of(fixed_rate(mode, modes.rate)),
                                          d.axial,
                                          d.radial,
                                          d.tangential};

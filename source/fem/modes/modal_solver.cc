@@ -73,9 +73,10 @@ namespace vfife
     return -1e-10 * assembly.communicator().max(largest);
   }
 
-  ModalResult ModalSolver::solve(const SparseValues &stiffness,
-                                 const SparseValues &mass,
-                                 const double        lowest) const
+  ModalResult ModalSolver::solve(const SparseValues         &stiffness,
+                                 const SparseValues         &mass,
+                                 const double                lowest,
+                                 const std::optional<double> rigid) const
   {
     // Below zero and below what spin may make of rigid motions: K - shift M is positive definite.
     const double base  = choose_shift(assembly_, stiffness, mass);
@@ -92,7 +93,8 @@ namespace vfife
 
     ModalResult result;
     // Round-off of factorization and quotient stays far below the shift.
-    result.rigid_rate = std::sqrt(.1 * std::abs(base) + 1.2 * std::abs(std::min(lowest, 0.)));
+    result.rigid_rate =
+      std::sqrt(.1 * std::abs(base) + 1.2 * rigid.value_or(std::abs(std::min(lowest, 0.))));
     for (unsigned int k = 0; k < options_.n_modes; ++k)
       {
         Mode mode;

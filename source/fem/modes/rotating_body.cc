@@ -56,6 +56,12 @@ namespace vfife
     , whole_(model, {body}, FemElement::incompatible_modes)
     , describer_(whole_, whole_.parts()[0])
   {
+    for (const double rate : options.rates())
+      if (model.bodies[body].floats && rate != 0 && !options.coriolis)
+        throw InputError("Fem/coriolis",
+                         "body \"" + model.bodies[body].name() +
+                           "\" turns in elastic bearings, and its whirl without Coriolis forces is "
+                           "none: set coriolis = yes");
   }
 
   RotatingBody::~RotatingBody() = default;
@@ -92,8 +98,11 @@ namespace vfife
                              const auto solver =
                                std::make_shared<DirectSolver>(assembly.pattern(), K, communicator_);
                              // Spin softens what nothing holds: as many motions as are free may
-                             // have a negative stiffness.
-                             if (solver->n_negative() > n_free || solver->n_zero() > 0)
+                             // have a negative stiffness. On bearings, above a critical speed, so
+                             // may others, which Coriolis forces keep stable; where the body is
+                             // balanced, spin does no work on them.
+                             const bool floats = model_.bodies[body_].floats;
+                             if ((solver->n_negative() > n_free && !floats) || solver->n_zero() > 0)
                                throw NumericalError(
                                  name + " no stable state of spin: the speed is too high");
                              return [solver](OwnedVector &q) { solver->solve(q.data(), 1); };
@@ -149,10 +158,12 @@ namespace vfife
     const SparseValues K =
       rate != 0 ? matrices.spinning_stiffness(equilibrium, constant(rate)) : matrices.stiffness();
     const SparseValues M = matrices.mass();
-    // Spin softens translations of a body that nothing holds by this much; the rotation of a hub is
-    // left with round-off.
-    const double      lowest = (count_free_motions() > 0 ? -1. : -1e-3) * rate * rate;
-    const ModalResult found  = solver.solve(K, M, lowest);
+    // Spin softens translations of a body that nothing holds, or soft bearings do, by this much;
+    // the rotation of a hub, and of a shaft in bearings, is left with round-off.
+    const bool        floats    = model_.bodies[body_].floats;
+    const double      round_off = 1e-3 * rate * rate;
+    const double      lowest    = count_free_motions() > 0 || floats ? -rate * rate : -round_off;
+    const ModalResult found     = solver.solve(K, M, lowest, floats ? round_off : std::abs(lowest));
     result.n_rigid += found.n_rigid;
     result.n_unknowns = std::max(result.n_unknowns, found.n_unknowns);
     result.memory     = std::max(result.memory, found.memory);

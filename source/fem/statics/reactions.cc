@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/statics/reactions.h>
+#include <vfife/fem/system/bearing_rings.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/point_constraints.h>
 #include <vfife/model/constraints/supports.h>
@@ -30,6 +31,26 @@ namespace vfife
             reactions[s].add(discretization.points()[p], -stiffness * at(result.displacements, p));
           ++s;
         }
+    // 3. Bearings and couplings: preload - K B u on the points of their rings.
+    std::vector<double> forces(result.displacements.size(), 0.);
+    for (const BearingRing &ring : find_bearing_rings(discretization))
+      {
+        ring.add_forces(ring.preload - ring.stiffness * ring.displacement(result.displacements),
+                        forces);
+        const auto place_of = [&model](const auto *one, const auto &all) {
+          return static_cast<std::size_t>(one - all.data());
+        };
+        const std::size_t place =
+          first_bearing(model) +
+          (ring.bearing != nullptr
+             ? place_of(ring.bearing, model.bearings)
+             : model.bearings.size() + place_of(ring.coupling, model.couplings));
+        for (const unsigned int p : ring.points)
+          {
+            reactions[place].add(discretization.points()[p], at(forces, p));
+            Eigen::Map<Vector3>(forces.data() + 3 * std::size_t(p)).setZero();
+          }
+      }
     return reactions;
   }
 } // namespace vfife

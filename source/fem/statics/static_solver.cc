@@ -148,6 +148,12 @@ namespace vfife
             Eigen::Map<Vector3>(sums.data() + row) += spring.second * way;
             strain_energy += .5 * way.dot(spring.second * way);
           }
+        for (const BearingRing &ring : matrices.assembly().rings())
+          {
+            const Eigen::Matrix<double, 6, 1> way = ring.displacement(u);
+            ring.add_forces(ring.stiffness * way - ring.preload, sums);
+            strain_energy += .5 * way.dot(ring.stiffness * way) - way.dot(ring.preload);
+          }
       }
     // Elements are dealt out to the ranks in equal runs.
     const auto first = [&](const unsigned int rank) {

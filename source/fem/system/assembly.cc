@@ -16,6 +16,7 @@ namespace vfife
     , first_(unknowns_.first(communicator.rank()))
     , last_(unknowns_.first(communicator.rank() + 1))
     , links_(std::move(links))
+    , rings_(find_bearing_rings(discretization))
   {
     // Every rank knows all points and numbers all unknowns alike; it sums only the
     // rows that it owns. So no matrix entries are sent: elements at the border
@@ -90,6 +91,8 @@ namespace vfife
       couple(discretization_.element_points(e), n_local);
     for (const std::vector<unsigned int> &link : links_)
       couple(link.data(), link.size());
+    for (const BearingRing &ring : rings_)
+      couple(ring.points.data(), ring.points.size());
     // Compressed rows: row i has the columns from begin[i] to begin[i + 1]. A list is given back as
     // soon as it is copied: the pattern is not twice in memory.
     pattern_.n         = unknowns_.n();
@@ -171,6 +174,19 @@ namespace vfife
     for (unsigned int l = 0; l < links_.size(); ++l)
       for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
         add(k * copy, links_[l].data(), link(l), values);
+    return values;
+  }
+
+  SparseValues Assembly::ring_matrix() const
+  {
+    SparseValues      values(pattern_.columns.size(), 0.);
+    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
+    for (const BearingRing &ring : rings_)
+      {
+        const Eigen::MatrixXd A = ring.motion.transpose() * ring.stiffness * ring.motion;
+        for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
+          add(k * copy, ring.points.data(), A, values);
+      }
     return values;
   }
 

@@ -1,17 +1,16 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/bearing/mean_motion.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/model/load_shares.h>
 
 #include <array>
+#include <map>
 
 namespace vfife
 {
   namespace
   {
-    /** Points of a load and what each takes of it. */
-    using PointShares = std::vector<std::pair<unsigned int, double>>;
-
     /** The points of a face with their parts of a constant traction on it: int N dA / A of a flat
      * face. */
     PointShares face_shares(const Discretization       &discretization,
@@ -59,29 +58,44 @@ namespace vfife
     {
       const Body               &body  = discretization.model().bodies[load.body];
       const std::vector<double> nodal = compute_load_shares(load, body);
-      std::vector<BoundaryFace> faces;
-      if (discretization.element() == FemElement::quadratic && load.kind != LoadKind::acceleration)
-        faces = find_boundary_faces(body, load.nodes);
+      if (load.kind != LoadKind::acceleration)
+        return point_area_shares(body, load.nodes, discretization, part);
       PointShares shares;
-      if (faces.empty())
-        {
-          for (std::size_t i = 0; i < load.nodes.size(); ++i)
-            shares.emplace_back(part.first_point + load.nodes[i], nodal[i]);
-          return shares;
-        }
-      // Each face by its part of the whole area, then by its points.
-      double sum = 0;
-      for (const BoundaryFace &face : faces)
-        sum += vector_area(face, discretization, part).norm();
-      for (const BoundaryFace &face : faces)
-        {
-          const double of_all = vector_area(face, discretization, part).norm() / sum;
-          for (const auto &share : face_shares(discretization, part, face))
-            shares.emplace_back(share.first, of_all * share.second);
-        }
+      for (std::size_t i = 0; i < load.nodes.size(); ++i)
+        shares.emplace_back(part.first_point + load.nodes[i], nodal[i]);
       return shares;
     }
   } // namespace
+
+  PointShares point_area_shares(const Body                      &body,
+                                const std::vector<unsigned int> &nodes,
+                                const Discretization            &discretization,
+                                const Discretization::Part      &part)
+  {
+    std::vector<BoundaryFace> faces;
+    if (discretization.element() == FemElement::quadratic)
+      faces = find_boundary_faces(body, nodes);
+    PointShares shares;
+    if (faces.empty())
+      {
+        const std::vector<double> nodal = compute_area_shares(body, nodes);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          shares.emplace_back(part.first_point + nodes[i], nodal[i]);
+        return shares;
+      }
+    // Each face by its part of the whole area, then by its points, which faces share.
+    double sum = 0;
+    for (const BoundaryFace &face : faces)
+      sum += vector_area(face, discretization, part).norm();
+    std::map<unsigned int, double> of_points;
+    for (const BoundaryFace &face : faces)
+      {
+        const double of_all = vector_area(face, discretization, part).norm() / sum;
+        for (const auto &share : face_shares(discretization, part, face))
+          of_points[share.first] += of_all * share.second;
+      }
+    return PointShares(of_points.begin(), of_points.end());
+  }
 
   void add_load_forces(const Load                 &load,
                        const Discretization       &discretization,
@@ -110,10 +124,10 @@ namespace vfife
               areas.push_back(share.second);
               of_shares.push_back(places[share.first]);
             }
-          const MomentTraction         traction(std::move(areas), of_shares, load.name);
-          const MomentTraction::Motion motion = traction.solve(load.vector);
+          const MeanMotion         set(std::move(areas), of_shares, "load \"" + load.name + "\"");
+          const MeanMotion::Motion motion = set.at_rest();
           for (std::size_t i = 0; i < shares.size(); ++i)
-            add(shares[i].first, traction.force(i, motion));
+            add(shares[i].first, set.force(i, motion, Vector3::Zero(), load.vector));
           break;
         }
       case LoadKind::pressure:

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/system/bearing_rings.h>
 #include <vfife/fem/system/unknowns.h>
 #include <vfife/model/constraints/held_direction.h>
 
@@ -61,6 +62,25 @@ namespace vfife
       if (load.kind == LoadKind::spring && load.body == part.body)
         for (const unsigned int p : discretization.points_of(part, load.nodes))
           forbid(p, Matrix3(load.vector.cwiseSign().asDiagonal()));
+    // Bearings and couplings hold what has a stiffness, each by its own measure of it.
+    if (discretization.sector_angle() == 0)
+      for (const BearingRing &ring : find_bearing_rings(discretization))
+        if (discretization.part_of_point(ring.points.front()).body == part.body)
+          {
+            Eigen::Matrix<double, 6, 6> motion;
+            const auto                  rigid = make_rigid_motions(discretization, part, centre);
+            for (unsigned int d = 0; d < 6; ++d)
+              motion.col(d) = ring.displacement(rigid[d]) / (d < 3 ? 1. : size);
+            const Eigen::Matrix<double, 6, 1> scale =
+              ring.stiffness.diagonal().cwiseAbs().cwiseSqrt();
+            Eigen::Matrix<double, 6, 6> held = ring.stiffness;
+            for (unsigned int i = 0; i < 6; ++i)
+              for (unsigned int j = 0; j < 6; ++j)
+                // Turns in units of the body's size, as the motions are.
+                held(i, j) *= (i < 3 ? 1. : size) * (j < 3 ? 1. : size) /
+                              (scale[i] * scale[j] > 0 ? scale[i] * scale[j] : 1.);
+            forbidden += motion.transpose() * held * motion / part.n_points;
+          }
     // Motions that nothing forbids are its kernel.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(forbidden);
     const auto                       rigid = make_rigid_motions(discretization, part, centre);

@@ -56,7 +56,14 @@ namespace vfife
       return compute_fem_stiffness(d.element_nodes(e), d.material(e), d.element());
     });
     const auto            springs = find_springs(d);
-    return springs.empty() ? K : add_scaled(std::move(K), 1., assembly_.point_matrix(springs));
+    if (!springs.empty())
+      K = add_scaled(std::move(K), 1., assembly_.point_matrix(springs));
+    return add_rings(std::move(K));
+  }
+
+  SparseValues SystemMatrices::add_rings(SparseValues K) const
+  {
+    return assembly_.rings().empty() ? K : add_scaled(std::move(K), 1., assembly_.ring_matrix());
   }
 
   SparseValues SystemMatrices::mass() const
@@ -170,7 +177,8 @@ namespace vfife
                .tangent -
              expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
     });
-    return add_scaled(std::move(K), 1., assembly_.point_matrix(point_stiffnesses(u, rate)));
+    return add_rings(
+      add_scaled(std::move(K), 1., assembly_.point_matrix(point_stiffnesses(u, rate))));
   }
 
   OwnedVector SystemMatrices::spinning_residual(const std::vector<double> &u,
@@ -189,6 +197,8 @@ namespace vfife
     for (const auto &point : point_stiffnesses(u, rate))
       Eigen::Map<Vector3>(held.data() + 3 * std::size_t(point.first)) -=
         point.second * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(point.first));
+    for (const BearingRing &ring : assembly_.rings())
+      ring.add_forces(-ring.stiffness * ring.displacement(u), held);
     const OwnedVector springs = assembly_.restrict_forces(held);
     return add_scaled(std::move(residual), 1., springs);
   }

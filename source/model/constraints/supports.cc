@@ -12,7 +12,16 @@ namespace vfife
     for (const Load &load : model.loads)
       if (load.kind == LoadKind::spring)
         supports.push_back({load.name, load.body});
+    for (const Bearing &bearing : model.bearings)
+      supports.push_back({bearing.name, bearing.body});
+    for (const Coupling &coupling : model.couplings)
+      supports.push_back({coupling.name, coupling.body});
     return supports;
+  }
+
+  std::size_t first_bearing(const Model &model)
+  {
+    return list_supports(model).size() - model.bearings.size() - model.couplings.size();
   }
 
   void sum_over_ranks(std::vector<Reaction> &reactions, const Communicator &communicator)

@@ -12,15 +12,16 @@ namespace vfife
 {
   namespace
   {
-    /** The mesh that is no shape. */
-    const std::string from_file = "file";
+    /** The meshes that are no shapes of three sizes. */
+    const std::string from_file = "file", stepped_shaft = "stepped shaft";
   } // namespace
 
   void BodyOptions::declare_kind(dealii::ParameterHandler &prm)
   {
-    // Names of shapes, and one more for the file; the word is stored itself, since the list
+    // Names of shapes, and two more; the word is stored itself, since the list
     // belongs to mesh.
     auto shapes = PrimitiveOptions::shapes();
+    shapes.push_back(stepped_shaft);
     shapes.push_back(from_file);
     declare_choice(
       prm,
@@ -52,6 +53,8 @@ namespace vfife
                       "the body consists, by name or number; none: all, which must be joined by "
                       "faces. Other bodies may read others of the same file");
       }
+    else if (mesh == stepped_shaft)
+      shaft.declare(prm);
     else
       declare_shape(prm, section);
     declare_vector(prm, "position", position, "mm", "Place of the body frame's origin");
@@ -105,6 +108,8 @@ namespace vfife
   {
     if (primitive)
       primitive->check(section);
+    else if (mesh == stepped_shaft)
+      shaft.check(section);
     else if (file.empty())
       throw InputError(section + "/file", "the name of the mesh file is missing");
     if (rotation_axis.norm() == 0)
@@ -124,6 +129,13 @@ namespace vfife
 
   std::unique_ptr<BodyMesh> BodyOptions::make_mesh(const std::string &section) const
   {
+    if (mesh == stepped_shaft)
+      {
+        std::unique_ptr<BodyMesh> body = make_stepped_shaft(shaft);
+        if (count_parts(*body) > 1)
+          throw InputError(section + "/sections", "not all of them are joined by a face");
+        return body;
+      }
     return primitive ? make_primitive(*primitive) : read_file(section);
   }
 

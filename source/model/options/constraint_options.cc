@@ -16,7 +16,10 @@ namespace vfife
                                                 {"angle", SupportKind::angle},
                                                 {"free rotation", SupportKind::free_rotation},
                                                 {"rigid hub", SupportKind::rigid_hub},
-                                                {"spring", SupportKind::spring}};
+                                                {"spring", SupportKind::spring},
+                                                {"bearing", SupportKind::bearing},
+                                                {"rolling bearing", SupportKind::rolling_bearing},
+                                                {"coupling", SupportKind::coupling}};
 
     const std::vector<std::string> fixed_directions       = {"x", "y", "z"};
     const std::vector<std::string> cylindrical_directions = {"r", "theta", "z"};
@@ -28,7 +31,7 @@ namespace vfife
       });
     }
 
-    /** What a solver knows; springs become loads. */
+    /** What a solver knows; springs become loads, bearings and couplings are lists of their own. */
     ConstraintKind constraint_kind(const SupportKind kind)
     {
       switch (kind)
@@ -79,12 +82,22 @@ namespace vfife
     if (kind == SupportKind::spring)
       declare_vector(
         prm, "stiffness", stiffness, "N/mm", "Stiffness of all nodes together along x, y, z");
+    if (kind == SupportKind::bearing)
+      bearing.declare(prm);
+    if (kind == SupportKind::rolling_bearing)
+      rolling.declare(prm);
+    if (kind == SupportKind::coupling)
+      coupling.declare(prm);
   }
 
   void ConstraintOptions::check(const std::string &section) const
   {
     if (kind == SupportKind::spring && !(stiffness.minCoeff() >= 0))
       throw InputError(section + "/stiffness", "must not be negative");
+    if (kind == SupportKind::bearing)
+      bearing.check(section);
+    if (kind == SupportKind::rolling_bearing)
+      rolling.make_law(section);
     if (kind != SupportKind::displacement)
       return;
     if (directions.empty())
@@ -115,6 +128,34 @@ namespace vfife
                            "): add it, or leave the displacement along it at 0");
   }
 
+  void ConstraintOptions::add_seat(Model                    &model,
+                                   const std::string        &name,
+                                   const unsigned int        b,
+                                   std::vector<unsigned int> nodes,
+                                   const std::string        &section) const
+  {
+    Body &body = model.bodies[b];
+    if (!body.turns_on_axis)
+      throw InputError(section + "/body",
+                       "body \"" + body.name() +
+                         "\" has no axis of rotation: set bearing = yes "
+                         "in its section, with axis point, axis direction and speed");
+    if (kind == SupportKind::coupling)
+      {
+        model.couplings.push_back(
+          {name, b, std::move(nodes), coupling.stiffness, coupling.damping});
+        return;
+      }
+    // What holds the axis gives way: the body's rigid motion is no longer the turn alone.
+    body.floats      = true;
+    const bool rolls = kind == SupportKind::rolling_bearing;
+    model.bearings.push_back({name,
+                              b,
+                              std::move(nodes),
+                              (rolls ? rolling.seat : bearing.seat).make_axes(body.axis, section),
+                              rolls ? rolling.make_law(section) : bearing.make_law(section)});
+  }
+
   void
   ConstraintOptions::add_to(Model &model, const std::string &name, const std::string &section) const
   {
@@ -130,6 +171,13 @@ namespace vfife
         load.nodes  = nodes;
         load.vector = stiffness;
         model.loads.push_back(load);
+        return;
+      }
+
+    if (kind == SupportKind::bearing || kind == SupportKind::rolling_bearing ||
+        kind == SupportKind::coupling)
+      {
+        add_seat(model, name, body, nodes, section);
         return;
       }
 

@@ -3,6 +3,7 @@
 #define vfife_dynamics_equilibrium_relaxation_h
 
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/loads/bearing_loads.h>
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/dynamics/loads/nodal_loads.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
@@ -86,7 +87,7 @@ namespace vfife
     }
 
   private:
-    void                set_friction_mode(FrictionMode mode);
+    void set_friction_mode(FrictionMode mode);
     /** Internal and applied ones and, where asked for, those of the contact. */
     NodeField           compute_all_forces(State &state, const Loads &loads);
     void                add_contact(State &state, bool search, NodeField &forces);
@@ -110,6 +111,7 @@ namespace vfife
     Log                     &log_;
     TorqueLoads              torques_;
     NodalLoads               loads_;
+    BearingLoads             bearings_;
     NodeField                forces_, no_velocity_;
   };
 } // namespace vfife

@@ -2,7 +2,7 @@
 #ifndef vfife_dynamics_loads_nodal_loads_h
 #define vfife_dynamics_loads_nodal_loads_h
 
-#include <vfife/model/load_shares.h>
+#include <vfife/bearing/mean_motion.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
@@ -61,10 +61,10 @@ namespace vfife
     };
     struct Group
     {
-      const Load                   *load;
-      std::vector<Node>             nodes;
-      std::vector<Face>             faces;    ///< of elements on this rank
-      std::optional<MomentTraction> traction; ///< of a moment
+      const Load               *load;
+      std::vector<Node>         nodes;
+      std::vector<Face>         faces;  ///< of elements on this rank
+      std::optional<MeanMotion> motion; ///< of a moment's set
     };
 
     void find_spring_frequency();

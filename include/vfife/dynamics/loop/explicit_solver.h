@@ -3,6 +3,7 @@
 #define vfife_dynamics_loop_explicit_solver_h
 
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/loads/bearing_loads.h>
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/dynamics/loads/nodal_loads.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
@@ -161,6 +162,7 @@ namespace vfife
     RigidWalls       walls_;
     TorqueLoads      torques_;
     NodalLoads       loads_;
+    BearingLoads     bearings_;
     ConstraintMotion constraints_;
     double           element_step_;   ///< [s]
     double           dt_         = 0; ///< of a substep [s]

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace vfife
@@ -72,9 +73,13 @@ namespace vfife
 
     /**
      * Modes of other matrices on the same pattern, e.g. at speed; @p lowest is a guess of the
-     * lowest eigenvalue [rad^2/s^2], 0 or what rigid motions are softened to.
+     * lowest eigenvalue [rad^2/s^2], 0 or what motions are softened to. Eigenvalues of rigid motions
+     * are below @p rigid, unless given the size of the lowest one.
      */
-    ModalResult solve(const SparseValues &stiffness, const SparseValues &mass, double lowest) const;
+    ModalResult solve(const SparseValues   &stiffness,
+                      const SparseValues   &mass,
+                      double                lowest,
+                      std::optional<double> rigid = {}) const;
 
     const SystemMatrices &matrices() const
     {

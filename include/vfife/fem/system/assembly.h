@@ -2,6 +2,7 @@
 #ifndef vfife_fem_system_assembly_h
 #define vfife_fem_system_assembly_h
 
+#include <vfife/fem/system/bearing_rings.h>
 #include <vfife/fem/system/unknowns.h>
 
 #include <functional>
@@ -50,6 +51,11 @@ namespace vfife
     {
       return discretization_;
     }
+    /** Of bearings and couplings, whose points are coupled. */
+    const std::vector<BearingRing> &rings() const
+    {
+      return rings_;
+    }
     const Unknowns &unknowns() const
     {
       return unknowns_;
@@ -68,6 +74,9 @@ namespace vfife
 
     /** Sums 3 x 3 matrices of points (copies of images included), for each copy. */
     SparseValues point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const;
+
+    /** B^T K B of the bearings' rings. */
+    SparseValues ring_matrix() const;
 
     /** 3n x 3n matrices of the n points of each link. */
     SparseValues link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const;
@@ -113,6 +122,7 @@ namespace vfife
     Unknowns                  unknowns_;
     unsigned int              first_, last_;
     Links                     links_;
+    std::vector<BearingRing>  rings_;
     std::vector<unsigned int> elements_; ///< that touch own unknowns
     SparsePattern             pattern_;
   };

@@ -21,6 +21,16 @@ namespace vfife
                        double                      factor,
                        std::vector<double>        &forces);
 
+  /** Points of a body and what each takes of what acts on all of them. */
+  using PointShares = std::vector<std::pair<unsigned int, double>>;
+
+  /** Shares of one by area, as compute_area_shares(), with the points of quadratic elements between
+   * the nodes. */
+  PointShares point_area_shares(const Body                      &body,
+                                const std::vector<unsigned int> &nodes,
+                                const Discretization            &discretization,
+                                const Discretization::Part      &part);
+
   /** Stiffnesses [N/mm] of a spring to the ground, by point. Throws InputError on one sector of a
    * body. */
   std::vector<std::pair<unsigned int, Matrix3>> find_springs(const Load           &load,

@@ -19,9 +19,12 @@ namespace vfife
     unsigned int body = 0;
   };
 
-  /** The constraints of a model, then its springs to the ground: Measurements::reactions has their
-   * order. */
+  /** The constraints of a model, its springs to the ground, its bearings and its couplings:
+   * Measurements::reactions has their order. */
   std::vector<Support> list_supports(const Model &model);
+
+  /** Place of the first bearing in list_supports(); couplings follow the bearings. */
+  std::size_t first_bearing(const Model &model);
 
   /** Replaces reactions of this rank's nodes by those of all ranks. Collective. */
   void sum_over_ranks(std::vector<Reaction> &reactions, const Communicator &communicator);

@@ -3,6 +3,7 @@
 #define vfife_model_options_body_options_h
 
 #include <vfife/mesh/primitives/primitive_options.h>
+#include <vfife/mesh/primitives/stepped_shaft.h>
 #include <vfife/model/body.h>
 
 #include <array>
@@ -18,6 +19,7 @@ namespace vfife
     std::string                       mesh     = "block";
     std::string                       material = "steel"; ///< name of a section Material NAME
     std::unique_ptr<PrimitiveOptions> primitive; ///< sizes and cells of a mesh that is no file
+    SteppedShaftOptions               shaft;     ///< of `mesh = stepped shaft`
     std::string                       file;      ///< of `mesh = file`, see read_body()
     std::vector<std::string>          regions;   ///< of that file; none: all
 

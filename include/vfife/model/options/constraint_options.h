@@ -4,6 +4,7 @@
 
 #include <vfife/model/model.h>
 #include <vfife/model/node_selection.h>
+#include <vfife/model/options/bearing_options.h>
 
 namespace vfife
 {
@@ -16,7 +17,10 @@ namespace vfife
     angle,         ///< turns by a prescribed angle about the body's axis
     free_rotation, ///< radius and axial position held, nodes free to turn
     rigid_hub,     ///< the same, turning as one
-    spring         ///< springs to the ground
+    spring,        ///< springs to the ground
+    bearing,       ///< holds the mean motion of a ring elastically
+    rolling_bearing,
+    coupling ///< drives the mean turn of a ring at the body's speed
   };
 
   /** Section Constraint NAME. */
@@ -29,13 +33,23 @@ namespace vfife
     double                   angle        = 0;               ///< about the axis [rad]
     Vector3                  stiffness    = Vector3::Zero(); ///< of springs [N/mm]
     ParameterHistory         history;
+    BearingOptions           bearing;
+    RollingBearingOptions    rolling;
+    CouplingOptions          coupling;
 
     void declare_kind(dealii::ParameterHandler &prm);
     /** Declares the entries of the kind. Bound by address. */
     void declare(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
-    /** Adds the constraint (or the spring) to the model. */
+    /** Adds the constraint (or spring, bearing, coupling) to the model. */
     void add_to(Model &model, const std::string &name, const std::string &section) const;
+
+  private:
+    void add_seat(Model                    &model,
+                  const std::string        &name,
+                  unsigned int              body,
+                  std::vector<unsigned int> nodes,
+                  const std::string        &section) const;
   };
 } // namespace vfife
 

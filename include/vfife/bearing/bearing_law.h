@@ -1,0 +1,82 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_bearing_bearing_law_h
+#define vfife_bearing_bearing_law_h
+
+#include <vfife/base/types.h>
+
+namespace vfife
+{
+  using Vector5 = Eigen::Matrix<double, 5, 1>;
+  using Matrix5 = Eigen::Matrix<double, 5, 5>;
+
+  /** What a bearing does to the shaft in it. */
+  struct BearingResponse
+  {
+    /** On the shaft: forces along x, y, z [N] and moments about x, y [N mm]. */
+    Vector5 load = Vector5::Zero();
+    /** -d load / d displacement, symmetric [N/mm, N, N mm]. */
+    Matrix5 stiffness = Matrix5::Zero();
+    /** Of which the load is minus the gradient [mJ]. */
+    double energy = 0;
+  };
+
+  /**
+   * The law of a bearing: what it exerts on the shaft when the shaft's seat has moved by x, y, z
+   * [mm] and is tilted about x, y [rad], in axes at rest of which z lies along the shaft. It does
+   * not hold the turn about z.
+   */
+  class BearingLaw
+  {
+  public:
+    virtual ~BearingLaw() = default;
+
+    virtual BearingResponse evaluate(const Vector5 &displacement) const = 0;
+
+    /** The linear law that solvers for small displacements take: what it exerts without
+     * displacement, and its stiffness. */
+    virtual BearingResponse linearized() const
+    {
+      return evaluate(Vector5::Zero());
+    }
+
+    /** At least as stiff as the bearing is under loads that it can carry. */
+    virtual Matrix5 stiffness_bound() const
+    {
+      return linearized().stiffness;
+    }
+
+    /** -d load / d rate of the displacements, symmetric [N s/mm, N s, N mm s]. */
+    const Matrix5 &damping() const
+    {
+      return damping_;
+    }
+
+  protected:
+    explicit BearingLaw(const Matrix5 &damping)
+      : damping_(damping)
+    {
+    }
+
+  private:
+    Matrix5 damping_;
+  };
+
+  /** load = preload - stiffness displacement. */
+  class LinearBearing : public BearingLaw
+  {
+  public:
+    LinearBearing(const Matrix5 &stiffness, const Matrix5 &damping, const Vector5 &preload);
+
+    BearingResponse evaluate(const Vector5 &displacement) const override;
+
+  private:
+    Matrix5 stiffness_;
+    Vector5 preload_;
+  };
+
+  /** The mean of a matrix of a bearing over all turns about its z axis: what is left of it in axes
+   * that turn with the shaft. */
+  Matrix5 mean_over_turns(const Matrix5 &matrix);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,106 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_dynamics_loads_bearing_loads_h
+#define vfife_dynamics_loads_bearing_loads_h
+
+#include <vfife/bearing/shaft_seat.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+
+  /** The forces of Model::bearings and Model::couplings on the nodes of this rank. */
+  class BearingLoads
+  {
+  public:
+    /** Throws InputError for a seat whose nodes lie on a line. */
+    BearingLoads(const Model &model, const Partition &partition, const Communicator &communicator);
+
+    /** Largest stable step [s] where everything else allows @p step: springs have their share of
+     * the largest frequency, and dampers, whose rates lag by half a step, theirs of the step. */
+    double vote_on_step(double step) const;
+
+    /** Adds the masses that the springs need in a relaxation with pseudo time step 1. */
+    void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
+
+    /**
+     * Adds the forces on bodies that have turned for @p time [s] at their rates to @p forces (all
+     * copies of a node); remembers them for half_powers() and add_reactions(). Collective.
+     */
+    void add_forces(double           time,
+                    const NodeField &positions,
+                    const NodeField &velocities,
+                    NodeField       &forces);
+
+    /** The same of bodies at rest in axes that have not turned yet: of springs alone. */
+    void add_forces_at_rest(const NodeField &positions, NodeField &forces);
+
+    /** What the springs store at the positions of add_forces() [mJ]; equal on all ranks. */
+    double energy() const;
+
+    /** Halves of powers with the velocities before or after the update [mJ/s]. */
+    struct Powers
+    {
+      double drive = 0; ///< that the drives give through couplings
+      double loss  = 0; ///< that dampers take
+    };
+
+    /** Equal on all ranks. Collective where there is a damper. */
+    Powers half_powers(const NodeField &velocities) const;
+
+    /** Adds the remembered forces on this rank's nodes to those of @p reactions from @p first on,
+     * in the order of list_supports(). */
+    void add_reactions(const NodeField       &positions,
+                       std::size_t            first,
+                       std::vector<Reaction> &reactions) const;
+
+  private:
+    struct Node
+    {
+      std::uint32_t local;
+      std::uint32_t of_set; ///< place in the list of nodes
+      bool          owned;
+    };
+    struct Seat
+    {
+      const Bearing            *bearing  = nullptr; ///< or
+      const Coupling           *coupling = nullptr; ///< either of them
+      const Body               *body     = nullptr;
+      ShaftSeat                 seat;
+      MeanMotion                set;
+      std::vector<unsigned int> all_nodes;      ///< of the body
+      std::vector<Node>         nodes;          ///< on this rank
+      double                    frequency2 = 0; ///< largest k/m [1/s^2]
+      double                    decay      = 0; ///< largest c/m [1/s]
+      // At the last add_forces():
+      MeanMotion::Motion motion;
+      Wrench             elastic, damping;  ///< on the shaft
+      double             drive_torque  = 0; ///< of both, of a coupling [N mm]
+      double             damper_torque = 0; ///< of the damper alone
+      double             energy        = 0;
+    };
+
+    Seat make_seat(const Partition                 &partition,
+                   unsigned int                     body,
+                   const std::vector<unsigned int> &nodes,
+                   const Matrix3                   &axes,
+                   const std::string               &owner) const;
+    /** Largest frequency and decay of the springs and dampers of a seat on the nodes' masses. */
+    void        find_limits(Seat &seat) const;
+    void        read_motions(const NodeField &positions, const NodeField *velocities);
+    static void respond(double time, bool at_rest, Seat &seat);
+    void        add_to(NodeField &forces) const;
+
+    const Model        &model_;
+    const Communicator &communicator_;
+    std::vector<Seat>   seats_; ///< of bearings, then of couplings
+    bool                has_damping_ = false;
+    double              frequency2_  = 0; ///< largest k/m of all springs together [1/s^2]
+    double              decay_       = 0; ///< largest c/m of all dampers together [1/s]
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,41 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_system_bearing_rings_h
+#define vfife_fem_system_bearing_rings_h
+
+#include <vfife/bearing/shaft_seat.h>
+#include <vfife/fem/system/discretization.h>
+
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * The seat of a bearing or coupling for small displacements: B u are the displacement and the
+   * turn of the ring's centre along the fixed frame's axes, B^T K B is its stiffness, -B^T f what
+   * it exerts on the points of an undisplaced ring.
+   */
+  struct BearingRing
+  {
+    const Bearing              *bearing  = nullptr; ///< or
+    const Coupling             *coupling = nullptr; ///< either of them
+    std::vector<unsigned int>   points;
+    Eigen::MatrixXd             motion; ///< B, 6 x 3 n
+    Eigen::Matrix<double, 6, 6> stiffness =
+      Eigen::Matrix<double, 6, 6>::Zero();                                     ///< [N/mm, N, N mm]
+    Eigen::Matrix<double, 6, 1> preload = Eigen::Matrix<double, 6, 1>::Zero(); ///< on the shaft
+
+    /** B u of a field of all points. */
+    Eigen::Matrix<double, 6, 1> displacement(const std::vector<double> &u) const;
+    /** Adds B^T @p load to forces at all points. */
+    void add_forces(const Eigen::Matrix<double, 6, 1> &load, std::vector<double> &forces) const;
+  };
+
+  /**
+   * Rings of all bearings and couplings of the bodies of a discretization, in the order of
+   * list_supports(). Bearings are taken at their undisplaced state; of a body that turns, and whose
+   * axes turn with it, as the mean over all turns. Throws InputError on one sector of a body.
+   */
+  std::vector<BearingRing> find_bearing_rings(const Discretization &discretization);
+} // namespace vfife
+
+#endif

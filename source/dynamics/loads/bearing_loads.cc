@@ -1,0 +1,308 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/dynamics/loads/bearing_loads.h>
+#include <vfife/model/load_shares.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace vfife
+{
+  namespace
+  {
+    using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+    /** The largest eigenvalue of K G, both symmetric and G positive. */
+    double largest_eigenvalue(const Matrix6 &K, const Matrix6 &G)
+    {
+      // Of G^1/2 K G^1/2, which has the same.
+      const Eigen::SelfAdjointEigenSolver<Matrix6> of_G(G);
+      const Matrix6                                root = of_G.eigenvectors() *
+                           of_G.eigenvalues().cwiseMax(0.).cwiseSqrt().asDiagonal() *
+                           of_G.eigenvectors().transpose();
+      return Eigen::SelfAdjointEigenSolver<Matrix6>(root * K * root).eigenvalues().maxCoeff();
+    }
+
+    /** Axes with the z of a body's axis of rotation. */
+    Matrix3 axes_along(const Vector3 &z)
+    {
+      Matrix3 axes;
+      axes.col(0) = z.unitOrthogonal();
+      axes.col(1) = z.cross(axes.col(0));
+      axes.col(2) = z;
+      return axes;
+    }
+
+    /** Stiffness, or damping, of a seat in the fixed frame's axes. */
+    Matrix6 stiffness_of(const Bearing *bearing, const Coupling *coupling, const ShaftSeat &seat)
+    {
+      return bearing != nullptr
+               ? seat.in_space(bearing->law->stiffness_bound(), 0.)
+               : seat.in_space(Matrix5::Zero(), coupling->stiffness);
+    }
+    Matrix6 damping_of(const Bearing *bearing, const Coupling *coupling, const ShaftSeat &seat)
+    {
+      return bearing != nullptr ? seat.in_space(bearing->law->damping(), 0.)
+                                : seat.in_space(Matrix5::Zero(), coupling->damping);
+    }
+  } // namespace
+
+  BearingLoads::BearingLoads(const Model        &model,
+                             const Partition    &partition,
+                             const Communicator &communicator)
+    : model_(model)
+    , communicator_(communicator)
+  {
+    for (const Bearing &bearing : model.bearings)
+      {
+        seats_.push_back(make_seat(partition,
+                                   bearing.body,
+                                   bearing.nodes,
+                                   bearing.axes,
+                                   "bearing \"" + bearing.name + "\""));
+        seats_.back().bearing = &bearing;
+      }
+    for (const Coupling &coupling : model.couplings)
+      {
+        seats_.push_back(make_seat(partition,
+                                   coupling.body,
+                                   coupling.nodes,
+                                   axes_along(model.bodies[coupling.body].axis.direction),
+                                   "coupling \"" + coupling.name + "\""));
+        seats_.back().coupling = &coupling;
+      }
+    // Springs on different nodes do not add up; those that share nodes do at most.
+    for (Seat &seat : seats_)
+      {
+        find_limits(seat);
+        double     frequency2 = 0, decay = 0;
+        const auto shares_nodes = [&seat](const Seat &other) {
+          const std::set<unsigned int> nodes(seat.all_nodes.begin(), seat.all_nodes.end());
+          return other.body == seat.body &&
+                 std::any_of(other.all_nodes.begin(),
+                             other.all_nodes.end(),
+                             [&nodes](const unsigned int node) { return nodes.count(node) != 0; });
+        };
+        for (const Seat &other : seats_)
+          if (shares_nodes(other))
+            {
+              frequency2 += other.frequency2;
+              decay += other.decay;
+            }
+        frequency2_  = std::max(frequency2_, frequency2);
+        decay_       = std::max(decay_, decay);
+        has_damping_ = has_damping_ || seat.decay > 0;
+      }
+  }
+
+  BearingLoads::Seat BearingLoads::make_seat(const Partition                 &partition,
+                                             const unsigned int               b,
+                                             const std::vector<unsigned int> &nodes,
+                                             const Matrix3                   &axes,
+                                             const std::string               &owner) const
+  {
+    const Body          &body = model_.bodies[b];
+    std::vector<Vector3> places;
+    for (const unsigned int node : nodes)
+      places.push_back(body.placement(body.node_positions()[node]));
+    Seat seat{nullptr,
+              nullptr,
+              &body,
+              ShaftSeat(axes),
+              MeanMotion(compute_area_shares(body, nodes), places, owner),
+              nodes,
+              {},
+              0.,
+              0.,
+              {},
+              {},
+              {},
+              0.,
+              0.,
+              0.};
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        const std::uint32_t local = partition.local_node[body.first_node + nodes[i]];
+        if (local != Partition::absent)
+          seat.nodes.push_back({local, static_cast<std::uint32_t>(i), partition.owned[local] != 0});
+      }
+    return seat;
+  }
+
+  void BearingLoads::find_limits(Seat &seat) const
+  {
+    // Forces -B_i^T K sum B_j u_j on the masses m_i: the squares of frequencies other than zero are
+    // the eigenvalues of K G, G = sum B_i B_i^T/m_i. The ring turns, and G with it, so each spring
+    // may meet each direction of it: places at rest stand for all where the ring is round.
+    const MeanMotion::Motion at_rest = seat.set.at_rest();
+    Matrix6                  G       = Matrix6::Zero();
+    for (std::size_t i = 0; i < seat.all_nodes.size(); ++i)
+      {
+        const Eigen::Matrix<double, 6, 3> B = seat.set.derivative(i, at_rest);
+        G += B * B.transpose() / seat.body->node_masses()[seat.all_nodes[i]];
+      }
+    seat.frequency2 = largest_eigenvalue(stiffness_of(seat.bearing, seat.coupling, seat.seat), G);
+    seat.decay      = largest_eigenvalue(damping_of(seat.bearing, seat.coupling, seat.seat), G);
+  }
+
+  double BearingLoads::vote_on_step(const double step) const
+  {
+    // 4/dt^2 >= 4/step^2 + k/m + 2 (c/m)/dt, the last as the damper's velocity is that of half a
+    // step ago; solved for 1/dt.
+    const double quarter = .25 * decay_;
+    return 1. / (quarter + std::sqrt(quarter * quarter + 1. / (step * step) + .25 * frequency2_));
+  }
+
+  void BearingLoads::add_relaxation_masses(const double fraction, std::vector<double> &masses) const
+  {
+    // Rows of B^T K B by Gershgorin: |B_i|^T |K| sum |B_j| 1 <= m_i (2 fraction)^2.
+    for (const Seat &seat : seats_)
+      {
+        const MeanMotion::Motion    at_rest = seat.set.at_rest();
+        Eigen::Matrix<double, 6, 1> sum     = Eigen::Matrix<double, 6, 1>::Zero();
+        for (std::size_t i = 0; i < seat.set.size(); ++i)
+          sum += seat.set.derivative(i, at_rest).cwiseAbs().rowwise().sum();
+        const Eigen::Matrix<double, 6, 1> pull =
+          stiffness_of(seat.bearing, seat.coupling, seat.seat).cwiseAbs() * sum;
+        for (const Node &node : seat.nodes)
+          masses[node.local] +=
+            (seat.set.derivative(node.of_set, at_rest).cwiseAbs().transpose() * pull).maxCoeff() /
+            (4 * fraction * fraction);
+      }
+  }
+
+  void BearingLoads::respond(const double time, const bool at_rest, Seat &seat)
+  {
+    const MeanMotion::Motion &motion = seat.motion;
+    if (seat.bearing != nullptr)
+      {
+        const BearingLaw     &law      = *seat.bearing->law;
+        const BearingResponse response = law.evaluate(seat.seat.displacement(motion));
+        seat.energy                    = response.energy;
+        seat.elastic                   = seat.seat.of_load(response.load, motion);
+        seat.damping =
+          at_rest ? Wrench() : seat.seat.of_load(-law.damping() * seat.seat.rate(motion), motion);
+        return;
+      }
+    // The driver's end has turned by rate times time; what the shaft lags behind winds the spring.
+    const double rate = seat.body->rate, expected = at_rest ? 0. : rate * time;
+    const double wound  = seat.seat.twist(motion, expected) - expected;
+    const double torque = -seat.coupling->stiffness * wound;
+    seat.damper_torque =
+      at_rest ? 0. : -seat.coupling->damping * (seat.seat.twist_rate(motion) - rate);
+    seat.drive_torque = torque + seat.damper_torque;
+    seat.energy       = -.5 * torque * wound;
+    seat.elastic      = seat.seat.of_torque(torque, motion);
+    seat.damping      = seat.seat.of_torque(seat.damper_torque, motion);
+  }
+
+  void BearingLoads::read_motions(const NodeField &positions, const NodeField *const velocities)
+  {
+    // Sums of all seats in one reduction.
+    const std::size_t   n = MeanMotion::make_sums().size();
+    std::vector<double> all;
+    for (const Seat &seat : seats_)
+      {
+        std::vector<double> sums = MeanMotion::make_sums();
+        for (const Node &node : seat.nodes)
+          if (node.owned)
+            seat.set.add(node.of_set,
+                         positions.value(node.local),
+                         velocities != nullptr ? velocities->value(node.local)
+                                               : Vector3(Vector3::Zero()),
+                         sums);
+        all.insert(all.end(), sums.begin(), sums.end());
+      }
+    communicator_.sum(all);
+    for (std::size_t s = 0; s < seats_.size(); ++s)
+      seats_[s].motion =
+        seats_[s].set.solve(std::vector<double>(all.begin() + n * s, all.begin() + n * (s + 1)));
+  }
+
+  void BearingLoads::add_to(NodeField &forces) const
+  {
+    for (const Seat &seat : seats_)
+      {
+        const Vector3 force  = seat.elastic.force + seat.damping.force,
+                      moment = seat.elastic.moment + seat.damping.moment;
+        for (const Node &node : seat.nodes)
+          forces.add(node.local, seat.set.force(node.of_set, seat.motion, force, moment));
+      }
+  }
+
+  void BearingLoads::add_forces(const double     time,
+                                const NodeField &positions,
+                                const NodeField &velocities,
+                                NodeField       &forces)
+  {
+    if (seats_.empty())
+      return;
+    read_motions(positions, &velocities);
+    for (Seat &seat : seats_)
+      respond(time, false, seat);
+    add_to(forces);
+  }
+
+  void BearingLoads::add_forces_at_rest(const NodeField &positions, NodeField &forces)
+  {
+    if (seats_.empty())
+      return;
+    read_motions(positions, nullptr);
+    for (Seat &seat : seats_)
+      respond(0., true, seat);
+    add_to(forces);
+  }
+
+  double BearingLoads::energy() const
+  {
+    double energy = 0;
+    for (const Seat &seat : seats_)
+      energy += seat.energy;
+    return energy;
+  }
+
+  BearingLoads::Powers BearingLoads::half_powers(const NodeField &velocities) const
+  {
+    Powers powers;
+    for (const Seat &seat : seats_)
+      if (seat.coupling != nullptr)
+        {
+          powers.drive += .5 * seat.drive_torque * seat.body->rate;
+          powers.loss += .5 * seat.damper_torque * seat.body->rate;
+        }
+    if (!has_damping_)
+      return powers;
+    // Less what the dampers' forces do on the bodies.
+    double on_bodies = 0;
+    for (const Seat &seat : seats_)
+      for (const Node &node : seat.nodes)
+        if (node.owned)
+          on_bodies +=
+            .5 *
+            velocities.value(node.local)
+              .dot(
+                seat.set.force(node.of_set, seat.motion, seat.damping.force, seat.damping.moment));
+    powers.loss -= communicator_.sum(on_bodies);
+    return powers;
+  }
+
+  void BearingLoads::add_reactions(const NodeField       &positions,
+                                   const std::size_t      first,
+                                   std::vector<Reaction> &reactions) const
+  {
+    for (std::size_t s = 0; s < seats_.size(); ++s)
+      {
+        const Seat &seat = seats_[s];
+        for (const Node &node : seat.nodes)
+          if (node.owned)
+            reactions[first + s].add(positions.value(node.local),
+                                     seat.set.force(node.of_set,
+                                                    seat.motion,
+                                                    seat.elastic.force + seat.damping.force,
+                                                    seat.elastic.moment + seat.damping.moment));
+      }
+  }
+} // namespace vfife

@@ -1,0 +1,86 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/fem/system/bearing_rings.h>
+#include <vfife/fem/system/load_forces.h>
+
+namespace vfife
+{
+  namespace
+  {
+    BearingRing make_ring(const Discretization            &discretization,
+                          const Discretization::Part      &part,
+                          const std::vector<unsigned int> &nodes,
+                          const std::string               &owner)
+    {
+      if (discretization.sector_angle() > 0)
+        throw InputError(owner + ": a ring needs the whole body, not one sector of it");
+      BearingRing          ring;
+      std::vector<double>  shares;
+      std::vector<Vector3> places;
+      for (const auto &share :
+           point_area_shares(discretization.model().bodies[part.body], nodes, discretization, part))
+        {
+          ring.points.push_back(share.first);
+          shares.push_back(share.second);
+          places.push_back(discretization.points()[share.first]);
+        }
+      const MeanMotion         set(shares, places, owner);
+      const MeanMotion::Motion at_rest = set.at_rest();
+      ring.motion.resize(6, 3 * ring.points.size());
+      for (std::size_t i = 0; i < ring.points.size(); ++i)
+        ring.motion.middleCols<3>(3 * i) = set.derivative(i, at_rest);
+      return ring;
+    }
+  } // namespace
+
+  Eigen::Matrix<double, 6, 1> BearingRing::displacement(const std::vector<double> &u) const
+  {
+    Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      sum += motion.middleCols<3>(3 * i) *
+             Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(points[i]));
+    return sum;
+  }
+
+  void BearingRing::add_forces(const Eigen::Matrix<double, 6, 1> &load,
+                               std::vector<double>               &forces) const
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      Eigen::Map<Vector3>(forces.data() + 3 * std::size_t(points[i])) +=
+        motion.middleCols<3>(3 * i).transpose() * load;
+  }
+
+  std::vector<BearingRing> find_bearing_rings(const Discretization &discretization)
+  {
+    std::vector<BearingRing> rings;
+    const Model             &model = discretization.model();
+    for (const Bearing &bearing : model.bearings)
+      if (const auto *part = discretization.find_part(bearing.body))
+        {
+          rings.push_back(
+            make_ring(discretization, *part, bearing.nodes, "bearing \"" + bearing.name + "\""));
+          BearingRing          &ring     = rings.back();
+          const BearingResponse response = bearing.law->linearized();
+          const bool            turns    = model.bodies[bearing.body].rate != 0;
+          const ShaftSeat       seat(bearing.axes);
+          ring.bearing = &bearing;
+          ring.stiffness =
+            seat.in_space(turns ? mean_over_turns(response.stiffness) : response.stiffness, 0.);
+          // Undisplaced, a load is force and moment along the axes.
+          const Wrench preload   = seat.of_load(response.load, MeanMotion::Motion());
+          ring.preload.head<3>() = preload.force;
+          ring.preload.tail<3>() = preload.moment;
+        }
+    for (const Coupling &coupling : model.couplings)
+      if (const auto *part = discretization.find_part(coupling.body))
+        {
+          rings.push_back(
+            make_ring(discretization, *part, coupling.nodes, "coupling \"" + coupling.name + "\""));
+          const Vector3 &axis   = model.bodies[coupling.body].axis.direction;
+          rings.back().coupling = &coupling;
+          rings.back().stiffness.bottomRightCorner<3, 3>() =
+            coupling.stiffness * axis * axis.transpose();
+        }
+    return rings;
+  }
+} // namespace vfife

@@ -1,0 +1,265 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/model/body.h>
+#include <vfife/model/options/bearing_options.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr const char *matrix_form =
+      "25 numbers, row by row, over displacements along x, y, z [mm] and tilts about x, y [rad]; "
+      "forces in N, moments in N mm";
+
+    /** Of the numbers in an entry. */
+    Matrix5 read_matrix(const std::string &text, const std::string &entry)
+    {
+      std::string plain = text;
+      for (char &letter : plain)
+        if (letter == ',' || letter == ';')
+          letter = ' ';
+      std::istringstream stream(plain);
+      Matrix5            matrix;
+      unsigned int       n = 0;
+      for (std::string word; stream >> word; ++n)
+        {
+          std::size_t end   = 0;
+          double      value = 0;
+          try
+            {
+              value = std::stod(word, &end);
+            }
+          catch (const std::exception &)
+            {
+              end = 0;
+            }
+          if (end != word.size() || !std::isfinite(value))
+            throw InputError(entry, "\"" + word + "\" is no number; allowed: " + matrix_form);
+          if (n < 25)
+            matrix(n / 5, n % 5) = value;
+        }
+      if (n != 25)
+        throw InputError(entry, "has " + std::to_string(n) + " numbers; allowed: " + matrix_form);
+      return matrix;
+    }
+
+    void check_matrix(const Matrix5 &matrix, const std::string &entry)
+    {
+      // In units of its diagonal, as forces and moments have different ones.
+      Vector5 scale = matrix.diagonal().cwiseAbs().cwiseSqrt();
+      for (unsigned int i = 0; i < 5; ++i)
+        if (scale[i] == 0)
+          scale[i] = 1;
+      const Matrix5 pure =
+        scale.cwiseInverse().asDiagonal() * matrix * scale.cwiseInverse().asDiagonal();
+      if ((pure - pure.transpose()).cwiseAbs().maxCoeff() > 1e-6)
+        throw InputError(entry,
+                         "is not symmetric: such a bearing would make energy out of nothing");
+      if (Eigen::SelfAdjointEigenSolver<Matrix5>(.5 * (pure + pure.transpose()))
+            .eigenvalues()
+            .minCoeff() < -1e-9)
+        throw InputError(entry, "has a negative eigenvalue: such a bearing pushes the shaft away");
+    }
+
+    Matrix5 diagonal(const double radial, const double axial, const double tilting)
+    {
+      Vector5 values;
+      values << radial, radial, axial, tilting, tilting;
+      return values.asDiagonal();
+    }
+  } // namespace
+
+  void SeatOptions::declare(dealii::ParameterHandler &prm)
+  {
+    const Range range = Range::not_negative();
+    declare_quantity(
+      prm, "radial damping", radial_damping, "N s/mm", "Along x and y, across the axis", range);
+    declare_quantity(prm, "axial damping", axial_damping, "N s/mm", "Along the axis", range);
+    declare_quantity(
+      prm, "tilting damping", tilting_damping, "N mm s/rad", "Against tilts about x and y", range);
+    declare_vector(
+      prm,
+      "x direction",
+      x_direction,
+      "-",
+      "Direction of x in the fixed frame, made square to the axis; 0, 0, 0: any, which "
+      "is enough for a bearing that is alike all around");
+  }
+
+  Matrix5 SeatOptions::damping() const
+  {
+    return diagonal(radial_damping, axial_damping, tilting_damping);
+  }
+
+  Matrix3 SeatOptions::make_axes(const Axis &axis, const std::string &section) const
+  {
+    Vector3 x = x_direction - x_direction.dot(axis.direction) * axis.direction;
+    if (x_direction.isZero(0.))
+      x = axis.direction.unitOrthogonal();
+    else if (x.norm() < 1e-6 * x_direction.norm())
+      throw InputError(section + "/x direction", "lies along the axis of the body");
+    Matrix3 axes;
+    axes.col(0) = x.normalized();
+    axes.col(1) = axis.direction.cross(axes.col(0));
+    axes.col(2) = axis.direction;
+    return axes;
+  }
+
+  void BearingOptions::declare(dealii::ParameterHandler &prm)
+  {
+    const Range range = Range::not_negative();
+    declare_quantity(
+      prm, "radial stiffness", radial_stiffness, "N/mm", "Along x and y, across the axis", range);
+    declare_quantity(prm, "axial stiffness", axial_stiffness, "N/mm", "Along the axis", range);
+    declare_quantity(prm,
+                     "tilting stiffness",
+                     tilting_stiffness,
+                     "N mm/rad",
+                     "Against tilts about x and y",
+                     range);
+    seat.declare(prm);
+    declare_text(prm,
+                 "stiffness matrix",
+                 stiffness_matrix,
+                 std::string("Instead of the three stiffnesses: ") + matrix_form);
+    declare_text(prm,
+                 "damping matrix",
+                 damping_matrix,
+                 std::string("Instead of the three dampings: ") + matrix_form + ", per second");
+    declare_vector(prm,
+                   "preload",
+                   preload,
+                   "N",
+                   "Force on the shaft along x, y, z of the bearing where it is not displaced");
+  }
+
+  void BearingOptions::check(const std::string &section) const
+  {
+    const bool has_numbers = radial_stiffness > 0 || axial_stiffness > 0 || tilting_stiffness > 0;
+    const bool has_damping = !seat.damping().isZero(0.);
+    if (!stiffness_matrix.empty() && has_numbers)
+      throw InputError(section + "/stiffness matrix",
+                       "takes the place of radial, axial and tilting stiffness: give either");
+    if (!damping_matrix.empty() && has_damping)
+      throw InputError(section + "/damping matrix",
+                       "takes the place of radial, axial and tilting damping: give either");
+    if (stiffness_matrix.empty() && !has_numbers)
+      throw InputError(section + "/radial stiffness",
+                       "a bearing without any stiffness holds nothing");
+    make_law(section);
+  }
+
+  std::shared_ptr<const BearingLaw> BearingOptions::make_law(const std::string &section) const
+  {
+    Matrix5 stiffness = diagonal(radial_stiffness, axial_stiffness, tilting_stiffness);
+    Matrix5 damping   = seat.damping();
+    if (!stiffness_matrix.empty())
+      {
+        stiffness = read_matrix(stiffness_matrix, section + "/stiffness matrix");
+        check_matrix(stiffness, section + "/stiffness matrix");
+      }
+    if (!damping_matrix.empty())
+      {
+        damping = read_matrix(damping_matrix, section + "/damping matrix");
+        check_matrix(damping, section + "/damping matrix");
+      }
+    Vector5 load;
+    load << preload, 0., 0.;
+    return std::make_shared<LinearBearing>(stiffness, damping, load);
+  }
+
+  void RollingBearingOptions::declare(dealii::ParameterHandler &prm)
+  {
+    const Choices<RollingElement> elements = {{"ball", RollingElement::ball},
+                                              {"roller", RollingElement::roller}};
+    declare_choice(prm,
+                   "element",
+                   data.element,
+                   elements,
+                   "Balls (deep groove, or angular contact with a contact angle) or rollers "
+                   "(cylindrical, or tapered with a contact angle)");
+    declare_integer(prm, "number of elements", data.n, "In one row", 0, 10000);
+    declare_quantity(prm,
+                     "element diameter",
+                     data.diameter,
+                     "mm",
+                     "Of a ball, or the mean one of a roller",
+                     Range::not_negative());
+    declare_quantity(
+      prm, "element length", data.length, "mm", "Of a roller's contact", Range::not_negative());
+    declare_quantity(prm,
+                     "pitch diameter",
+                     data.pitch_diameter,
+                     "mm",
+                     "Of the circle of the elements' centres",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "contact angle",
+                     data.contact_angle,
+                     "deg",
+                     "Between the line of contact and the plane across the axis, without load",
+                     Range::between(0, 80));
+    declare_quantity(prm, "clearance", data.clearance, "mm", "Diametral; negative: interference");
+    declare_number(prm,
+                   "inner conformity",
+                   data.inner_conformity,
+                   "Radius of the inner groove over the ball's diameter",
+                   Range::positive());
+    declare_number(prm,
+                   "outer conformity",
+                   data.outer_conformity,
+                   "Radius of the outer groove over the ball's diameter",
+                   Range::positive());
+    const Choices<double> senses = {{"+z", 1.}, {"-z", -1.}};
+    declare_choice(
+      prm,
+      "holds",
+      data.sense,
+      senses,
+      "Ways of the shaft that a contact angle holds, along z of the axis or against it");
+    declare_quantity(
+      prm, "cage angle", data.cage_angle, "deg", "Of the first element, from x; it does not turn");
+    declare_quantity(prm,
+                     "preload",
+                     data.preload,
+                     "N",
+                     "Axial force of the bearing where the shaft is not displaced",
+                     Range::not_negative());
+    declare_vector(prm,
+                   "working load",
+                   data.working_load,
+                   "N",
+                   "Force on the bearing along its x, y, z at which linear studies take its "
+                   "stiffness; 0, 0, 0: where it is not displaced");
+    seat.declare(prm);
+  }
+
+  std::shared_ptr<const BearingLaw>
+  RollingBearingOptions::make_law(const std::string &section) const
+  {
+    try
+      {
+        return std::make_shared<RollingBearing>(data, seat.damping());
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/" + error.entry(), error.what());
+      }
+  }
+
+  void CouplingOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_quantity(prm,
+                     "torsional stiffness",
+                     stiffness,
+                     "N mm/rad",
+                     "Between the turn at the body's speed and the mean turn of the nodes",
+                     Range::positive());
+    declare_quantity(
+      prm, "torsional damping", damping, "N mm s/rad", "Between the same", Range::not_negative());
+  }
+} // namespace vfife
