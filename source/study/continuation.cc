@@ -6,6 +6,7 @@
 #include <vfife/study/continuation.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,13 +15,35 @@ namespace vfife
 {
   namespace
   {
+    /** What all runs did before there was an entry, where its default is not that any more. */
+    struct FormerWay
+    {
+      const char *entry; ///< name, or path
+      const char *text;
+    };
+    constexpr std::array<FormerWay, 2> former_ways = {
+      {{"integration", "explicit"}, {"Dynamics/step bound", "element"}}};
+
     /** An entry as the run was begun with it, and as it is now. */
     struct BothTexts
     {
       std::optional<std::string> before, now; ///< none: there is no such entry
       bool                       was_set = true;
-      std::string                default_now;
+      std::string                at_that_time; ///< with which a run goes on that did not know it
     };
+
+    /** What a run did that did not know the entry @p path: its default now, or the former way. */
+    std::string way_before(const std::string &path, const std::string &default_now)
+    {
+      for (const FormerWay &way : former_ways)
+        {
+          const std::string behind = std::string("/") + way.entry, whole = "/" + path;
+          if (whole.size() >= behind.size() &&
+              whole.compare(whole.size() - behind.size(), behind.size(), behind) == 0)
+            return way.text;
+        }
+      return default_now;
+    }
 
     std::map<std::string, BothTexts> put_together(const Checkpoint      &checkpoint,
                                                   const DeclaredSection &now)
@@ -36,7 +59,7 @@ namespace vfife
       for (const auto &[path, text] : now.list_values())
         entries[path].now = text;
       for (const auto &[path, text] : now.list_defaults())
-        entries[path].default_now = text;
+        entries[path].at_that_time = way_before(path, text);
       return entries;
     }
 
@@ -45,11 +68,11 @@ namespace vfife
     {
       const auto quoted = [](const std::string &text) { return "\"" + text + "\""; };
       if (!entry.before)
-        return *entry.now == entry.default_now ? ""
-                                               : "is " + quoted(*entry.now) +
-                                                   ", but the run was begun without this entry: it "
-                                                   "goes on with the default only, " +
-                                                   quoted(entry.default_now);
+        return *entry.now == entry.at_that_time
+                 ? ""
+                 : "is " + quoted(*entry.now) +
+                     ", but the run was begun without this entry: it goes on with " +
+                     quoted(entry.at_that_time) + " only, as all did then";
       if (!entry.now)
         return !entry.was_set ? ""
                               : "the run was begun with " + quoted(*entry.before) +
@@ -85,7 +108,7 @@ namespace vfife
       if (!errors.empty())
         throw InputErrors(errors);
       if (!younger.empty())
-        checkpoint.remarks.push_back("not known when the run was begun, at the default: " +
+        checkpoint.remarks.push_back("not known when the run was begun, as all did then: " +
                                      list_of(younger));
       if (!gone.empty())
         checkpoint.remarks.push_back("at the default when the run was begun, not known now: " +

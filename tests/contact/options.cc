@@ -105,5 +105,22 @@ int main()
             o.penalty.value     = -1.;
           },
           "Contact/penalty"));
+  check("no penalty is refused",
+        refused(
+          [](ContactOptions &o) {
+            o.penalty.from_step = false;
+            o.penalty.value     = 0.;
+          },
+          "Contact/penalty"));
+  check("unless the case derives it",
+        !refused(
+          [](ContactOptions &o) {
+            o.penalty.from_step  = false;
+            o.penalty.value      = 0.;
+            o.penalty.derivation = "of the pair";
+          },
+          "Contact/penalty"));
+  // Springs of 5 (m/A)/dt^2: two and forty of them in dynamics/impact.
+  check_close("penalty that rattles", PenaltyOptions::rattling_value(2e-9, 5e-8), 4e6, 1e-3);
   check_vote();
 }

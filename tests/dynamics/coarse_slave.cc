@@ -34,6 +34,7 @@ namespace
     pair.slave_surface   = "z-";
     pair.master_surface  = "z+";
     pair.options.surface = ContactSurfaceKind::flat_facets;
+    pair.options.time    = ContactTime::explicit_; // springs that the step has to bear
     model.contacts.push_back(pair);
     return model;
   }

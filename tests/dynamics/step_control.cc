@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// The step: bound of the assembly against the exact largest frequency of a small assembly, and selective
-// mass scaling.
+// The step: bound of the assembly against the exact largest frequency of a small assembly, and
+// selective mass scaling.
 #include "../refusal.h"
 #include "../tests.h"
 #include "one_solver.h"
@@ -63,7 +63,8 @@ namespace
         const std::string name  = thinness < 1 ? "thin layer: " : "equal cells: ";
         const Model       model = make_model(thinness);
         DynamicsOptions   options;
-        options = undamped();
+        options            = undamped();
+        options.step_bound = StepBound::element;
         OneSolver    element(model, options);
         const double exact = exact_frequency(model.bodies[0]);
         auto        &vfife = element.solver.vfife_operator();
@@ -181,6 +182,7 @@ namespace
       compute_lumped_mass(middle, density));
 
     DynamicsOptions options    = undamped();
+    options.step_bound         = StepBound::element;
     options.mass_scaling_step  = 1.2 * 2 / thin;
     options.largest_added_mass = 0.05;
     scale_masses(options, model, log);

@@ -27,6 +27,7 @@ namespace
     set master body       = under
     set penalty from step = no
     set penalty           = 100
+    set integration       = explicit
     set depth limit       = 1 mm
     set penetration limit = 1
     set edge fading       = 0

@@ -115,11 +115,14 @@ namespace
   {
     const auto row =
       row_of(verification, "### Gear of the reference pair", "quick (15,168 elements), 0 ");
-    const Columns found = read_columns(
-      do_case("prm/spiral_bevel_modes.prm",
-              {"Fem/speeds=0", "Fem/cyclic symmetry=yes", "Fem/modes=3", "Output/pictures=no"},
-              world) +
-      "modes.csv");
+    const Columns found = read_columns(do_case("prm/spiral_bevel_modes.prm",
+                                               {"Operation/hub=free rotation",
+                                                "Fem/speeds=0",
+                                                "Fem/cyclic symmetry=yes",
+                                                "Fem/modes=3",
+                                                "Output/pictures=no"},
+                                               world) +
+                                       "modes.csv");
     // Columns n = 1, umbrella, 2, 3, 4.
     const std::vector<unsigned int> diameters = {1, 0, 2, 3, 4};
     for (std::size_t c = 0; c < diameters.size(); ++c)
@@ -244,23 +247,29 @@ namespace
     check("  all of them", n == numbers_in(row[1]).size());
   }
 
-  /** The equilibrium before the run of the coarse reference pair. */
+  /** The equilibrium before the run of the coarse reference pair, with and without its web. */
   void paper_pair(Communicator &world)
   {
-    std::ifstream        file(do_case("prm/spiral_bevel_quick.prm",
-                               {"Dynamics/largest number of steps=1", "Output/pictures=no"},
-                               world) +
-                       "summary.json");
-    const nlohmann::json summary = nlohmann::json::parse(file);
-    const auto           figure  = [&](const char *part, const char *name) {
+    nlohmann::json summary;
+    const auto     start = [&](const std::string &web) {
+      std::ifstream file(do_case("prm/spiral_bevel_quick.prm",
+                                 {"Gear pair/Gear/Body/web=" + web,
+                                  "Dynamics/largest number of steps=1",
+                                  "Output/pictures=no"},
+                                 world) +
+                         "summary.json");
+      summary = nlohmann::json::parse(file);
+    };
+    const auto figure = [&](const char *part, const char *name) {
       return summary.at(part).at(name).at("value").get<double>();
     };
     const auto part = [&](const char *name) { return figure("transmission error", name); };
+    start("conical");
 
     auto row = row_of(paper, "## Claims", "contact force hardly depends on thickness");
     compare("torque over arm [N]", row[2], 0, figure("figures", "torque over effective arm"));
 
-    row = row_of(paper, "## Where the transmission error", "70 | -83.9");
+    row = row_of(paper, "## Where the transmission error", "70 | -78.4");
     compare("teeth and rest [arcsec]", row[3], 0, part("teeth and rest"));
     compare("windup of the web [arcsec]", row[4], 0, part("web windup"));
     compare("tilt and shift of the rim [arcsec]", row[5], 0, part("rim tilt and shift"));
@@ -271,6 +280,12 @@ namespace
     compare("windup [arcsec]", row[4], 1, part("web windup"));
     compare("tilt [arcsec]", row[4], 2, part("rim tilt and shift"));
     compare("centrifugal [arcsec]", row[4], 3, part("centrifugal shift"));
+
+    // A line search by the potential alone finds no end there (doc/fem.md, Static with contact).
+    start("none");
+    row = row_of(paper, "## Where the transmission error", "none |");
+    compare("teeth and rest [arcsec]", row[3], 0, part("teeth and rest"));
+    compare("centrifugal [arcsec]", row[6], 0, part("centrifugal shift"));
   }
 
   void oscillator(Communicator &)

@@ -25,7 +25,7 @@ int main(int argc, char **argv)
   const std::string steps = "Dynamics/largest number of steps=";
   run_pair("gear.prm", "whole", world);
   run_pair("gear.prm", "parts", world, {steps + "333"});
-  run_pair("gear.prm", "parts", world, {steps + "1200"}, true);
+  run_pair("gear.prm", "parts", world, {steps + "700"}, true);
   run_pair("gear.prm", "parts", world, {}, true);
 
   for (const char *name : {"history.csv", "teeth.csv", "probes.csv", "pattern.csv"})

@@ -172,6 +172,7 @@ namespace
     });
     // Refused first: the run that is not would write its own checkpoint.
     std::cout << go_on("younger", {younger + "=0.25"}, world) << std::endl;
+    std::cout << go_on("younger", {"Model/Contact face/integration=implicit"}, world) << std::endl;
     std::cout << line_with(go_on("younger", {}, world), "not known when") << std::endl;
     check("younger entry: same digits",
           read_text("younger/history.csv") == read_text("kept/history.csv"));

@@ -134,7 +134,9 @@ namespace
   /** The run's masses are scaled, and its penalties follow from them. */
   void mass_scaling(Communicator &world)
   {
-    std::ofstream("checked_pair.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-5");
+    std::ofstream("checked_pair.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+                                      << "subsection Contact\n set penalty from step = yes\nend\n"
+                                         "subsection Dynamics\n set step bound = element\nend\n";
     const std::string words    = "contact penalty of the drive side ",
                       own      = "penalty of a run of this file ",
                       analysis = "loaded tooth contact analysis";

@@ -106,7 +106,7 @@ namespace
                              "set slave body = hammer\nset slave surface = upper bottom\n"
                              "set master body = anvil\nset master surface = lower top\n") +
                      section("Probe corner", "set body = hammer\nset point = 1, 1, 8 mm\n")) +
-           section("Dynamics", "set end time = 4 us\n") + quiet_output(1);
+           section("Dynamics", "set end time = 8 us\n") + quiet_output(1);
   }
 
   void compare_runs(Communicator &world)

@@ -5,7 +5,11 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
+#include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/types.h>
+#include <vfife/study/cases/gear_case.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 #include <nlohmann/json.hpp>
 
@@ -71,6 +75,51 @@ end
                   1e-6);
   }
 
+  /** Penalty of both sides of the pair with these entries [N/mm^3], as given to a run. */
+  double penalty_with(const std::string &entries)
+  {
+    std::ofstream("pair_penalty.prm") << bodies() << entries;
+    const ParameterFile      file("pair_penalty.prm");
+    GearCase                 gear_case;
+    dealii::ParameterHandler prm;
+    gear_case.declare(prm, file);
+    file.read_known(prm);
+    gear_case.check_bodies();
+    std::ostringstream nothing;
+    Log                log(nothing, true, Verbosity::quiet);
+    const Model        model   = gear_case.make_model(log);
+    const auto        &penalty = model.contacts.front().options.penalty;
+    check("both sides of the teeth have the same springs, of no step",
+          !penalty.from_step && model.contacts.size() == 2 &&
+            model.contacts.back().options.penalty.value == penalty.value);
+    return penalty.value;
+  }
+
+  void penalties(Communicator &)
+  {
+    // Axes that cross at right angles: the gear's pitch angle has the tangent 79/27. Module at the
+    // heel, where the cone distance is 131.4913 mm.
+    const double module   = 2 * 131.4913 * std::sin(std::atan2(79., 27.)) / 79;
+    const auto   softness = [](const double E, const double nu) { return (1 - nu * nu) / E; };
+    const double steel    = softness(206000, .29);
+    check_close("penalty of steel on steel over 30 E*/m",
+                penalty_with("") * module * 2 * steel / 30,
+                1.,
+                1e-6);
+    check_close("penalty of steel on brass over 30 E*/m",
+                penalty_with("subsection Gear pair\n  subsection Gear\n    set material = brass\n"
+                             "  end\nend\nsubsection Material brass\n"
+                             "  set Young's modulus = 100000 MPa\n  set Poisson's ratio = 0.34\n"
+                             "end\n") *
+                  module * (steel + softness(100000, .34)) / 30,
+                1.,
+                1e-6);
+    check_close("penalty that is given [N/mm^3]",
+                penalty_with("subsection Contact\n  set penalty = 5e5\nend\n"),
+                5e5,
+                0.);
+  }
+
   /** Transmission errors without and with load at the reference position [arcsec]. */
   std::array<double, 2>
   loaded_contact(const std::string &speed, const std::string &centrifugal, Communicator &world)
@@ -79,9 +128,7 @@ end
         bodies() + "subsection Operation\n  set torque = 800 N m\n  set speed = " + speed +
           "\nend\nsubsection Study\n  set kind = loaded tooth contact analysis\nend\n" +
           "subsection Loaded contact\n  set positions = 1\n  set centrifugal = " + centrifugal +
-          "\nend\n" +
-          // The penalty follows from the step, which is a whole part of a tooth mesh.
-          "subsection Contact\n  set penalty from step = no\n  set penalty = 6e5\nend\n",
+          "\nend\n" + "subsection Contact\n  set penalty = 6e5\nend\n",
         world);
     auto columns = read_columns("pair_loaded/loaded_contact.csv");
     return {{columns["unloaded transmission error"][0], columns["transmission error"][0]}};
@@ -143,7 +190,10 @@ subsection Benchmark
     const std::string mesh =
       "set rim rows = 3\nset web layers = 1\nset web rows = 3\nset hub rows = 1\nset hub side "
       "cells = 1";
-    run("pair_figures", quick_pair(web, mesh, "1e-6"), world);
+    // Explicit: the contact's energy at the start is that of its springs.
+    run("pair_figures",
+        quick_pair(web, mesh, "1e-6") + "subsection Contact\n  set integration = explicit\nend\n",
+        world);
     const nlohmann::json summary = read_json("pair_figures/summary.json");
     auto                 history = read_columns("pair_figures/history.csv");
     const auto           value   = [&](const char *part, const std::string &name) {
@@ -258,5 +308,5 @@ subsection Benchmark
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {meshes, spin, benchmark, figures});
+  run_parts(argc, argv, {meshes, penalties, spin, benchmark, figures});
 }

@@ -64,7 +64,7 @@ namespace vfife
     StiffnessKind stiffness = StiffnessKind::incompatible_modes;
     /** Hourglass blocks of elements without congruent copies in single precision. */
     bool         single_stiffness = false;
-    StepBound    step_bound       = StepBound::element;
+    StepBound    step_bound       = StepBound::assembly;
     double       safety           = 0.9;   ///< step over the stable step by that bound
     double       damping          = 1000.; ///< zeta [1/s]
     double       mesh_damping     = 2000.; ///< zeta_k [1/s]

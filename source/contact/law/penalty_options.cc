@@ -14,6 +14,9 @@ namespace vfife
      * everything else allows. */
     constexpr double largest_part_of_limit = 0.95;
 
+    /** Of (m/A)/dt^2: impacts of two bars on springs of 2 and of 40 (tests/dynamics/impact). */
+    constexpr double rattling_fraction = 5.;
+
     Range fractions(const unsigned int n_moving)
     {
       return {0., largest_part_of_limit * 4. / n_moving, true};
@@ -43,8 +46,9 @@ namespace vfife
                      "penalty",
                      value,
                      "N/mm^3",
-                     "Pressure per penetration, used when it is not taken from the step",
-                     Range::positive());
+                     "Pressure per penetration, used when it is not taken from the step" +
+                       (derivation.empty() ? derivation : "; 0: " + derivation),
+                     derivation.empty() ? Range::positive() : Range::not_negative());
     if (contact_laws().size() > 1)
       declare_choice(
         prm, "contact law", law, contact_laws(), "How the pressure grows with the penetration");
@@ -62,7 +66,8 @@ namespace vfife
              << " on no step is stable";
         throw InputError(before + "penalty fraction", text.str());
       }
-    if (!from_step && !(value > 0. && std::isfinite(value)))
+    const bool is_derived = value == 0. && !derivation.empty();
+    if (!from_step && !is_derived && !(value > 0. && std::isfinite(value)))
       throw InputError(before + "penalty", "the penalty must be a positive number of N/mm^3");
   }
 
@@ -70,6 +75,12 @@ namespace vfife
   double PenaltyOptions::value_for_step(const double mass_per_area, const double dt) const
   {
     return from_step ? fraction * mass_per_area / (dt * dt) : value;
+  }
+
+
+  double PenaltyOptions::rattling_value(const double mass_per_area, const double dt)
+  {
+    return rattling_fraction * mass_per_area / (dt * dt);
   }
 
 

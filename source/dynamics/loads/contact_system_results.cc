@@ -156,6 +156,25 @@ namespace vfife
     return sentences;
   }
 
+  std::vector<std::string> ContactSystem::describe_rattling(const double dt) const
+  {
+    std::vector<std::string> sentences;
+    for (const auto &pair : pairs_)
+      {
+        const double most = PenaltyOptions::rattling_value(pair->mass_per_area, dt);
+        if (!pair->is_implicit() || !(pair->contact.penalty() > most))
+          continue;
+        std::ostringstream text;
+        text.precision(3);
+        text << "contact " << pair->definition.side
+             << ": where surfaces hit each other, springs of " << pair->contact.penalty()
+             << " N/mm^3 go on rattling at the step of " << 1e9 * dt << " ns; below " << most
+             << " N/mm^3 they do not";
+        sentences.push_back(text.str());
+      }
+    return sentences;
+  }
+
   std::vector<ToothContact> ContactSystem::collect_results() const
   {
     std::vector<ToothContact> teeth;

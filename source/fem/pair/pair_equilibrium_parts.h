@@ -8,7 +8,9 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace vfife
 {
@@ -86,6 +88,14 @@ namespace vfife
     double potential(const double load) const
     {
       return 0.5 * force.dot(deflection) + trial.energy - load * turn;
+    }
+
+    /** Forces that the bodies were bent by less those that the contact then exerts, over these, or
+     * what its torque lacks of the load, over the load. */
+    double residual(const double load) const
+    {
+      return std::max((trial.force - force).norm() / trial.force.norm(),
+                      std::abs((trial.torque + load) / load));
     }
   };
 

@@ -26,6 +26,11 @@ namespace vfife
       return side == FlankSide::concave ? surface_name::concave : surface_name::convex;
     }
 
+    /** Penalty times module over the contact modulus E*. At 1000 MPa the springs of the reference
+     * pair give way by 1 um, some 2 arcsec of its lag; stiffer ones ripple more on coarse flanks
+     * (doc/contact.md, In time). */
+    constexpr double penalty_over_stiffness = 30.;
+
     /** Body frame placed in the fixed frame with its axis of rotation. */
     void place(Body &body, const RigidMotion &placement, const double rate)
     {
@@ -40,6 +45,11 @@ namespace vfife
   GearCase::GearCase()
     : pinion_body_(pinion_body_defaults())
   {
+    // Teeth have a length and a material from which the springs follow, the same for any mesh.
+    contact_.penalty.from_step  = false;
+    contact_.penalty.value      = 0.;
+    contact_.penalty.derivation = "30 E*/m of the pair, 1/E* the sum of (1 - nu^2)/E of both "
+                                  "members, m the outer transverse module of the gear";
   }
 
   void GearCase::declare(dealii::ParameterHandler &prm, const ParameterFile &file)
@@ -152,12 +162,16 @@ namespace vfife
     // Curvatures do not depend on the separation of the ellipse that is asked for.
     const Vector2 curvatures =
       contact.ellipse(contact.contact(contact.reference(), 0), 1e-3).relative_curvatures;
+    return HertzContact(curvatures, pair_modulus());
+  }
+
+  double GearCase::pair_modulus() const
+  {
     const Material &pinion = material(pinion_material_), &gear = material(gear_material_);
-    return HertzContact(curvatures,
-                        contact_modulus(pinion.youngs_modulus,
-                                        pinion.poissons_ratio,
-                                        gear.youngs_modulus,
-                                        gear.poissons_ratio));
+    return contact_modulus(pinion.youngs_modulus,
+                           pinion.poissons_ratio,
+                           gear.youngs_modulus,
+                           gear.poissons_ratio);
   }
 
   unsigned int GearCase::gear_tooth_in_mesh(const unsigned int meshes) const
@@ -238,7 +252,7 @@ namespace vfife
                                  t.driver,
                                  driver.node_set(held_set(t.driver))});
     add_hub(model);
-    add_contacts(pair, model);
+    add_contacts(pair, log, model);
     add_probes(model);
     for (const BodyFigures &figures : measure_bodies(model))
       figures.write_to(log);
@@ -278,8 +292,29 @@ namespace vfife
     model.torques.push_back(load);
   }
 
-  void GearCase::add_contacts(const GearPair &pair, Model &model) const
+  double GearCase::derive_penalty(const GearPair &pair, Log &log) const
   {
+    const BlankOutline &gear    = pair.gear().blank();
+    const double        modulus = pair_modulus(),
+                 module         = gear.circular_pitch(gear.outer_cone_distance) / pi,
+                 penalty        = penalty_over_stiffness * modulus / module;
+    log.line("contact penalty of the pair ",
+             penalty,
+             " N/mm^3: ",
+             penalty_over_stiffness,
+             " E*/m with E* = ",
+             modulus,
+             " MPa, m = ",
+             module,
+             " mm");
+    return penalty;
+  }
+
+  void GearCase::add_contacts(const GearPair &pair, Log &log, Model &model) const
+  {
+    ContactOptions options = contact_;
+    if (!options.penalty.from_step && options.penalty.value == 0.)
+      options.penalty.value = derive_penalty(pair, log);
     const Transmission &t             = *model.transmission;
     const bool          pinion_drives = operation_.driving == DrivingMember::pinion;
     const MeshSide      working       = working_side();
@@ -295,7 +330,7 @@ namespace vfife
         contact.slave_surface  = surfaces[pinion_drives ? 0 : 1];
         contact.master_body    = t.driven;
         contact.master_surface = surfaces[pinion_drives ? 1 : 0];
-        contact.options        = contact_;
+        contact.options        = options;
         model.contacts.push_back(contact);
       }
   }

@@ -63,6 +63,8 @@ namespace vfife
         "contact penalty of the ", model.contacts[i].side, " side ", penalties[i], " N/mm^3");
     for (const std::string &sentence : solver.contact().describe_coarse_slaves())
       log.line(sentence);
+    for (const std::string &sentence : solver.contact().describe_rattling(dt))
+      log.warning(sentence);
     log.line(vfife.n_congruence_classes(),
              " classes of congruent elements on this rank, kernels for ",
              vfife.instruction_set());

@@ -44,7 +44,7 @@ namespace vfife
     ContactSurfaceKind    surface          = ContactSurfaceKind::true_flank;
     unsigned int          points_per_facet = 3; ///< Gauss points per direction
 
-    ContactTime    time = ContactTime::explicit_;
+    ContactTime    time = ContactTime::implicit;
     PenaltyOptions penalty;
 
     double damping_ratio = 0.; ///< of the critical gap-rate damping of a surface node [-]

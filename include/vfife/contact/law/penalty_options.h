@@ -28,6 +28,9 @@ namespace vfife
     bool         from_step = true; ///< eps = fraction * min(m/A) / dt^2
     double       fraction  = 0.5;  ///< f [-]
     double       value     = 1e6;  ///< eps [N/mm^3] when it is not taken from the step
+    /** In words, what a value of 0 stands for, which a case puts in its place; empty: 0 is no
+     * penalty. */
+    std::string derivation;
     /** Entry "contact law" where there is more than one. */
     MakeContactLaw law = contact_laws().front().second;
 
@@ -40,6 +43,10 @@ namespace vfife
 
     /** eps [N/mm^3] at the step @p dt [s] with the least nodal mass per area [t/mm^2]. */
     double value_for_step(double mass_per_area, double dt) const;
+
+    /** Penalty [N/mm^3] beyond which an impact leaves implicit contact rattling at the step
+     * @p dt [s] (doc/contact.md, In time). */
+    static double rattling_value(double mass_per_area, double dt);
 
     /** The mass per area [t/mm^2] for which a penalty is the fraction of what the step bears. */
     double mass_per_area_for(double penalty, double dt) const;

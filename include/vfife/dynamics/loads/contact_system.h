@@ -55,6 +55,10 @@ namespace vfife
      * the slave, and what it costs that it is not. */
     std::vector<std::string> describe_coarse_slaves() const;
 
+    /** Sentences about pairs that are integrated implicitly and whose penalty is so high that
+     * impacts leave it rattling at the step @p dt [s]. */
+    std::vector<std::string> describe_rattling(double dt) const;
+
     /**
      * Broad search: which surface groups (teeth) can touch during the next @p duration [s], from
      * the bodies' mean motion, its rates, and the deformation in @p positions. Collective.

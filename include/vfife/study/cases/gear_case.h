@@ -54,12 +54,16 @@ namespace vfife
 
   private:
     const Material &material(const std::string &name) const;
-    Transmission    make_transmission(const GearPair &pair) const;
+    /** E* of both members [MPa]. */
+    double       pair_modulus() const;
+    Transmission make_transmission(const GearPair &pair) const;
     /** Node set by which a body (0 pinion, 1 gear) is driven or held. */
     const char *held_set(unsigned int body) const;
-    void        add_contacts(const GearPair &pair, Model &model) const;
-    void        add_hub(Model &model) const;
-    void        add_probes(Model &model) const;
+    /** Penalty of the pair where the section Contact gives none [N/mm^3]. */
+    double derive_penalty(const GearPair &pair, Log &log) const;
+    void   add_contacts(const GearPair &pair, Log &log, Model &model) const;
+    void   add_hub(Model &model) const;
+    void   add_probes(Model &model) const;
 
     GearPairOptions       pair_;
     GearBodyOptions       pinion_body_, gear_body_;

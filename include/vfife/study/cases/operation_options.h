@@ -17,8 +17,8 @@ namespace vfife
   /** How the hub of the driven member turns. */
   enum class HubKind
   {
-    free_rotation,
-    rigid_hub
+    rigid_hub,    ///< all nodes of the bore as one
+    free_rotation ///< each node by itself
   };
 
   /** Section Operation: what the pair is run at. */
@@ -28,7 +28,7 @@ namespace vfife
     double       torque = 0;  ///< on the driven member [N mm]
     unsigned int meshes = 40; ///< tooth meshes to run
     double       ramp   = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
-    HubKind      hub    = HubKind::free_rotation;
+    HubKind      hub    = HubKind::rigid_hub;
 
     DrivingMember    driving   = DrivingMember::pinion;
     TurningDirection direction = TurningDirection::forward;
