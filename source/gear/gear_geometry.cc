@@ -15,6 +15,21 @@ namespace vfife
     return blank().pitch();
   }
 
+  bool GearGeometry::has_deviations() const
+  {
+    return false;
+  }
+
+  bool GearGeometry::has_equal_teeth() const
+  {
+    return true;
+  }
+
+  double GearGeometry::deviation(FlankSide, unsigned int, const SurfacePoint &) const
+  {
+    return 0.;
+  }
+
   double GearGeometry::tooth_thickness(const double L, const double h) const
   {
     const Vector3 lower = flank_point(lower_side(), L, h).position;

@@ -4,6 +4,7 @@
 #include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/modal_study.h>
+#include <vfife/study/gear/flank_fit_study.h>
 #include <vfife/study/gear/lumped_study.h>
 #include <vfife/study/gear/mesh_study.h>
 #include <vfife/study/gear/tooth_contact_study.h>
@@ -33,6 +34,7 @@ namespace vfife
       {"run", {&alone<make_run_study>, "summary.json"}},
       {"static", {&alone<make_static_study>, "summary.json"}},
       {"tooth contact analysis", {&alone<make_tooth_contact_study>, "tca.json"}},
+      {"flank fit", {&alone<make_flank_fit_study>, "flank_fit.json"}},
       {"mesh", {&alone<make_mesh_study>, "mesh.json"}},
       {"modal", {&alone<make_modal_study>, "modes.json"}},
       {"linear static", {&alone<make_linear_static_study>, "summary.json"}},

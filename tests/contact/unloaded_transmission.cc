@@ -4,65 +4,22 @@
 // and three mesh densities. Bounds: measured values of doc/contact.md, rounded up.
 #include "../gear/paper_pair.h"
 #include "../tests.h"
-#include "surfaces.h"
+#include "rigid_pair.h"
 
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
-#include <vfife/mesh/gear/gear_body.h>
 
 #include <tuple>
 
-using namespace test_surfaces;
+using namespace rigid_pair;
 
 namespace
 {
-  constexpr unsigned int positions_per_pitch = 16;
-
   struct Density
   {
     const char  *name;
     unsigned int gear_lengthwise, pinion_lengthwise, flank_rows;
     double       true_flank, smooth_patches, flat_facets; ///< bounds of the difference [arcsec]
   };
-
-  /** Lags [arcsec] over one pitch, found as the gear's rotation at which the smallest gap is zero.
-   */
-  std::vector<double> unloaded_lags(const GearPair          &pair,
-                                    const UnloadedContact   &analysis,
-                                    const FacetSurface      &pinion,
-                                    const FacetSurface      &gear,
-                                    const ContactSurfaceKind kind)
-  {
-    ContactOptions options;
-    options.surface = kind;
-    MovingSurface       slave(pinion), master(gear);
-    Contact             contact(pinion, gear, options);
-    std::vector<double> lags;
-    for (unsigned int i = 0; i < positions_per_pitch; ++i)
-      {
-        const double turn = analysis.pitch() * (i + 0.5) / positions_per_pitch;
-        slave.place(pair.pinion_placement(pair.rot1_reference() + turn));
-        const double rigid = pair.rot2_reference() - turn * pair.speed_ratio();
-        const auto   gap   = [&](const double lag) {
-          master.place(pair.gear_placement(rigid + lag));
-          contact.find_candidates(slave.body, master.body, 0.3);
-          return contact.smallest_gap(slave.motion(), master.motion(), 0.1).gap;
-        };
-        // secant method from two angles near the touch
-        double a = 0., b = 20. * arcsecond, gap_a = gap(a), gap_b = gap(b);
-        for (unsigned int k = 0; k < 12 && std::abs(gap_b) > 1e-9; ++k)
-          {
-            const double next = b - gap_b * (b - a) / (gap_b - gap_a);
-            a                 = b;
-            gap_a             = gap_b;
-            b                 = next;
-            gap_b             = gap(b);
-          }
-        if (!(std::abs(gap_b) < 1e-7))
-          return {};
-        lags.push_back(b / arcsecond);
-      }
-    return lags;
-  }
 } // namespace
 
 int main()
@@ -80,23 +37,15 @@ int main()
                                  Density{"middle", 8, 12, 5, 4e-4, 0.009, 17.},
                                  Density{"reference", 12, 18, 8, 1e-4, 0.002, 7.4}})
     {
-      GearBodyOptions gear, pinion = pinion_body_defaults();
-      gear.web                = WebKind::none;
-      gear.cells_across       = 2;
-      gear.rim_rows           = 1;
-      gear.cells_lengthwise   = density.gear_lengthwise;
-      gear.flank_rows         = density.flank_rows;
-      pinion.cells_across     = 2;
-      pinion.rim_rows         = 1;
-      pinion.cells_lengthwise = density.pinion_lengthwise;
-      pinion.flank_rows       = density.flank_rows;
-      const auto surface_of   = [](const FlankSide side) {
-        return side == FlankSide::concave ? "concave" : "convex";
-      };
-      const FacetSurface slave = make_gear_body(pair.pinion(), pinion)
-                                   ->surfaces.at(surface_of(pair.pinion_side(MeshSide::drive)));
+      const FacetSurface slave = flanks_of(pair.pinion(),
+                                           flanks_alone(pinion_body_defaults(),
+                                                        density.pinion_lengthwise,
+                                                        density.flank_rows),
+                                           pair.pinion_side(MeshSide::drive));
       const FacetSurface master =
-        make_gear_body(pair.gear(), gear)->surfaces.at(surface_of(pair.gear_side(MeshSide::drive)));
+        flanks_of(pair.gear(),
+                  flanks_alone(GearBodyOptions(), density.gear_lengthwise, density.flank_rows),
+                  pair.gear_side(MeshSide::drive));
       const std::tuple<const char *, ContactSurfaceKind, double> kinds[] = {
         {"true flank", ContactSurfaceKind::true_flank, density.true_flank},
         {"smooth patches", ContactSurfaceKind::smooth_patches, density.smooth_patches},

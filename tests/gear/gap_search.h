@@ -24,10 +24,11 @@ inline double gap_search(const vfife::GearPair &pair,
                          vfife::Vector2         L_h)
 {
   using namespace vfife;
-  const double sign   = side == MeshSide::drive ? 1. : -1.;
-  const Flank &pinion = pair.pinion().generated_flank(pair.pinion_side(side));
-  const Flank &gear   = pair.gear().generated_flank(pair.gear_side(side));
-  const auto   angle  = [&](const Vector2 &x) {
+  const double sign = side == MeshSide::drive ? 1. : -1.;
+  // generated flanks with the errors that all teeth share
+  const FlankContact contact = pair.flank_contact(side);
+  const Flank       &pinion = contact.pinion(), &gear = contact.gear();
+  const auto         angle = [&](const Vector2 &x) {
     const Vector3 P    = pair.pinion_placement(rot1)(pinion.point_at(x[0], x[1]).position);
     const Vector2 cone = gear.cone_coordinates(P);
     return sign *

@@ -14,8 +14,11 @@
 #include <vfife/fem/modes/campbell.h>
 #include <vfife/fem/pair/coupled_modes.h>
 #include <vfife/gear/flank_points.h>
+#include <vfife/gear/measurement/measuring_grid.h>
+#include <vfife/gear/measurement/settings_fit.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/tooth_form.h>
+#include <vfife/gear/unloaded_contact/unequal_teeth.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/primitives/primitives.h>
@@ -125,8 +128,15 @@ namespace
     add("tca.csv", unloaded, lag_table(gears, {}, ContactAnalysisOptions()));
     add("path.csv", unloaded, path_table(gears, {}));
     add("transmission.csv", unloaded, transmission_table(gears, ContactAnalysisOptions()));
+    add("transmission_meshes.csv",
+        unloaded,
+        transmission_of_meshes(gears, ContactAnalysisOptions(), 0));
     add("ease_off.csv", unloaded, ease_off_table(gears));
     add("flank_points_BODY.csv", "mesh", compute_flank_points(gears.gear(), 2, 2));
+    add("grid_MEMBER_FLANK.csv",
+        "flank fit",
+        compute_measuring_grid(gears.gear(), FlankSide::convex, 0, MeasuringGrid()));
+    add("flank_fit.csv", "flank fit", fit_table(SettingsFitResult()));
     add("comparison.csv", "compare", comparison_table({}));
     add("benchmark.csv", "benchmark", make_operator_table());
     add("contact_cost.csv", "benchmark", make_contact_cost_table());

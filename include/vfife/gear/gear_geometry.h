@@ -55,7 +55,8 @@ namespace vfife
    *     root land    tooth 0
    * @endverbatim
    *
-   * The pitch surface is a cone or cylinder; all teeth are alike. Flanks are continued a little
+   * The pitch surface is a cone or cylinder; all teeth are alike but for small deviations of
+   * their flanks, which surfaces in contact know and meshes do not. Flanks are continued a little
    * beyond tip, toe and heel: points are asked for there while offsets are searched for.
    */
   class GearGeometry
@@ -86,6 +87,16 @@ namespace vfife
 
     /** Largest parameter of the fillet, of the order of one. */
     virtual double fillet_end(FlankSide side) const = 0;
+
+    /** Whether flanks deviate from flank_point(), and whether those of all teeth do so alike. */
+    virtual bool has_deviations() const;
+    virtual bool has_equal_teeth() const;
+
+    /**
+     * How far a flank of tooth @p tooth lies out of the metal, along the normal, by errors of
+     * manufacture [mm]; 0 where there are none. @p point: the flank_point() there, of tooth 0.
+     */
+    virtual double deviation(FlankSide side, unsigned int tooth, const SurfacePoint &point) const;
 
     /** The other flank. */
     FlankSide upper_side() const;

@@ -106,11 +106,6 @@ namespace vfife
     return {sin_root_ * v[0] + cos_root_ * v[2], -v[1], cos_root_ * v[0] - sin_root_ * v[2]};
   }
 
-  GeneratedPoint Flank::evaluate(const double t, const double phi) const
-  {
-    return derivatives(t, phi).point;
-  }
-
   // Machine frame, seen along the cradle axis z; the upright cutter's axis is z as well.
   //
   //      y ^         C  cutter centre; round it the blade tips, radius r_p, at the angles t
@@ -184,7 +179,7 @@ namespace vfife
   //        |       / s
   //        +------/----------> e
   //          r_p   tip plane z = 0
-  SurfaceDerivatives Flank::derivatives(const double t, const double phi) const
+  SurfaceDerivatives Flank::generate(const double t, const double phi) const
   {
     const double  sigma  = settings_.sigma();
     const Cutter  cutter = cutter_at(phi);

@@ -18,6 +18,13 @@ namespace vfife
       return point;
     }
 
+    /** A deviation of tooth 0 seen by the generated flank, which is turned by @p turn onto it. */
+    FlankDeviation seen_by_generated(FlankDeviation deviation, const double turn)
+    {
+      deviation.shift = deviation.shift.seen_turned(turn);
+      return deviation;
+    }
+
     double polar_angle(const Vector3 &position)
     {
       return std::atan2(position[1], position[0]);
@@ -103,5 +110,47 @@ namespace vfife
   double GearMember::fillet_end(const FlankSide side) const
   {
     return pi / 2 - generated_flank(side).settings().blade_angle;
+  }
+
+  bool GearMember::has_deviations() const
+  {
+    return errors_.any();
+  }
+
+  bool GearMember::has_equal_teeth() const
+  {
+    return errors_.equal_teeth();
+  }
+
+  double GearMember::deviation(const FlankSide     side,
+                               const unsigned int  tooth,
+                               const SurfacePoint &point) const
+  {
+    return errors_.any() ? errors_.value(side, tooth, point, blank_.coordinates_of(point.position))
+                         : 0.;
+  }
+
+  void GearMember::set_errors(const MemberErrors &errors)
+  {
+    errors_ = errors;
+  }
+
+  const MemberErrors &GearMember::errors() const
+  {
+    return errors_;
+  }
+
+  Flank GearMember::flank_of_tooth(const FlankSide side, const unsigned int tooth) const
+  {
+    const Flank &flank = generated_flank(side);
+    return errors_.any()
+             ? flank.with_deviation(seen_by_generated(errors_.of_tooth(side, tooth), turn(side)))
+             : flank;
+  }
+
+  Flank GearMember::shared_flank(const FlankSide side) const
+  {
+    const Flank &flank = generated_flank(side);
+    return errors_.any() ? flank.with_deviation(errors_.shared(side)) : flank;
   }
 } // namespace vfife

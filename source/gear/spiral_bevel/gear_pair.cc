@@ -131,6 +131,9 @@ namespace vfife
       for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
         check_proposed_contact(
           design_.options.proposal, gear_.blank(), side, mean_contact(side), flank_contact(side));
+    // Errors come last: they belong to the designed teeth.
+    pinion_.set_errors(MemberErrors(options.pinion_errors, pinion_, "Gear pair/Errors/Pinion"));
+    gear_.set_errors(MemberErrors(options.gear_errors, gear_, "Gear pair/Errors/Gear"));
   }
 
   const GearPairOptions &GearPair::options() const
@@ -200,11 +203,20 @@ namespace vfife
 
   FlankContact GearPair::flank_contact(const MeshSide side) const
   {
-    return FlankContact(pinion_.generated_flank(pinion_side(side)),
-                        gear_.generated_flank(gear_side(side)),
-                        pinion_frame_,
-                        gear_frame_,
-                        speed_ratio(),
-                        gear_.blank().mean_cone_distance);
+    return contact_of(pinion_.shared_flank(pinion_side(side)), gear_.shared_flank(gear_side(side)));
+  }
+
+  FlankContact GearPair::flank_contact(const MeshSide     side,
+                                       const unsigned int pinion_tooth,
+                                       const unsigned int gear_tooth) const
+  {
+    return contact_of(pinion_.flank_of_tooth(pinion_side(side), pinion_tooth),
+                      gear_.flank_of_tooth(gear_side(side), gear_tooth));
+  }
+
+  FlankContact GearPair::contact_of(const Flank &pinion, const Flank &gear) const
+  {
+    return FlankContact(
+      pinion, gear, pinion_frame_, gear_frame_, speed_ratio(), gear_.blank().mean_cone_distance);
   }
 } // namespace vfife

@@ -48,6 +48,9 @@ namespace vfife
                        "Mounting error of the shaft angle, positive opens it",
                        Range::between(-1., 1.));
     }
+    const Subsection subsection(prm, "Errors");
+    declare_section(prm, "Pinion", pinion_errors);
+    declare_section(prm, "Gear", gear_errors);
   }
 
   GearPairOptions GearPairOptions::completed() const
@@ -86,5 +89,8 @@ namespace vfife
   void GearPairOptions::check(const std::string &section) const
   {
     examine(section).raise();
+    const GearPairOptions options = completed();
+    pinion_errors.check(section + "/Errors/Pinion", options.pinion.blank.teeth);
+    gear_errors.check(section + "/Errors/Gear", options.gear.blank.teeth);
   }
 } // namespace vfife

@@ -203,6 +203,14 @@ namespace vfife
                      Range::positive());
     declare_integer(
       prm, "points per pitch", points_per_pitch, "Points of path and curves", 4, 10000);
+    declare_integer(
+      prm,
+      "tooth meshes",
+      meshes,
+      "Over which the transmission error is followed where errors make teeth unequal; "
+      "0: a turn of the gear",
+      0,
+      100000);
     declare_driving(prm, driving, direction);
   }
 
@@ -219,12 +227,10 @@ namespace vfife
     analysis.path_angle = path_angle(pair, contact);
     fit_lag(analysis);
     find_hand_over(whole, analysis);
-    analysis.pinion_curvatures = pair.pinion()
-                                   .generated_flank(pair.pinion_side(side))
-                                   .principal_curvatures(analysis.mean.contact.pinion);
-    analysis.gear_curvatures = pair.gear()
-                                 .generated_flank(pair.gear_side(side))
-                                 .principal_curvatures(analysis.mean.contact.gear);
+    const FlankContact &equations = contact.equations();
+    analysis.pinion_curvatures =
+      equations.pinion().principal_curvatures(analysis.mean.contact.pinion);
+    analysis.gear_curvatures = equations.gear().principal_curvatures(analysis.mean.contact.gear);
     return analysis;
   }
 } // namespace vfife

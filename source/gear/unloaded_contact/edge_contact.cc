@@ -20,9 +20,10 @@ namespace vfife
 
   EdgeContact::EdgeContact(const GearPair             &pair,
                            const MeshSide              side,
+                           const UnloadedContact      &flanks,
                            const UnloadedContactPoint &end,
                            const double                direction)
-    : contact_(pair.flank_contact(side))
+    : contact_(flanks.equations())
     , pinion_blank_(pair.pinion().blank())
     , gear_blank_(pair.gear().blank())
     , mean_(pair.mean_contact(side))
@@ -32,7 +33,7 @@ namespace vfife
     , pitch_(pair.pinion().pitch())
   {
     // Which edge it is; over a fillet there is none.
-    const PairBorder border = UnloadedContact(pair, side).nearest_border(end);
+    const PairBorder border = flanks.nearest_border(end);
     on_pinion_              = border.on_pinion;
     edge_                   = border.border;
     border_                 = border.name();
@@ -206,8 +207,10 @@ namespace vfife
     return true;
   }
 
-  PairContact::PairContact(const GearPair &pair, const MeshSide side)
-    : contact_(pair, side)
+  PairContact::PairContact(const GearPair          &pair,
+                           const MeshSide           side,
+                           const std::optional<int> teeth)
+    : contact_(pair, side, teeth)
   {
     // the path on the flanks, then what edges add at either end
     const auto range = contact_.path_range();
@@ -217,6 +220,7 @@ namespace vfife
       {
         edges_.emplace_back(pair,
                             side,
+                            contact_,
                             contact_.contact(contact_.reference() + path_[end] * contact_.pitch(),
                                              0),
                             end == 0 ? -1. : 1.);

@@ -47,15 +47,45 @@ namespace vfife
     return (on_pinion ? "pinion" : "gear") + std::string(names[static_cast<unsigned int>(border)]);
   }
 
-  UnloadedContact::UnloadedContact(const GearPair &pair, const MeshSide side)
+  std::pair<unsigned int, unsigned int>
+  teeth_of_pair(const GearPair &pair, const MeshSide side, const int k)
+  {
+    const auto tooth = [](const int number, const unsigned int teeth) {
+      const int z = static_cast<int>(teeth);
+      return static_cast<unsigned int>((number % z + z) % z);
+    };
+    return {tooth(k, pair.pinion().blank().teeth),
+            tooth(side == MeshSide::drive ? -k : 1 - k, pair.gear().blank().teeth)};
+  }
+
+  namespace
+  {
+    FlankContact
+    make_contact(const GearPair &pair, const MeshSide side, const std::optional<int> &teeth)
+    {
+      if (!teeth)
+        return pair.flank_contact(side);
+      const auto numbers = teeth_of_pair(pair, side, *teeth);
+      return pair.flank_contact(side, numbers.first, numbers.second);
+    }
+  } // namespace
+
+  UnloadedContact::UnloadedContact(const GearPair          &pair,
+                                   const MeshSide           side,
+                                   const std::optional<int> teeth)
     : side_(side)
-    , contact_(pair.flank_contact(side))
+    , contact_(make_contact(pair, side, teeth))
     , pinion_blank_(pair.pinion().blank())
     , gear_blank_(pair.gear().blank())
     , mean_(pair.mean_contact(side))
     , speed_ratio_(pair.speed_ratio())
     , turn_(pair.pinion().turn(pair.pinion_side(side)))
   {
+  }
+
+  const FlankContact &UnloadedContact::equations() const
+  {
+    return contact_;
   }
 
   double UnloadedContact::pitch() const

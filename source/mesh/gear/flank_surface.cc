@@ -14,14 +14,22 @@ namespace vfife
     /** Far below the offsets (micrometres) and above round-off of coordinates of 100 mm. */
     constexpr double offset_tolerance = 1e-11;
 
+    /** Where the line from a facet meets the flank without deviations. */
+    struct FlankFoot
+    {
+      double       distance = 0; ///< from the facet [mm]
+      double       cosine   = 1; ///< of the line to the flank's normal out of the metal
+      SurfacePoint point;
+    };
+
     /**
-     * Distance along the unit vector @p direction from @p point to the flank. Newton: intersect the
-     * tangent plane, then take the flank point at the (L, h) reached.
+     * From @p point along the unit vector @p direction to the flank. Newton: intersect the tangent
+     * plane, then take the flank point at the (L, h) reached.
      */
-    double distance_to_flank(const GearGeometry &gear,
-                             const FlankSide     side,
-                             const Vector3      &point,
-                             const Vector3      &direction)
+    FlankFoot find_foot(const GearGeometry &gear,
+                        const FlankSide     side,
+                        const Vector3      &point,
+                        const Vector3      &direction)
     {
       double delta = 0.;
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
@@ -32,7 +40,7 @@ namespace vfife
           const double       step = (x.position - y).dot(x.normal) / direction.dot(x.normal);
           delta += step;
           if (std::abs(step) < offset_tolerance)
-            return delta;
+            return {delta, -direction.dot(x.normal), x};
         }
       throw NumericalError(gear.name() + ": no offset from a facet to the true flank found");
     }
@@ -93,10 +101,12 @@ namespace vfife
       return edges;
     }
 
-    void add_offsets(const GearGeometry &gear, const FlankSide side, FacetSurface &tooth)
+    /** The points of the flank that the offsets of tooth 0 lead to, in the order of the table. */
+    std::vector<FlankFoot>
+    find_feet(const GearGeometry &gear, const FlankSide side, const FacetSurface &tooth)
     {
+      std::vector<FlankFoot>    feet;
       const std::vector<double> abscissae = offset_abscissae();
-      tooth.offset_points                 = abscissae.size();
       for (const auto &facet : tooth.facets)
         for (const double eta : abscissae)
           for (const double xi : abscissae)
@@ -109,10 +119,25 @@ namespace vfife
                   point += weights[k] * tooth.positions[facet[k]];
                   normal += weights[k] * tooth.normals[facet[k]];
                 }
+              // nodes lie on the flank: no round-off there
               const bool corner = (xi == 0. || xi == 1.) && (eta == 0. || eta == 1.);
-              tooth.offsets.push_back(
-                corner ? 0. : distance_to_flank(gear, side, point, normal.normalized()));
+              feet.push_back(corner ? FlankFoot{0., 1., {point, -normal.normalized()}}
+                                    : find_foot(gear, side, point, normal.normalized()));
             }
+      return feet;
+    }
+
+    /** Adds the offsets of a tooth: to the flank, and along its normal by which it deviates. */
+    void add_offsets(const GearGeometry           &gear,
+                     const FlankSide               side,
+                     const unsigned int            k,
+                     const std::vector<FlankFoot> &feet,
+                     FacetSurface                 &surface)
+    {
+      for (const FlankFoot &foot : feet)
+        surface.offsets.push_back(
+          foot.distance +
+          (gear.has_deviations() ? gear.deviation(side, k, foot.point) / foot.cosine : 0.));
     }
   } // namespace
 
@@ -129,23 +154,26 @@ namespace vfife
                                   const FlankGrid    &grid,
                                   const unsigned int  nodes_per_sector)
   {
-    // Tooth 0 once: nodes, offsets, which sides are edges of the flank.
-    FacetSurface tooth = make_first_tooth(gear, grid);
-    add_offsets(gear, grid.side, tooth);
+    // Tooth 0 once: nodes, ways to the flank, which sides are edges of the flank.
+    FacetSurface                 tooth = make_first_tooth(gear, grid);
+    const std::vector<FlankFoot> feet  = find_feet(gear, grid.side, tooth);
     find_neighbours(tooth);
     const auto edges = find_edges(grid, tooth);
 
     FacetSurface surface;
     surface.name = grid.side == FlankSide::concave ? surface_name::concave : surface_name::convex;
     surface.n_groups      = gear.blank().teeth;
-    surface.offset_points = tooth.offset_points;
-    surface.offsets       = tooth.offsets;
+    surface.offset_points = offset_abscissae().size();
 
-    // Its copies share the rows of offsets.
+    // Its copies; those that deviate alike share the rows of offsets.
     const unsigned int per_tooth = tooth.nodes.size();
     for (unsigned int k = 0; k < surface.n_groups; ++k)
       {
         const Matrix3 rotation = rotation_about(Vector3::UnitZ(), 2. * pi * k / surface.n_groups);
+        const bool    own_rows = k == 0 || !gear.has_equal_teeth();
+        if (own_rows)
+          add_offsets(gear, grid.side, k, feet, surface);
+        const unsigned int first_row = own_rows ? k * tooth.facets.size() : 0;
         for (unsigned int i = 0; i < per_tooth; ++i)
           {
             surface.nodes.push_back(tooth.nodes[i] + k * nodes_per_sector);
@@ -159,7 +187,7 @@ namespace vfife
               corner += k * per_tooth;
             surface.facets.push_back(facet);
             surface.group.push_back(k);
-            surface.offset_row.push_back(f);
+            surface.offset_row.push_back(first_row + f);
             surface.edges.push_back(edges[f]);
           }
       }

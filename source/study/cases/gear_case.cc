@@ -91,6 +91,13 @@ namespace vfife
     check_bodies();
     operation_.check("Operation");
     contact_.check("Contact");
+    if (contact_.surface == ContactSurfaceKind::true_flank)
+      return;
+    // Errors are part of the offsets to the true flank: facets and patches know nothing of them.
+    const GearPair pair(pair_);
+    if (pair.pinion().has_deviations() || pair.gear().has_deviations())
+      throw InputError("Contact/surface",
+                       "errors of the flanks (Gear pair/Errors) act on surface = true flank only");
   }
 
   GearPair GearCase::make_pair() const

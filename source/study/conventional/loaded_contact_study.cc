@@ -113,12 +113,15 @@ namespace vfife
 
   void LoadedContactOptions::declare(dealii::ParameterHandler &prm)
   {
+    declare_integer(
+      prm, "positions", positions, "Positions over one tooth mesh; 1: its begin alone", 1, 1000);
     declare_integer(prm,
-                    "positions",
-                    positions,
-                    "Positions over one tooth mesh; 1: the reference position alone",
-                    1,
-                    1000);
+                    "first tooth mesh",
+                    first_mesh,
+                    "Tooth meshes after the reference position at which the positions begin: which "
+                    "teeth carry, where errors make them unequal",
+                    0,
+                    100000);
     declare_switch(prm, "centrifugal", centrifugal, "Whether both bodies spin at their speeds");
     declare_integer(
       prm,
@@ -162,11 +165,11 @@ namespace vfife
              seconds_since(start),
              " s");
 
-    // Positions over one tooth mesh of the driver, from the reference position on.
+    // Positions over one tooth mesh of the driver, from the reference position or a later mesh on.
     const double        pitch = 2 * pi / model.transmission->driver_teeth;
     std::vector<double> turns;
     for (unsigned int i = 0; i < options_.positions; ++i)
-      turns.push_back(i * pitch / options_.positions);
+      turns.push_back((options_.first_mesh + i / double(options_.positions)) * pitch);
     // One factorization serves all positions: in turning axes the bodies stay as they are, and unit
     // forces that one position has solved for are kept for the next.
     PairEquilibrium equilibrium(model, compliance, penalties, turns);

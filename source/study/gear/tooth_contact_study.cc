@@ -1,10 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/tooth_form.h>
+#include <vfife/gear/unloaded_contact/unequal_teeth.h>
 #include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
@@ -14,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <ostream>
 
@@ -257,6 +260,8 @@ namespace vfife
       options.proposal = PairProposal();
       dealii::ParameterHandler prm;
       declare_section(prm, "Gear pair", options);
+      // measured errors stay where they are
+      const AbsoluteFileNames absolute(prm);
       folder.write_file("pair.prm", [&](std::ostream &out) { print_parameters(out, prm); });
     }
 
@@ -276,6 +281,38 @@ namespace vfife
                " (concave), ",
                fixed(o.pinion.convex.ratio_of_roll, 9),
                " (convex)");
+    }
+
+    bool has_equal_teeth(const GearPair &pair)
+    {
+      return pair.pinion().has_equal_teeth() && pair.gear().has_equal_teeth();
+    }
+
+    /** transmission_meshes.csv, and what it says in figures. */
+    Table
+    follow_teeth(const GearPair &pair, const ContactAnalysisOptions &options, Json &json, Log &log)
+    {
+      const unsigned int meshes = options.meshes > 0 ? options.meshes : pair.gear().blank().teeth;
+      const Table        table  = transmission_of_meshes(pair, options, meshes);
+      const auto        &errors = table.numbers("transmission error");
+      const double least = errors.empty() ? 0. : *std::min_element(errors.begin(), errors.end());
+      const double most  = errors.empty() ? 0. : *std::max_element(errors.begin(), errors.end());
+      const double cycle = UnequalTeeth::hunting_cycle(pair);
+      log.line("unequal teeth         transmission error from ",
+               fixed(least, 3),
+               " to ",
+               fixed(most, 3),
+               " arcsec over ",
+               meshes,
+               " tooth meshes; the same teeth meet again after ",
+               cycle);
+      log.line("                      all figures above are of the errors that all teeth share");
+      json["unequal teeth"] = figures_json({{"tooth meshes", {double(meshes), "-"}},
+                                            {"hunting cycle", {cycle, "-"}},
+                                            {"least transmission error", {least, "arcsec"}},
+                                            {"largest transmission error", {most, "arcsec"}},
+                                            {"peak to peak", {most - least, "arcsec"}}});
+      return table;
     }
 
     class ToothContactStudy : public StudyKind
@@ -329,6 +366,8 @@ namespace vfife
     json["teeth"] = form_json(forms);
     if (!folder.is_writer())
       return;
+    if (!has_equal_teeth(pair))
+      write_csv(folder, "transmission_meshes.csv", follow_teeth(pair, options_, json, log));
     write_pair(pair, folder);
     write_csv(folder, "ease_off.csv", ease_off_table(pair));
     write_csv(folder, "transmission.csv", transmission_table(pair, options_));

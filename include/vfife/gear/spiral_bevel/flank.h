@@ -2,8 +2,11 @@
 #ifndef vfife_gear_spiral_bevel_flank_h
 #define vfife_gear_spiral_bevel_flank_h
 
+#include <vfife/gear/errors/flank_deviation.h>
 #include <vfife/gear/gear_geometry.h>
 #include <vfife/gear/spiral_bevel/machine_settings.h>
+
+#include <optional>
 
 namespace vfife
 {
@@ -38,6 +41,13 @@ namespace vfife
 
     const MachineSettings &settings() const;
     FlankSide              side() const;
+
+    /**
+     * The same flank with errors of manufacture, given in its frame: points of the generated flank
+     * are moved along their normals, all else that is asked for follows from the moved surface.
+     * Fillets stay.
+     */
+    Flank with_deviation(const FlankDeviation &deviation) const;
 
     /** The flank as explicit surface of (t, phi). */
     GeneratedPoint evaluate(double t, double phi) const;
@@ -79,6 +89,11 @@ namespace vfife
     double straight_start() const;
 
   private:
+    /** As it is generated. */
+    SurfaceDerivatives generate(double t, double phi) const;
+    /** With the deviation; derivatives of the normal are left out. */
+    SurfaceDerivatives displace(double t, double phi) const;
+
     /** The cutter at a rotation of the cradle. */
     struct Cutter;
     /** A vector that moves with the cutter, with its derivatives. */
@@ -110,6 +125,8 @@ namespace vfife
     double          sin_blade_, cos_blade_;
     double          sin_root_, cos_root_;
     Vector3         apex_; ///< O in the machine frame
+
+    std::optional<FlankDeviation> deviation_;
   };
 } // namespace vfife
 

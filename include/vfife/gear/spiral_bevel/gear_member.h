@@ -2,6 +2,7 @@
 #ifndef vfife_gear_spiral_bevel_gear_member_h
 #define vfife_gear_spiral_bevel_gear_member_h
 
+#include <vfife/gear/errors/member_errors.h>
 #include <vfife/gear/gear_geometry.h>
 #include <vfife/gear/spiral_bevel/blank.h>
 #include <vfife/gear/spiral_bevel/flank.h>
@@ -36,9 +37,21 @@ namespace vfife
     SurfacePoint       flank_point(FlankSide side, double L, double h) const override;
     SurfacePoint       fillet_point(FlankSide side, double L, double lambda) const override;
     double             fillet_end(FlankSide side) const override;
+    bool               has_deviations() const override;
+    bool               has_equal_teeth() const override;
+    double deviation(FlankSide side, unsigned int tooth, const SurfacePoint &point) const override;
 
     const Flank &generated_flank(FlankSide side) const; ///< before the turn onto tooth 0
     double       turn(FlankSide side) const;
+
+    /** Gives the teeth errors of manufacture. */
+    void                set_errors(const MemberErrors &errors);
+    const MemberErrors &errors() const;
+
+    /** The generated flank with the errors of a tooth, and with those that all teeth share; it
+     * stands where generated_flank() does. */
+    Flank flank_of_tooth(FlankSide side, unsigned int tooth) const;
+    Flank shared_flank(FlankSide side) const;
 
   private:
     std::string name_;
@@ -46,6 +59,8 @@ namespace vfife
     Flank       concave_, convex_;
     double      concave_turn_, convex_turn_;
     FlankSide   lower_side_;
+
+    MemberErrors errors_;
   };
 } // namespace vfife
 

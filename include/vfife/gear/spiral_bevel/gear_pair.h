@@ -52,8 +52,13 @@ namespace vfife
     RigidMotion pinion_placement(double rotation) const;
     RigidMotion gear_placement(double rotation) const;
 
-    /** The equations of contact between the generated flanks of a side. */
+    /** The equations of contact between the flanks of a side, with the errors that all teeth
+     * share. */
     FlankContact flank_contact(MeshSide side) const;
+
+    /** The same with all errors of two teeth; each flank stands where the generated one does. */
+    FlankContact
+    flank_contact(MeshSide side, unsigned int pinion_tooth, unsigned int gear_tooth) const;
 
   private:
     /** What is derived before the members can be put together. */
@@ -66,6 +71,8 @@ namespace vfife
 
       Flank gear_flank(FlankSide side) const;
     };
+
+    FlankContact contact_of(const Flank &pinion, const Flank &gear) const;
 
     static Design derive(const GearPairOptions &options);
     /** Its upper flank turned to its place; where the backlash leaves no tooth, says so. */

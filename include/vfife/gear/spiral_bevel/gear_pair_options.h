@@ -2,6 +2,7 @@
 #ifndef vfife_gear_spiral_bevel_gear_pair_options_h
 #define vfife_gear_spiral_bevel_gear_pair_options_h
 
+#include <vfife/gear/errors/member_error_options.h>
 #include <vfife/gear/findings.h>
 #include <vfife/gear/spiral_bevel/gear_member_options.h>
 #include <vfife/gear/spiral_bevel/pair_proposal.h>
@@ -24,8 +25,11 @@ namespace vfife
     double offset             = 0; ///< of the pinion axis along +y of the fixed frame [mm]
     double shaft_angle_error  = 0; ///< > 0 opens the shaft angle [rad]
 
-    /** Declares Pinion and Gear {Blank, Concave flank, Convex flank} and Mounting in the present
-     * section. */
+    /** Errors of manufacture: they move the flanks of the designed teeth. */
+    MemberErrorOptions pinion_errors, gear_errors;
+
+    /** Declares Pinion and Gear {Blank, Concave flank, Convex flank}, Mounting and Errors in the
+     * present section. */
     void declare(dealii::ParameterHandler &prm);
 
     /** With what follows from the rest: pitch angles, one point radius of a spread-blade gear, its
@@ -35,7 +39,8 @@ namespace vfife
     /** What is missing, impossible or contradictory, after completing; all of it, causes first. */
     Findings examine(const std::string &section = "Gear pair") const;
 
-    /** Throws InputError for all findings that stop the program. */
+    /** Throws InputError for all findings that stop the program, and for errors of manufacture that
+     * cannot be read. */
     void check(const std::string &section = "Gear pair") const;
   };
 } // namespace vfife

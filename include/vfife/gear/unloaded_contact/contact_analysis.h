@@ -23,6 +23,7 @@ namespace vfife
     double marking_thickness =
       vfife::marking_thickness; ///< gap that the contact ellipse is drawn at [mm]
     unsigned int     points_per_pitch = 20;
+    unsigned int     meshes           = 0; ///< followed where teeth differ; 0: a turn of the gear
     DrivingMember    driving          = DrivingMember::pinion;
     TurningDirection direction        = TurningDirection::forward;
 

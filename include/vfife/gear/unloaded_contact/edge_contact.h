@@ -26,10 +26,12 @@ namespace vfife
   class EdgeContact
   {
   public:
-    /** @p end: the contact at the path's end of pair 0, on or next to the border; @p direction: +1
-     * where the path ends at increasing rotations of the pinion, -1 where it starts. */
+    /** @p flanks: the contact of the same side; @p end: its contact at the path's end of pair 0, on
+     * or next to the border; @p direction: +1 where the path ends at increasing rotations of the
+     * pinion, -1 where it starts. */
     EdgeContact(const GearPair             &pair,
                 MeshSide                    side,
+                const UnloadedContact      &flanks,
                 const UnloadedContactPoint &end,
                 double                      direction);
 
@@ -74,7 +76,8 @@ namespace vfife
   class PairContact
   {
   public:
-    PairContact(const GearPair &pair, MeshSide side);
+    /** @p teeth: as in UnloadedContact. */
+    PairContact(const GearPair &pair, MeshSide side, std::optional<int> teeth = {});
 
     const UnloadedContact &flanks() const;
     const EdgeContact     &edge(unsigned int end) const;

@@ -5,6 +5,7 @@
 #include <vfife/gear/spiral_bevel/gear_pair.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -48,16 +49,27 @@ namespace vfife
     std::string name() const; ///< "gear tip", "pinion toe"...
   };
 
+  /** The numbers of the teeth of tooth pair @p k (see UnloadedContact): pinion, gear. */
+  std::pair<unsigned int, unsigned int> teeth_of_pair(const GearPair &pair, MeshSide side, int k);
+
   /**
    * Unloaded tooth contact analysis of one side of a pair (method: Litvin & Fuentes; doc/gear.md).
    *
    * Tooth pair k: pinion tooth k with gear tooth -k (drive) or 1 - k (coast); pair 0 touches at
-   * the mean contact, pair k one pinion pitch of rotation earlier than pair k - 1.
+   * the mean contact, pair k one pinion pitch of rotation earlier than pair k - 1. Teeth are taken
+   * to be equal.
    */
   class UnloadedContact
   {
   public:
-    explicit UnloadedContact(const GearPair &pair, MeshSide side = MeshSide::drive);
+    /** @p teeth: the tooth pair of whose two teeth all flanks have the errors; nothing: the errors
+     * that all teeth share. */
+    explicit UnloadedContact(const GearPair    &pair,
+                             MeshSide           side  = MeshSide::drive,
+                             std::optional<int> teeth = {});
+
+    /** The equations of contact of the flanks, errors included. */
+    const FlankContact &equations() const;
 
     /** Rotation of the pinion from pitch to pitch, 2 pi / z1 [rad]. */
     double pitch() const;

@@ -13,7 +13,9 @@ namespace vfife
    * The flanks of one side of all teeth as FacetSurface: nodes on the true flank with true normals,
    * and the offsets of the bilinear facets to the true flank at 5 x 5 Gauss-Lobatto points, found
    * by Newton's method along the facet's normal field. Node i of the sector is node i + k *
-   * nodes_per_sector of tooth k. Rows of the table are shared by all teeth.
+   * nodes_per_sector of tooth k. Deviations of the gear's flanks are part of the offsets, also at
+   * the nodes, which stay on the flank without them. Rows of the table are shared by all teeth that
+   * deviate alike.
    */
   FacetSurface make_flank_surface(const GearGeometry &gear,
                                   const FlankGrid    &grid,

@@ -11,7 +11,8 @@ namespace vfife
   /** Section Loaded contact. */
   struct LoadedContactOptions
   {
-    unsigned int positions     = 8;    ///< over one tooth mesh, from the reference position on
+    unsigned int positions     = 8; ///< over one tooth mesh
+    unsigned int first_mesh    = 0; ///< tooth meshes from the reference position to the first one
     bool         centrifugal   = true; ///< both bodies spin
     unsigned int coupled_modes = 0;    ///< of the pair in contact at the first position
 

@@ -1,0 +1,147 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_grid.h>
+#include <vfife/base/parameters/parameter_table.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/shown_text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <vector>
+
+namespace vfife
+{
+  namespace
+  {
+    /** "row 2, column 5", counted from 1. */
+    std::string place_of(const std::size_t row, const std::size_t column)
+    {
+      return "row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1);
+    }
+
+    std::vector<std::string> cells_of(const std::string &line)
+    {
+      const char *const        dividers = ",;\t";
+      std::vector<std::string> cells;
+      for (std::size_t begin = 0; begin <= line.size();)
+        {
+          const std::size_t end = std::min(line.find_first_of(dividers, begin), line.size());
+          cells.push_back(trimmed(line.substr(begin, end - begin)));
+          begin = end + 1;
+        }
+      return cells;
+    }
+
+    double number_of(const std::string &cell, const std::string &name, const std::string &place)
+    {
+      if (cell.empty())
+        throw InputError(name + ": the number at " + place + " is missing");
+      std::string rest   = "?";
+      double      number = 0.;
+      try
+        {
+          number = read_number(cell, rest);
+        }
+      catch (const InputError &)
+        {
+          rest = "?";
+        }
+      if (!rest.empty())
+        throw InputError(name + ": \"" + shown(cell) + "\" at " + place + " is no number");
+      return number;
+    }
+
+    void check_size(const std::size_t rows, const std::size_t columns, const std::string &name)
+    {
+      if (rows < 2 || columns < 2)
+        throw InputError(name + " has " + std::to_string(rows) + " rows and " +
+                         std::to_string(columns) + " columns; at least 2 of each are needed");
+    }
+
+    /** Index of a row or column from its number in a table. */
+    std::size_t index_of(const double number, const std::string &what, const std::string &name)
+    {
+      // far above any grid: a slip would else reserve all memory
+      constexpr double largest = 10000.;
+      if (!(number >= 1. && number <= largest) || number != std::floor(number))
+        throw InputError(name + ": " + what + " " + number_text(number) +
+                         " is not a whole number from 1 on");
+      return static_cast<std::size_t>(number) - 1;
+    }
+  } // namespace
+
+  Eigen::MatrixXd
+  arrange_on_grid(const Table &table, const std::string &path, const std::string &name)
+  {
+    const std::string          file    = "the table \"" + path + "\"";
+    const std::vector<double> &rows    = find_column(table, path, "row");
+    const std::vector<double> &columns = find_column(table, path, "column");
+    const std::vector<double> &numbers = find_column(table, path, name);
+    std::size_t                n_rows = 0, n_columns = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      {
+        n_rows    = std::max(n_rows, index_of(rows[i], "row", file) + 1);
+        n_columns = std::max(n_columns, index_of(columns[i], "column", file) + 1);
+      }
+    check_size(n_rows, n_columns, file);
+    // Places may come in any order; each must come once.
+    Eigen::MatrixXd grid = Eigen::MatrixXd::Constant(n_rows, n_columns, std::nan(""));
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      {
+        const std::size_t row    = index_of(rows[i], "row", file),
+                          column = index_of(columns[i], "column", file);
+        if (!std::isnan(grid(row, column)))
+          throw InputError(file + ": " + place_of(row, column) + " is given twice");
+        grid(row, column) = numbers[i];
+      }
+    for (std::size_t row = 0; row < n_rows; ++row)
+      for (std::size_t column = 0; column < n_columns; ++column)
+        if (std::isnan(grid(row, column)))
+          throw InputError(file + ": the number at " + place_of(row, column) + " is missing");
+    return grid;
+  }
+
+  bool has_headings(const std::string &path)
+  {
+    std::ifstream stream(path);
+    std::string   line;
+    std::getline(stream, line);
+    for (const std::string &cell : cells_of(line))
+      if (cell.substr(0, cell.find(" [")) == "row" || cell.substr(0, cell.find(" [")) == "x")
+        return true;
+    return false;
+  }
+
+  Eigen::MatrixXd read_parameter_grid(const std::string &path, const std::string &name)
+  {
+    const std::string file = "the grid \"" + path + "\"";
+    if (has_headings(path))
+      return arrange_on_grid(read_parameter_table(path), path, name);
+    std::ifstream stream(path);
+    if (!stream)
+      throw InputError(file + " cannot be read");
+    std::vector<std::vector<double>> rows;
+    for (std::string line; std::getline(stream, line);)
+      {
+        if (trimmed(line).empty() || trimmed(line)[0] == '#')
+          continue;
+        const std::vector<std::string> cells = cells_of(line);
+        rows.emplace_back();
+        for (std::size_t i = 0; i < cells.size(); ++i)
+          rows.back().push_back(number_of(cells[i], file, place_of(rows.size() - 1, i)));
+        // A short row has a hole at its end, and so has the first one where another is longer.
+        const std::size_t first = rows.front().size(), here = rows.back().size();
+        if (here != first)
+          throw InputError(file + ": the number at " +
+                           (here < first ? place_of(rows.size() - 1, here) : place_of(0, first)) +
+                           " is missing");
+      }
+    check_size(rows.size(), rows.empty() ? 0 : rows.front().size(), file);
+    Eigen::MatrixXd grid(rows.size(), rows.front().size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < rows[i].size(); ++j)
+        grid(i, j) = rows[i][j];
+    return grid;
+  }
+} // namespace vfife

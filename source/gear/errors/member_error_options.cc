@@ -1,0 +1,274 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/parameter_grid.h>
+#include <vfife/base/parameters/parameter_table.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/gear/errors/member_error_options.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double micrometre = 1e-3; // [mm]
+
+    /** What single deviations may miss zero by over a revolution, for each tooth: they are rounded
+     * in their protocols [um]. */
+    constexpr double closing_error = 0.1;
+
+    /** The reader's message under the name of the entry. */
+    template <typename Read>
+    auto read_entry(const std::string &entry, const Read &read)
+    {
+      try
+        {
+          return read();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(entry, error.what());
+        }
+    }
+
+    void refuse_number(const std::size_t numbers, const unsigned int teeth)
+    {
+      std::ostringstream message;
+      message << numbers << " pitch deviations are given, and there are " << teeth << " teeth";
+      throw InputError(message.str());
+    }
+
+    /** "1, -2.5, 0 um"-like lists without a unit. */
+    std::vector<double> parse_list(const std::string &text)
+    {
+      std::vector<double> numbers;
+      std::istringstream  stream(text);
+      for (std::string word; std::getline(stream, word, ',');)
+        {
+          std::string rest;
+          try
+            {
+              numbers.push_back(read_number(word, rest));
+            }
+          catch (const InputError &error)
+            {
+              throw InputError("of tooth " + std::to_string(numbers.size()) + ": " + error.what());
+            }
+          if (!rest.empty())
+            throw InputError("of tooth " + std::to_string(numbers.size() - 1) + ": \"" +
+                             trimmed(word) + "\" is no number");
+        }
+      return numbers;
+    }
+
+    /** Cumulative deviations of single ones [um]. */
+    std::vector<double> accumulate(const std::vector<double> &single)
+    {
+      const double       sum   = std::accumulate(single.begin(), single.end(), 0.);
+      const unsigned int teeth = single.size();
+      if (std::abs(sum) > closing_error * teeth)
+        {
+          std::ostringstream message;
+          message << "single pitch deviations add up to " << sum
+                  << " um over a revolution and must add up to zero (within " << closing_error
+                  << " um a tooth); a tooth that is displaced alone by f has f, its next one -f";
+          throw InputError(message.str());
+        }
+      // what is left by rounding is shared by all pitches
+      std::vector<double> cumulative(teeth, 0.);
+      for (unsigned int k = 1; k < teeth; ++k)
+        cumulative[k] = cumulative[k - 1] + single[k] - sum / teeth;
+      return cumulative;
+    }
+
+    /** Deviations of a file, a row a tooth [um]. */
+    std::vector<double> read_pitch_table(const std::string &path, const unsigned int teeth)
+    {
+      const Table table  = read_parameter_table(path);
+      bool        single = false;
+      for (const Table::Column &column : table.columns())
+        single = single || column.name == "single pitch deviation";
+      const std::vector<double> &tooth = find_column(table, path, "tooth");
+      const std::vector<double> &value =
+        find_column(table, path, single ? "single pitch deviation" : "cumulative pitch deviation");
+      if (value.size() != teeth)
+        refuse_number(value.size(), teeth);
+      std::vector<double> of_tooth(teeth, std::nan(""));
+      for (unsigned int i = 0; i < teeth; ++i)
+        {
+          const bool is_tooth =
+            tooth[i] >= 0. && tooth[i] < teeth && tooth[i] == std::floor(tooth[i]);
+          if (!is_tooth || !std::isnan(of_tooth[static_cast<unsigned int>(tooth[i])]))
+            throw InputError("the table \"" + path + "\": tooth " + number_text(tooth[i]) +
+                             (is_tooth ? " is given twice" : " is not there") +
+                             "; teeth are 0 to " + std::to_string(teeth - 1));
+          of_tooth[static_cast<unsigned int>(tooth[i])] = value[i];
+        }
+      return single ? accumulate(of_tooth) : of_tooth;
+    }
+  } // namespace
+
+  void FlankErrorOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_text(prm,
+                 "single pitch deviations",
+                 pitch_list,
+                 "Of the flanks of teeth 0, 1, ... against those before them, as many as teeth, "
+                 "separated by commas; > 0 is metal on the flank [um]");
+    declare_file_name(prm,
+                      "pitch table",
+                      pitch_table,
+                      "Table with the columns \"tooth\" and \"single pitch deviation [um]\" or "
+                      "\"cumulative pitch deviation [um]\"");
+    declare_quantity(prm,
+                     "pitch amplitude",
+                     pitch_amplitude,
+                     "um",
+                     "Of cumulative pitch deviations that are a cosine over the teeth");
+    declare_integer(prm, "pitch order", pitch_order, "Periods of the cosine in a revolution", 1);
+    declare_quantity(prm, "pitch phase", pitch_phase, "deg", "Of the cosine at tooth 0, lagging");
+    declare_file_name(prm,
+                      "topography",
+                      topography,
+                      "Grid of deviations normal to the flank, > 0 is metal [um]: rows from tip to "
+                      "root, columns from toe to heel");
+    declare_names(prm,
+                  "topography teeth",
+                  topography_teeth,
+                  "Numbers of the teeth that have the grid; empty: all");
+    margins.declare(prm);
+    const auto term = [&](const char *name, double &value, const char *meaning) {
+      declare_quantity(prm, name, value, "um", meaning);
+    };
+    term("pressure angle",
+         terms.pressure_angle,
+         "Slope over the height of the flank: metal of the tip over that of the root");
+    term("spiral angle",
+         terms.spiral_angle,
+         "Slope over the face width: metal of the heel over that of the toe");
+    term("profile crowning",
+         terms.profile_crowning,
+         "Parabolic relief of tip and root against the middle of the flank");
+    term("lengthwise crowning",
+         terms.lengthwise_crowning,
+         "Parabolic relief of toe and heel against the middle of the flank");
+    term("bias", terms.bias, "Slope over the face width at the tip less that at the root");
+  }
+
+  std::vector<double> FlankErrorOptions::read_pitch(const std::string &section,
+                                                    const unsigned int teeth) const
+  {
+    const std::string list_entry  = section + "/single pitch deviations",
+                      table_entry = section + "/pitch table";
+    if (!pitch_list.empty() && !pitch_table.empty())
+      throw InputError(table_entry, "single pitch deviations are given as well; only one can be");
+    std::vector<double> deviations; // [um]
+    if (!pitch_list.empty())
+      deviations = read_entry(list_entry, [&]() {
+        const std::vector<double> single = parse_list(pitch_list);
+        if (single.size() != teeth)
+          refuse_number(single.size(), teeth);
+        return accumulate(single);
+      });
+    if (!pitch_table.empty())
+      deviations = read_entry(table_entry, [&]() { return read_pitch_table(pitch_table, teeth); });
+    for (double &deviation : deviations)
+      deviation *= micrometre;
+    if (pitch_amplitude != 0.)
+      {
+        deviations.resize(teeth, 0.);
+        for (unsigned int k = 0; k < teeth; ++k)
+          deviations[k] +=
+            pitch_amplitude * std::cos(2. * pi * pitch_order * k / teeth - pitch_phase);
+      }
+    return deviations;
+  }
+
+  Eigen::MatrixXd FlankErrorOptions::read_topography(const std::string &section) const
+  {
+    if (topography.empty())
+      return {};
+    // protocols have the tip above
+    return read_entry(section + "/topography", [&]() -> Eigen::MatrixXd {
+      return micrometre * read_parameter_grid(topography, "deviation").colwise().reverse();
+    });
+  }
+
+  std::vector<bool> FlankErrorOptions::read_teeth(const std::string &section,
+                                                  const unsigned int teeth) const
+  {
+    std::vector<bool> chosen(teeth, topography_teeth.empty());
+    for (const std::string &name : topography_teeth)
+      read_entry(section + "/topography teeth", [&]() {
+        std::string  rest;
+        const double number = read_number(name, rest);
+        if (!rest.empty() || number < 0. || number >= teeth || number != std::floor(number))
+          throw InputError("there is no tooth " + name + "; teeth are 0 to " +
+                           std::to_string(teeth - 1));
+        chosen[static_cast<unsigned int>(number)] = true;
+      });
+    if (topography.empty() && !topography_teeth.empty())
+      throw InputError(section + "/topography teeth",
+                       "teeth are named, but there is no topography");
+    return chosen;
+  }
+
+  void MemberErrorOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_quantity(prm,
+                     "eccentricity",
+                     eccentricity,
+                     "um",
+                     "Distance of the toothing's axis from the axis of rotation: half the runout",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "eccentricity direction",
+                     eccentricity_direction,
+                     "deg",
+                     "In which the toothing is displaced, from tooth 0 about + the body's axis");
+    declare_quantity(prm,
+                     "wobble",
+                     wobble,
+                     "um",
+                     "Largest axial displacement of the mean pitch circle by the tilt of the "
+                     "toothing's axis: half the axial runout",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "wobble direction",
+                     wobble_direction,
+                     "deg",
+                     "Where the pitch circle is displaced away from the apex, from tooth 0 about + "
+                     "the body's axis");
+    declare_section(prm, "Concave flank", concave);
+    declare_section(prm, "Convex flank", convex);
+  }
+
+  void MemberErrorOptions::check(const std::string &section, const unsigned int teeth) const
+  {
+    std::vector<InputError>     errors;
+    const std::function<void()> checks[] = {
+      [&]() { concave.read_pitch(section + "/Concave flank", teeth); },
+      [&]() { concave.read_topography(section + "/Concave flank"); },
+      [&]() { concave.read_teeth(section + "/Concave flank", teeth); },
+      [&]() { convex.read_pitch(section + "/Convex flank", teeth); },
+      [&]() { convex.read_topography(section + "/Convex flank"); },
+      [&]() { convex.read_teeth(section + "/Convex flank", teeth); }};
+    for (const auto &check : checks)
+      try
+        {
+          check();
+        }
+      catch (const InputError &error)
+        {
+          errors.push_back(error);
+        }
+    if (!errors.empty())
+      throw InputErrors(errors);
+  }
+} // namespace vfife

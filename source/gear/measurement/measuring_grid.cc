@@ -1,0 +1,108 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameter_grid.h>
+#include <vfife/base/parameters/parameter_table.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/gear/measurement/measuring_grid.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double micrometre = 1e-3; // [mm]
+
+    /** Whether the file is a table with positions. */
+    bool has_positions(const Table &table)
+    {
+      return std::any_of(table.columns().begin(),
+                         table.columns().end(),
+                         [](const Table::Column &column) { return column.name == "x"; });
+    }
+  } // namespace
+
+  void MeasuringGrid::declare(dealii::ParameterHandler &prm)
+  {
+    declare_integer(prm, "rows", rows, "Points from tip to root", 2, 1000);
+    declare_integer(prm, "columns", columns, "Points from toe to heel", 2, 1000);
+    margins.declare(prm);
+  }
+
+  std::vector<Vector2> MeasuringGrid::places(const GearGeometry &gear, const FlankSide side) const
+  {
+    const FlankArea      area(gear, side, margins);
+    std::vector<Vector2> places;
+    for (unsigned int row = 0; row < rows; ++row)
+      for (unsigned int column = 0; column < columns; ++column)
+        places.push_back(area.point_at({column / (columns - 1.), 1. - row / (rows - 1.)}));
+    return places;
+  }
+
+  Table compute_measuring_grid(const GearGeometry  &gear,
+                               const FlankSide      side,
+                               const unsigned int   tooth,
+                               const MeasuringGrid &grid)
+  {
+    Table table;
+    table.add_column("row", "-");
+    table.add_column("column", "-");
+    for (const char *name : {"L", "h", "x", "y", "z"})
+      table.add_column(name, "mm");
+    for (const char *name : {"normal x", "normal y", "normal z"})
+      table.add_column(name, "-");
+    table.add_column("deviation", "um");
+    const std::vector<Vector2> places = grid.places(gear, side);
+    for (unsigned int i = 0; i < places.size(); ++i)
+      {
+        const SurfacePoint point     = gear.flank_point(side, places[i][0], places[i][1]);
+        const double       deviation = gear.deviation(side, tooth, point);
+        const Vector3      normal = -point.normal, position = point.position + deviation * normal;
+        table.add_row({i / grid.columns + 1,
+                       i % grid.columns + 1,
+                       places[i][0],
+                       places[i][1],
+                       position[0],
+                       position[1],
+                       position[2],
+                       normal[0],
+                       normal[1],
+                       normal[2],
+                       deviation / micrometre});
+      }
+    return table;
+  }
+
+  std::vector<Vector3> read_measured_points(const std::string   &path,
+                                            const GearGeometry  &gear,
+                                            const FlankSide      side,
+                                            const MeasuringGrid &grid)
+  {
+    std::vector<Vector3> points;
+    // 1. Positions, wherever they were taken. What is no table has numbers alone.
+    if (has_headings(path))
+      {
+        const Table table = read_parameter_table(path);
+        if (has_positions(table))
+          {
+            const auto &x = find_column(table, path, "x"), &y = find_column(table, path, "y"),
+                       &z = find_column(table, path, "z");
+            for (std::size_t i = 0; i < x.size(); ++i)
+              points.emplace_back(x[i], y[i], z[i]);
+            return points;
+          }
+      }
+    // 2. Deviations from the flank as it is designed.
+    const Eigen::MatrixXd deviations  = read_parameter_grid(path, "deviation");
+    MeasuringGrid         own         = grid;
+    own.rows                          = deviations.rows();
+    own.columns                       = deviations.cols();
+    const std::vector<Vector2> places = own.places(gear, side);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        const SurfacePoint point = gear.flank_point(side, places[i][0], places[i][1]);
+        points.push_back(point.position -
+                         micrometre * deviations(i / own.columns, i % own.columns) * point.normal);
+      }
+    return points;
+  }
+} // namespace vfife

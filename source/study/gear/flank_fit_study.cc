@@ -1,0 +1,256 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/quantity.h>
+#include <vfife/gear/measurement/settings_fit.h>
+#include <vfife/gear/spiral_bevel/gear_pair.h>
+#include <vfife/output/files/figures.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
+#include <vfife/study/gear/flank_fit_study.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double micrometre = 1e-3; // [mm]
+
+    /** A dimensionless setting is stored as it is written, whatever its unit is called. */
+    double shown(const FittedSetting &setting, const double value)
+    {
+      return setting.unit == "mm" || setting.unit == "deg" ? in_unit(value, setting.unit) : value;
+    }
+
+    double root_mean_square(const std::vector<double> &values)
+    {
+      double sum = 0.;
+      for (const double value : values)
+        sum += value * value;
+      return std::sqrt(sum / values.size());
+    }
+
+    double largest(const std::vector<double> &values)
+    {
+      double most = 0.;
+      for (const double value : values)
+        most = std::max(most, std::abs(value));
+      return most;
+    }
+
+    const char *name_of(const FlankSide side)
+    {
+      return side == FlankSide::concave ? "concave" : "convex";
+    }
+
+    class FlankFitStudy : public StudyKind
+    {
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &) override
+      {
+        declare_section(prm, "Gear pair", pair_);
+        declare_section(prm, "Flank fit", options_);
+      }
+
+      void check() const override
+      {
+        pair_.check("Gear pair");
+      }
+
+      void inspect(Communicator &, Log &log) override
+      {
+        const GearPair pair(pair_);
+        if (!options_.measured.empty())
+          {
+            log.line(read_points(pair).size(), " measured points");
+            make_fit(pair);
+          }
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      const GearMember &member(const GearPair &pair) const
+      {
+        return options_.member == DrivingMember::pinion ? pair.pinion() : pair.gear();
+      }
+
+      std::vector<Vector3> read_points(const GearPair &pair) const;
+      SettingsFit          make_fit(const GearPair &pair) const;
+      Json report(const MachineSettings &given, const SettingsFitResult &found, Log &log) const;
+      /** fitted_pair.prm: the pair with the settings that were found. */
+      void
+      write_pair(const GearPair &pair, const SettingsFitResult &found, const OutputFolder &) const;
+
+      GearPairOptions pair_;
+      FlankFitOptions options_;
+    };
+  } // namespace
+
+  void FlankFitOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_choice(prm,
+                   "member",
+                   member,
+                   Choices<DrivingMember>{{"pinion", DrivingMember::pinion},
+                                          {"gear", DrivingMember::gear}},
+                   "Whose flank is measured");
+    declare_choice(prm,
+                   "flank",
+                   side,
+                   Choices<FlankSide>{{"concave", FlankSide::concave},
+                                      {"convex", FlankSide::convex}},
+                   "Which of its flanks");
+    declare_file_name(
+      prm,
+      "measured flank",
+      measured,
+      "Points (columns x, y, z [mm], in the member's frame on tooth 0) or a grid of "
+      "deviations from the flank as designed [um]; empty: grids alone are written");
+    declare_names(prm, "settings", settings, "Machine settings that are found, by their entries");
+    declare_switch(prm,
+                   "free turn",
+                   free_turn,
+                   "Whether the flank's place about the axis is found");
+    declare_number(prm,
+                   "threshold",
+                   threshold,
+                   "Combinations of settings that change the flank by less than this part of the "
+                   "one that changes it most stay as they are",
+                   Range::between(0., 0.5));
+    declare_section(prm, "Grid", grid);
+  }
+
+  std::vector<Vector3> FlankFitStudy::read_points(const GearPair &pair) const
+  {
+    try
+      {
+        return read_measured_points(options_.measured, member(pair), options_.side, options_.grid);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("Flank fit/measured flank", error.what());
+      }
+  }
+
+  SettingsFit FlankFitStudy::make_fit(const GearPair &pair) const
+  {
+    const std::vector<Vector3> points = read_points(pair);
+    try
+      {
+        return SettingsFit(member(pair),
+                           options_.side,
+                           options_.settings,
+                           options_.free_turn,
+                           options_.threshold,
+                           points);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("Flank fit/settings", error.what());
+      }
+  }
+
+  Json FlankFitStudy::report(const MachineSettings   &given,
+                             const SettingsFitResult &found,
+                             Log                     &log) const
+  {
+    const double before = root_mean_square(found.before) / micrometre,
+                 after  = root_mean_square(found.after) / micrometre;
+    log.line(found.before.size(),
+             " points, ",
+             found.iterations,
+             " steps, ",
+             found.directions,
+             " independent changes");
+    log.line("deviation             ",
+             before,
+             " um before, ",
+             after,
+             " um after (root mean square); largest ",
+             largest(found.after) / micrometre,
+             " um");
+    Json json      = figures_json({{"points", {double(found.before.size()), "-"}},
+                                   {"independent changes", {double(found.directions), "-"}},
+                                   {"root mean square before", {before, "um"}},
+                                   {"root mean square after", {after, "um"}},
+                                   {"largest before", {largest(found.before) / micrometre, "um"}},
+                                   {"largest after", {largest(found.after) / micrometre, "um"}},
+                                   {"turn about the axis", {found.turn / arcsecond, "arcsec"}}});
+    json["member"] = vfife::name_of(options_.member);
+    json["flank"]  = name_of(options_.side);
+    for (const FittedSetting &setting : fitted_settings())
+      {
+        const double is  = shown(setting, found.settings.*setting.value),
+                     was = shown(setting, given.*setting.value);
+        const bool free =
+          std::count(options_.settings.begin(), options_.settings.end(), setting.name);
+        if (!free)
+          continue;
+        log.line("  ", setting.name, " ", was, " -> ", is, " ", setting.unit);
+        json["settings"][setting.name] = figures_json({{"given", {was, setting.unit}},
+                                                       {"found", {is, setting.unit}},
+                                                       {"change", {is - was, setting.unit}}});
+      }
+    return json;
+  }
+
+  void FlankFitStudy::write_pair(const GearPair          &pair,
+                                 const SettingsFitResult &found,
+                                 const OutputFolder      &folder) const
+  {
+    GearPairOptions    options = pair.options();
+    GearMemberOptions &own =
+      options_.member == DrivingMember::pinion ? options.pinion : options.gear;
+    own.settings(options_.side) = found.settings;
+    // each flank has all of its own now, and nothing is to be proposed
+    own.both         = GearMemberOptions().both;
+    own.point_width  = 0.;
+    options.proposal = PairProposal();
+    dealii::ParameterHandler prm;
+    declare_section(prm, "Gear pair", options);
+    const AbsoluteFileNames absolute(prm);
+    folder.write_file("fitted_pair.prm", [&](std::ostream &out) { print_parameters(out, prm); });
+  }
+
+  void FlankFitStudy::run(OutputFolder &folder, Log &log)
+  {
+    const GearPair pair(pair_);
+    if (folder.is_writer())
+      for (const GearMember *each : {&pair.pinion(), &pair.gear()})
+        for (const FlankSide side : {FlankSide::concave, FlankSide::convex})
+          write_csv(folder,
+                    "grid_" + each->name() + "_" + name_of(side) + ".csv",
+                    compute_measuring_grid(*each, side, 0, options_.grid));
+    Json json = Json::object();
+    if (!options_.measured.empty())
+      {
+        const SettingsFitResult found = make_fit(pair).solve();
+        json = report(member(pair).generated_flank(options_.side).settings(), found, log);
+        if (folder.is_writer())
+          {
+            write_csv(folder, "flank_fit.csv", fit_table(found));
+            write_pair(pair, found, folder);
+          }
+      }
+    // last: it says that the study has come to its end
+    if (folder.is_writer())
+      write_json(folder, "flank_fit.json", json);
+  }
+
+  std::unique_ptr<StudyKind> make_flank_fit_study()
+  {
+    return std::make_unique<FlankFitStudy>();
+  }
+} // namespace vfife
