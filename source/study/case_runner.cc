@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
@@ -8,6 +9,7 @@
 #include <vfife/base/text/number_text.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/study/case_runner.h>
+#include <vfife/study/continuation.h>
 
 #include <filesystem>
 #include <ostream>
@@ -77,12 +79,19 @@ namespace vfife
       try
         {
           // Results have all entries in force beside them: read as a file they are compared with
-          // those of now, defaults included.
+          // those of now, defaults included. Entries that are not there were not known then.
           CommandLine before;
           before.parameter_file = line.output_folder + "/parameters.prm";
           const CaseFile now    = read(line);
-          finished =
-            has_results(line.output_folder, now.last_file) && read(before).entries == now.entries;
+          if (has_results(line.output_folder, now.last_file))
+            {
+              const ParameterFile stated(before.parameter_file);
+              auto                entries = read(before).entries;
+              for (auto &[entry, value] : entries)
+                if (!stated.contains(entry))
+                  value = way_before(entry, value);
+              finished = entries == now.entries;
+            }
         }
       catch (const InputError &)
         {

@@ -32,19 +32,6 @@ namespace vfife
       std::string                at_that_time; ///< with which a run goes on that did not know it
     };
 
-    /** What a run did that did not know the entry @p path: its default now, or the former way. */
-    std::string way_before(const std::string &path, const std::string &default_now)
-    {
-      for (const FormerWay &way : former_ways)
-        {
-          const std::string behind = std::string("/") + way.entry, whole = "/" + path;
-          if (whole.size() >= behind.size() &&
-              whole.compare(whole.size() - behind.size(), behind.size(), behind) == 0)
-            return way.text;
-        }
-      return default_now;
-    }
-
     std::map<std::string, BothTexts> put_together(const Checkpoint      &checkpoint,
                                                   const DeclaredSection &now)
     {
@@ -115,6 +102,18 @@ namespace vfife
                                      list_of(gone));
     }
   } // namespace
+
+  std::string way_before(const std::string &path, const std::string &default_now)
+  {
+    for (const FormerWay &way : former_ways)
+      {
+        const std::string behind = std::string("/") + way.entry, whole = "/" + path;
+        if (whole.size() >= behind.size() &&
+            whole.compare(whole.size() - behind.size(), behind.size(), behind) == 0)
+          return way.text;
+      }
+    return default_now;
+  }
 
   Checkpoint find_checkpoint(const std::string              &folder,
                              const DeclaredSection          &now,

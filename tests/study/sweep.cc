@@ -7,6 +7,7 @@
 #include <vfife/output/files/table_reader.h>
 
 #include <filesystem>
+#include <sstream>
 
 namespace
 {
@@ -145,6 +146,19 @@ int main()
         log.find("run_01 finished: was finished before") != std::string::npos &&
           log.find("run_02 finished\n") != std::string::npos &&
           log.find("run_03 finished: went on from a checkpoint") != std::string::npos);
+
+  // Results of a version that did not know the bound of the assembly, which is the default now, are
+  // those of another bound.
+  const std::string  parameters = read_text("all/run_01/parameters.prm");
+  std::istringstream lines(parameters);
+  std::ofstream      older("all/run_01/parameters.prm");
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("set step bound") == std::string::npos)
+      older << line << "\n";
+  older.close();
+  check("of another version: goes on", sweep("all", {"--restart"}).exit_code == 2);
+  check("of another version: done again", fs::last_write_time("all/run_01/summary.json") != time);
+  check("of another version: the same digits", history("all/run_01") == first);
 
   check("two at a time",
         run_program({"mpirun",

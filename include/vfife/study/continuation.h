@@ -12,6 +12,10 @@ namespace vfife
   struct Checkpoint;
   struct DeclaredSection;
 
+  /** What a run did that did not know the entry @p path: @p default_now, or what all did before
+   * there was an entry whose default is another one. */
+  std::string way_before(const std::string &path, const std::string &default_now);
+
   /**
    * The last usable checkpoint in @p folder, of a run with the parameters @p now but for
    * @p changeable ones. An entry that either has alone, since the run was begun by another version
