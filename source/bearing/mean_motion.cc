@@ -20,13 +20,6 @@ namespace vfife
       rates      = 15,
       n_sums     = 24
     };
-
-    Matrix3 cross_matrix(const Vector3 &a)
-    {
-      Matrix3 m;
-      m << 0., -a[2], a[1], a[2], 0., -a[0], -a[1], a[0], 0.;
-      return m;
-    }
   } // namespace
 
   MeanMotion::MeanMotion(std::vector<double>         shares,
@@ -91,19 +84,15 @@ namespace vfife
       throw NumericalError(owner_ +
                            ": its nodes have come to lie on a line, where a moment finds no arm");
     motion.inverse_inertia = factors.inverse();
-    set_rates(sums, motion);
-    return motion;
-  }
 
-  void MeanMotion::set_rates(const std::vector<double> &sums, Motion &motion) const
-  {
-    // J w = sum A (R r) x v: the axial vector of sum A v (R r)^T less its transpose.
+    // 3. J w = sum A (R r) x v: the axial vector of sum A v (R r)^T less its transpose.
     const Matrix3 rate =
       Eigen::Map<const Matrix3>(sums.data() + rates) * motion.rotation.transpose();
     motion.velocity = Eigen::Map<const Vector3>(sums.data() + velocities);
     motion.spin =
       motion.inverse_inertia *
       Vector3(rate(2, 1) - rate(1, 2), rate(0, 2) - rate(2, 0), rate(1, 0) - rate(0, 1));
+    return motion;
   }
 
   MeanMotion::Motion MeanMotion::at_rest() const
@@ -118,8 +107,10 @@ namespace vfife
                                                      const Motion     &at_rest) const
   {
     Eigen::Matrix<double, 6, 3> derivative;
-    derivative.topRows<3>()    = shares_[i] * Matrix3::Identity();
-    derivative.bottomRows<3>() = shares_[i] * at_rest.inverse_inertia * cross_matrix(arms_[i]);
+    derivative.topRows<3>() = shares_[i] * Matrix3::Identity();
+    for (unsigned int d = 0; d < 3; ++d)
+      derivative.col(d).tail<3>() =
+        shares_[i] * at_rest.inverse_inertia * arms_[i].cross(Vector3::Unit(d));
     return derivative;
   }
 } // namespace vfife

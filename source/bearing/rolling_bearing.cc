@@ -41,13 +41,20 @@ namespace vfife
     }
 
     /** Rows of radial and axial way of a point of the inner ring at radius @p r, height @p z and
-     * angle @p psi: d + tilt x P. */
-    Eigen::Matrix<double, 2, 5> way_of(const double r, const double z, const double psi)
+     * the angle with that cosine and sine: d + tilt x P. */
+    Eigen::Matrix<double, 2, 5> way_of(const double r, const double z, const Vector2 &angle)
     {
-      const double                c = std::cos(psi), s = std::sin(psi);
+      const double                c = angle[0], s = angle[1];
       Eigen::Matrix<double, 2, 5> way;
       way << c, s, 0., -z * s, z * c, 0., 0., 1., r * s, -r * c;
       return way;
+    }
+
+    /** Cosine and sine of the angle of element @p j. */
+    Vector2 angle_of(const RollingBearingData &data, const unsigned int j)
+    {
+      const double psi = data.cage_angle + 2. * pi * j / data.n;
+      return {std::cos(psi), std::sin(psi)};
     }
   } // namespace
 
@@ -65,7 +72,7 @@ namespace vfife
       throw InputError("number of elements", "so many do not fit on the pitch circle");
     if (balls && !(data.inner_conformity > .5 && data.outer_conformity > .5))
       throw InputError(
-        "conformity",
+        data.inner_conformity > .5 ? "outer conformity" : "inner conformity",
         "a groove's radius is larger than that of the ball: above 0.5, usually 0.515 "
         "to 0.53");
     if (!balls && !(data.length > 0))
@@ -94,9 +101,8 @@ namespace vfife
     BearingResponse response;
     for (unsigned int j = 0; j < data_.n; ++j)
       {
-        const double                      psi = data_.cage_angle + 2. * pi * j / data_.n;
         const Eigen::Matrix<double, 2, 5> way =
-          way_of(.5 * data_.pitch_diameter + to_groove * c, to_groove * s, psi);
+          way_of(.5 * data_.pitch_diameter + to_groove * c, to_groove * s, angle_of(data_, j));
         const Vector2 line   = Vector2(A0 * c - .5 * data_.clearance, A0 * s) + way * q;
         const double  length = line.norm(), depth = length - A0;
         const double  force = depth > 0 ? constant_ * std::pow(depth, 1.5) : 0.;
@@ -125,13 +131,13 @@ namespace vfife
     BearingResponse response;
     for (unsigned int j = 0; j < data_.n; ++j)
       {
-        const double psi = data_.cage_angle + 2. * pi * j / data_.n;
-        double       sum = 0;
+        const Vector2 angle = angle_of(data_, j);
+        double        sum   = 0;
         for (unsigned int k = 0; k < n_slices; ++k)
           {
             const double  t = data_.length * ((k + .5) / n_slices - .5);
             const Vector5 slope =
-              way_of(.5 * data_.pitch_diameter - s * t, c * t, psi).transpose() * Vector2(c, s);
+              way_of(.5 * data_.pitch_diameter - s * t, c * t, angle).transpose() * Vector2(c, s);
             const double depth = slope.dot(q) - .5 * data_.clearance * c;
             if (!(depth > 0))
               continue;
@@ -184,7 +190,7 @@ namespace vfife
         const Eigen::Matrix<double, 2, 5> way =
           way_of(.5 * (data_.pitch_diameter + data_.length + data_.diameter),
                  .5 * (data_.length + data_.diameter),
-                 data_.cage_angle + 2. * pi * j / data_.n);
+                 angle_of(data_, j));
         bound += slope * way.transpose() * way;
       }
     return bound;

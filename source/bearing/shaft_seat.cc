@@ -5,6 +5,16 @@
 
 namespace vfife
 {
+  Matrix3 axes_along(const Vector3 &z, const Vector3 &x)
+  {
+    const Vector3 across = x - x.dot(z) * z;
+    Matrix3       axes;
+    axes.col(0) = across.norm() > 0 ? Vector3(across.normalized()) : z.unitOrthogonal();
+    axes.col(1) = z.cross(axes.col(0));
+    axes.col(2) = z;
+    return axes;
+  }
+
   Vector5 ShaftSeat::displacement(const MeanMotion::Motion &motion) const
   {
     Vector5 q;

@@ -52,9 +52,6 @@ namespace vfife
      * has shrunk to a line. */
     Motion solve(const std::vector<double> &sums) const;
 
-    /** Velocity and spin of nodes with the velocities in @p sums, at the places of @p motion. */
-    void set_rates(const std::vector<double> &sums, Motion &motion) const;
-
     /** Of the undeformed places. */
     Motion at_rest() const;
 

@@ -63,13 +63,6 @@ namespace vfife
     Vector3 displacement_under(const Vector3 &force) const;
 
   private:
-    struct Contact
-    {
-      double  depth; ///< [mm]
-      double  force; ///< [N]
-      Vector5 slope; ///< of the depth
-    };
-
     BearingResponse of_balls(const Vector5 &displacement, std::vector<double> *forces) const;
     BearingResponse of_rollers(const Vector5 &displacement, std::vector<double> *forces) const;
     BearingResponse respond(const Vector5 &displacement, std::vector<double> *forces) const;

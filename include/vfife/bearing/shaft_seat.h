@@ -13,6 +13,10 @@ namespace vfife
     Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
   };
 
+  /** Columns x, y, z of axes with the unit vector @p z; x is the direction @p x made square to it,
+   * any one where it has no length across z. */
+  Matrix3 axes_along(const Vector3 &z, const Vector3 &x = Vector3::Zero());
+
   /**
    * The seat of a bearing or coupling on a shaft: a ring of nodes whose mean motion is read in axes
    * at rest, x and y across the undeformed axis z. With a' = R z the tilt is z x a', and the twist
@@ -27,11 +31,6 @@ namespace vfife
     explicit ShaftSeat(const Matrix3 &axes)
       : axes_(axes)
     {
-    }
-
-    const Matrix3 &axes() const
-    {
-      return axes_;
     }
 
     /** x, y, z [mm] of the centre, tilt about x, y [rad]. */

@@ -37,19 +37,10 @@ namespace vfife
     {
       if (cell.empty())
         throw InputError(name + ": the number at " + place + " is missing");
-      std::string rest   = "?";
-      double      number = 0.;
-      try
-        {
-          number = read_number(cell, rest);
-        }
-      catch (const InputError &)
-        {
-          rest = "?";
-        }
-      if (!rest.empty())
+      const std::optional<double> number = plain_number(cell);
+      if (!number)
         throw InputError(name + ": \"" + shown(cell) + "\" at " + place + " is no number");
-      return number;
+      return *number;
     }
 
     void check_size(const std::size_t rows, const std::size_t columns, const std::string &name)

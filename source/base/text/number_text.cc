@@ -47,4 +47,18 @@ namespace vfife
     rest = trimmed(std::string(result.ptr, end));
     return value;
   }
+
+  std::optional<double> plain_number(const std::string &text)
+  {
+    try
+      {
+        std::string  rest;
+        const double number = read_number(text, rest);
+        return rest.empty() ? std::optional<double>(number) : std::nullopt;
+      }
+    catch (const InputError &)
+      {
+        return std::nullopt;
+      }
+  }
 } // namespace vfife

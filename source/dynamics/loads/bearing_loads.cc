@@ -26,113 +26,93 @@ namespace vfife
       return Eigen::SelfAdjointEigenSolver<Matrix6>(root * K * root).eigenvalues().maxCoeff();
     }
 
-    /** Axes with the z of a body's axis of rotation. */
-    Matrix3 axes_along(const Vector3 &z)
+    /** Undeformed, fixed frame. */
+    std::vector<Vector3> places_of(const Body &body, const std::vector<unsigned int> &nodes)
     {
-      Matrix3 axes;
-      axes.col(0) = z.unitOrthogonal();
-      axes.col(1) = z.cross(axes.col(0));
-      axes.col(2) = z;
-      return axes;
+      std::vector<Vector3> places;
+      for (const unsigned int node : nodes)
+        places.push_back(body.placement(body.node_positions()[node]));
+      return places;
     }
 
-    /** Stiffness, or damping, of a seat in the fixed frame's axes. */
-    Matrix6 stiffness_of(const Bearing *bearing, const Coupling *coupling, const ShaftSeat &seat)
-    {
-      return bearing != nullptr
-               ? seat.in_space(bearing->law->stiffness_bound(), 0.)
-               : seat.in_space(Matrix5::Zero(), coupling->stiffness);
-    }
-    Matrix6 damping_of(const Bearing *bearing, const Coupling *coupling, const ShaftSeat &seat)
-    {
-      return bearing != nullptr ? seat.in_space(bearing->law->damping(), 0.)
-                                : seat.in_space(Matrix5::Zero(), coupling->damping);
-    }
   } // namespace
 
   BearingLoads::BearingLoads(const Model        &model,
                              const Partition    &partition,
                              const Communicator &communicator)
-    : model_(model)
-    , communicator_(communicator)
+    : communicator_(communicator)
   {
     for (const Bearing &bearing : model.bearings)
       {
-        seats_.push_back(make_seat(partition,
-                                   bearing.body,
-                                   bearing.nodes,
-                                   bearing.axes,
-                                   "bearing \"" + bearing.name + "\""));
+        seats_.emplace_back(partition,
+                            model.bodies[bearing.body],
+                            bearing.nodes,
+                            bearing.axes,
+                            "bearing \"" + bearing.name + "\"");
         seats_.back().bearing = &bearing;
       }
     for (const Coupling &coupling : model.couplings)
       {
-        seats_.push_back(make_seat(partition,
-                                   coupling.body,
-                                   coupling.nodes,
-                                   axes_along(model.bodies[coupling.body].axis.direction),
-                                   "coupling \"" + coupling.name + "\""));
+        const Body &body = model.bodies[coupling.body];
+        seats_.emplace_back(partition,
+                            body,
+                            coupling.nodes,
+                            axes_along(body.axis.direction),
+                            "coupling \"" + coupling.name + "\"");
         seats_.back().coupling = &coupling;
       }
-    // Springs on different nodes do not add up; those that share nodes do at most.
     for (Seat &seat : seats_)
+      find_limits(seat);
+    // Springs on different nodes do not add up; those that share nodes do at most.
+    for (const Seat &seat : seats_)
       {
-        find_limits(seat);
-        double     frequency2 = 0, decay = 0;
-        const auto shares_nodes = [&seat](const Seat &other) {
-          const std::set<unsigned int> nodes(seat.all_nodes.begin(), seat.all_nodes.end());
-          return other.body == seat.body &&
-                 std::any_of(other.all_nodes.begin(),
-                             other.all_nodes.end(),
-                             [&nodes](const unsigned int node) { return nodes.count(node) != 0; });
-        };
+        const std::set<unsigned int> nodes(seat.all_nodes.begin(), seat.all_nodes.end());
+        double                       frequency2 = 0, decay = 0;
         for (const Seat &other : seats_)
-          if (shares_nodes(other))
+          if (other.body == seat.body &&
+              std::any_of(other.all_nodes.begin(),
+                          other.all_nodes.end(),
+                          [&nodes](const unsigned int node) { return nodes.count(node) != 0; }))
             {
               frequency2 += other.frequency2;
               decay += other.decay;
             }
-        frequency2_  = std::max(frequency2_, frequency2);
-        decay_       = std::max(decay_, decay);
-        has_damping_ = has_damping_ || seat.decay > 0;
+        frequency2_ = std::max(frequency2_, frequency2);
+        decay_      = std::max(decay_, decay);
       }
   }
 
-  BearingLoads::Seat BearingLoads::make_seat(const Partition                 &partition,
-                                             const unsigned int               b,
-                                             const std::vector<unsigned int> &nodes,
-                                             const Matrix3                   &axes,
-                                             const std::string               &owner) const
+  BearingLoads::Seat::Seat(const Partition                 &partition,
+                           const Body                      &of_body,
+                           const std::vector<unsigned int> &of_nodes,
+                           const Matrix3                   &axes,
+                           const std::string               &owner)
+    : body(&of_body)
+    , seat(axes)
+    , set(compute_area_shares(of_body, of_nodes), places_of(of_body, of_nodes), owner)
+    , all_nodes(of_nodes)
   {
-    const Body          &body = model_.bodies[b];
-    std::vector<Vector3> places;
-    for (const unsigned int node : nodes)
-      places.push_back(body.placement(body.node_positions()[node]));
-    Seat seat{nullptr,
-              nullptr,
-              &body,
-              ShaftSeat(axes),
-              MeanMotion(compute_area_shares(body, nodes), places, owner),
-              nodes,
-              {},
-              0.,
-              0.,
-              {},
-              {},
-              {},
-              0.,
-              0.,
-              0.};
-    for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t i = 0; i < of_nodes.size(); ++i)
       {
-        const std::uint32_t local = partition.local_node[body.first_node + nodes[i]];
+        const std::uint32_t local = partition.local_node[body->first_node + of_nodes[i]];
         if (local != Partition::absent)
-          seat.nodes.push_back({local, static_cast<std::uint32_t>(i), partition.owned[local] != 0});
+          nodes.push_back({local, static_cast<std::uint32_t>(i), partition.owned[local] != 0});
       }
-    return seat;
   }
 
-  void BearingLoads::find_limits(Seat &seat) const
+  Eigen::Matrix<double, 6, 6> BearingLoads::Seat::stiffness_bound() const
+  {
+    return bearing != nullptr ? seat.in_space(bearing->law->stiffness_bound(), 0.)
+                              : seat.in_space(Matrix5::Zero(), coupling->stiffness);
+  }
+
+  Eigen::Matrix<double, 6, 6> BearingLoads::Seat::damping_matrix() const
+  {
+    return bearing != nullptr ? seat.in_space(bearing->law->damping(), 0.)
+                              : seat.in_space(Matrix5::Zero(), coupling->damping);
+  }
+
+  void BearingLoads::find_limits(Seat &seat)
   {
     // Forces -B_i^T K sum B_j u_j on the masses m_i: the squares of frequencies other than zero are
     // the eigenvalues of K G, G = sum B_i B_i^T/m_i. The ring turns, and G with it, so each spring
@@ -144,8 +124,8 @@ namespace vfife
         const Eigen::Matrix<double, 6, 3> B = seat.set.derivative(i, at_rest);
         G += B * B.transpose() / seat.body->node_masses()[seat.all_nodes[i]];
       }
-    seat.frequency2 = largest_eigenvalue(stiffness_of(seat.bearing, seat.coupling, seat.seat), G);
-    seat.decay      = largest_eigenvalue(damping_of(seat.bearing, seat.coupling, seat.seat), G);
+    seat.frequency2 = largest_eigenvalue(seat.stiffness_bound(), G);
+    seat.decay      = largest_eigenvalue(seat.damping_matrix(), G);
   }
 
   double BearingLoads::vote_on_step(const double step) const
@@ -165,8 +145,7 @@ namespace vfife
         Eigen::Matrix<double, 6, 1> sum     = Eigen::Matrix<double, 6, 1>::Zero();
         for (std::size_t i = 0; i < seat.set.size(); ++i)
           sum += seat.set.derivative(i, at_rest).cwiseAbs().rowwise().sum();
-        const Eigen::Matrix<double, 6, 1> pull =
-          stiffness_of(seat.bearing, seat.coupling, seat.seat).cwiseAbs() * sum;
+        const Eigen::Matrix<double, 6, 1> pull = seat.stiffness_bound().cwiseAbs() * sum;
         for (const Node &node : seat.nodes)
           masses[node.local] +=
             (seat.set.derivative(node.of_set, at_rest).cwiseAbs().transpose() * pull).maxCoeff() /
@@ -264,29 +243,33 @@ namespace vfife
     return energy;
   }
 
-  BearingLoads::Powers BearingLoads::half_powers(const NodeField &velocities) const
+  double BearingLoads::drive_power() const
   {
-    Powers powers;
+    double power = 0;
     for (const Seat &seat : seats_)
-      if (seat.coupling != nullptr)
-        {
-          powers.drive += .5 * seat.drive_torque * seat.body->rate;
-          powers.loss += .5 * seat.damper_torque * seat.body->rate;
-        }
-    if (!has_damping_)
-      return powers;
-    // Less what the dampers' forces do on the bodies.
-    double on_bodies = 0;
+      power += seat.drive_torque * seat.body->rate;
+    return power;
+  }
+
+  double BearingLoads::damper_drive_power() const
+  {
+    double power = 0;
     for (const Seat &seat : seats_)
-      for (const Node &node : seat.nodes)
-        if (node.owned)
-          on_bodies +=
-            .5 *
-            velocities.value(node.local)
-              .dot(
-                seat.set.force(node.of_set, seat.motion, seat.damping.force, seat.damping.moment));
-    powers.loss -= communicator_.sum(on_bodies);
-    return powers;
+      power += seat.damper_torque * seat.body->rate;
+    return power;
+  }
+
+  double BearingLoads::half_damper_power(const NodeField &velocities) const
+  {
+    double power = 0;
+    if (decay_ > 0)
+      for (const Seat &seat : seats_)
+        for (const Node &node : seat.nodes)
+          if (node.owned)
+            power += .5 * velocities.value(node.local)
+                            .dot(seat.set.force(
+                              node.of_set, seat.motion, seat.damping.force, seat.damping.moment));
+    return power;
   }
 
   void BearingLoads::add_reactions(const NodeField       &positions,

@@ -289,8 +289,8 @@ namespace vfife
 
     // All nodes by central differences, then the constrained ones to where they belong. The power
     // of loads takes the mean of the velocities before and after.
-    powers.torque = torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
-    const BearingLoads::Powers bearing_powers = bearings_.half_powers(state.velocity);
+    powers.torque       = torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
+    double damper_power = bearings_.half_damper_power(state.velocity);
     constraints_.save(state.position, state.velocity);
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
@@ -314,14 +314,15 @@ namespace vfife
                        state.velocity,
                        sums_);
     powers.torque += torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
-    {
-      const BearingLoads::Powers after = bearings_.half_powers(state.velocity);
-      powers.drive += bearing_powers.drive + after.drive;
-      powers.damping += bearing_powers.loss + after.loss;
-    }
+    damper_power += bearings_.half_damper_power(state.velocity);
 
-    // Sums and powers over all ranks.
-    powers.torque = communicator_.sum(powers.torque);
+    // Sums and powers over all ranks. What drives give through the bearings' dampers and these do
+    // not give to the bodies is lost.
+    std::vector<double> of_ranks = {powers.torque, damper_power};
+    communicator_.sum(of_ranks);
+    powers.torque  = of_ranks[0];
+    powers.drive   = bearings_.drive_power();
+    powers.damping = bearings_.damper_drive_power() - of_ranks[1];
     for (BodySums &sums : sums_)
       {
         sum_over_ranks(sums, communicator_);

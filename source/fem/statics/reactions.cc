@@ -37,17 +37,9 @@ namespace vfife
       {
         ring.add_forces(ring.preload - ring.stiffness * ring.displacement(result.displacements),
                         forces);
-        const auto place_of = [&model](const auto *one, const auto &all) {
-          return static_cast<std::size_t>(one - all.data());
-        };
-        const std::size_t place =
-          first_bearing(model) +
-          (ring.bearing != nullptr
-             ? place_of(ring.bearing, model.bearings)
-             : model.bearings.size() + place_of(ring.coupling, model.couplings));
         for (const unsigned int p : ring.points)
           {
-            reactions[place].add(discretization.points()[p], at(forces, p));
+            reactions[ring.support].add(discretization.points()[p], at(forces, p));
             Eigen::Map<Vector3>(forces.data() + 3 * std::size_t(p)).setZero();
           }
       }

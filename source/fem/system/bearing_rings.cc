@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/fem/system/bearing_rings.h>
 #include <vfife/fem/system/load_forces.h>
+#include <vfife/model/constraints/supports.h>
 
 namespace vfife
 {
@@ -53,7 +54,9 @@ namespace vfife
   std::vector<BearingRing> find_bearing_rings(const Discretization &discretization)
   {
     std::vector<BearingRing> rings;
-    const Model             &model = discretization.model();
+    const Model             &model     = discretization.model();
+    const std::size_t        bearings  = first_bearing(model);
+    const std::size_t        couplings = bearings + model.bearings.size();
     for (const Bearing &bearing : model.bearings)
       if (const auto *part = discretization.find_part(bearing.body))
         {
@@ -63,7 +66,7 @@ namespace vfife
           const BearingResponse response = bearing.law->linearized();
           const bool            turns    = model.bodies[bearing.body].rate != 0;
           const ShaftSeat       seat(bearing.axes);
-          ring.bearing = &bearing;
+          ring.support = bearings + (&bearing - model.bearings.data());
           ring.stiffness =
             seat.in_space(turns ? mean_over_turns(response.stiffness) : response.stiffness, 0.);
           // Undisplaced, a load is force and moment along the axes.
@@ -76,8 +79,8 @@ namespace vfife
         {
           rings.push_back(
             make_ring(discretization, *part, coupling.nodes, "coupling \"" + coupling.name + "\""));
-          const Vector3 &axis   = model.bodies[coupling.body].axis.direction;
-          rings.back().coupling = &coupling;
+          const Vector3 &axis  = model.bodies[coupling.body].axis.direction;
+          rings.back().support = couplings + (&coupling - model.couplings.data());
           rings.back().stiffness.bottomRightCorner<3, 3>() =
             coupling.stiffness * axis * axis.transpose();
         }

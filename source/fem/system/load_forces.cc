@@ -56,11 +56,12 @@ namespace vfife
                              const Discretization       &discretization,
                              const Discretization::Part &part)
     {
-      const Body               &body  = discretization.model().bodies[load.body];
-      const std::vector<double> nodal = compute_load_shares(load, body);
-      if (load.kind != LoadKind::acceleration)
+      // A pressure needs no shares, but is refused without a face.
+      const Body &body = discretization.model().bodies[load.body];
+      if (load.kind != LoadKind::acceleration && load.kind != LoadKind::pressure)
         return point_area_shares(body, load.nodes, discretization, part);
-      PointShares shares;
+      const std::vector<double> nodal = compute_load_shares(load, body);
+      PointShares               shares;
       for (std::size_t i = 0; i < load.nodes.size(); ++i)
         shares.emplace_back(part.first_point + load.nodes[i], nodal[i]);
       return shares;

@@ -62,13 +62,13 @@ namespace vfife
       if (load.kind == LoadKind::spring && load.body == part.body)
         for (const unsigned int p : discretization.points_of(part, load.nodes))
           forbid(p, Matrix3(load.vector.cwiseSign().asDiagonal()));
+    const auto rigid = make_rigid_motions(discretization, part, centre);
     // Bearings and couplings hold what has a stiffness, each by its own measure of it.
     if (discretization.sector_angle() == 0)
       for (const BearingRing &ring : find_bearing_rings(discretization))
         if (discretization.part_of_point(ring.points.front()).body == part.body)
           {
             Eigen::Matrix<double, 6, 6> motion;
-            const auto                  rigid = make_rigid_motions(discretization, part, centre);
             for (unsigned int d = 0; d < 6; ++d)
               motion.col(d) = ring.displacement(rigid[d]) / (d < 3 ? 1. : size);
             const Eigen::Matrix<double, 6, 1> scale =
@@ -83,8 +83,7 @@ namespace vfife
           }
     // Motions that nothing forbids are its kernel.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(forbidden);
-    const auto                       rigid = make_rigid_motions(discretization, part, centre);
-    std::vector<std::vector<double>> motions;
+    std::vector<std::vector<double>>                                 motions;
     for (unsigned int m = 0; m < 6; ++m)
       {
         // Far below what one held node gives, far above round-off.

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/mesh_size.h>
 #include <vfife/mesh/primitives/disc_cells.h>
@@ -123,8 +124,10 @@ namespace vfife
           {
             const double       from   = heights_.back();
             const unsigned int layers = count_cells(*place - from, size);
-            for (unsigned int layer = 1; layer <= layers; ++layer)
+            for (unsigned int layer = 1; layer < layers; ++layer)
               heights_.push_back(from + (*place - from) * layer / layers);
+            // To the last digit: sections are compared with their layers.
+            heights_.push_back(*place);
           }
         n_bands_ = plane.radii.size();
         filled_.assign(n_layers() * n_bands_, false);
@@ -207,21 +210,12 @@ namespace vfife
         std::vector<double> numbers;
         for (std::string word; words >> word;)
           {
-            std::size_t end = 0;
-            double      value;
-            try
-              {
-                value = std::stod(word, &end);
-              }
-            catch (const std::exception &)
-              {
-                end = 0;
-              }
-            if (end != word.size() || !std::isfinite(value))
+            const std::optional<double> number = plain_number(word);
+            if (!number)
               throw InputError(entry,
                                name + ": \"" + word +
                                  "\" is no number; a section is FROM TO OUTER [INNER]");
-            numbers.push_back(value);
+            numbers.push_back(*number);
           }
         if (numbers.size() != 3 && numbers.size() != 4)
           throw InputError(entry,

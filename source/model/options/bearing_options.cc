@@ -1,5 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/bearing/shaft_seat.h>
 #include <vfife/model/body.h>
 #include <vfife/model/options/bearing_options.h>
 
@@ -27,20 +29,11 @@ namespace vfife
       unsigned int       n = 0;
       for (std::string word; stream >> word; ++n)
         {
-          std::size_t end   = 0;
-          double      value = 0;
-          try
-            {
-              value = std::stod(word, &end);
-            }
-          catch (const std::exception &)
-            {
-              end = 0;
-            }
-          if (end != word.size() || !std::isfinite(value))
+          const std::optional<double> number = plain_number(word);
+          if (!number)
             throw InputError(entry, "\"" + word + "\" is no number; allowed: " + matrix_form);
           if (n < 25)
-            matrix(n / 5, n % 5) = value;
+            matrix(n / 5, n % 5) = *number;
         }
       if (n != 25)
         throw InputError(entry, "has " + std::to_string(n) + " numbers; allowed: " + matrix_form);
@@ -97,16 +90,9 @@ namespace vfife
 
   Matrix3 SeatOptions::make_axes(const Axis &axis, const std::string &section) const
   {
-    Vector3 x = x_direction - x_direction.dot(axis.direction) * axis.direction;
-    if (x_direction.isZero(0.))
-      x = axis.direction.unitOrthogonal();
-    else if (x.norm() < 1e-6 * x_direction.norm())
+    if (axis.direction.cross(x_direction).norm() < 1e-6 * x_direction.norm())
       throw InputError(section + "/x direction", "lies along the axis of the body");
-    Matrix3 axes;
-    axes.col(0) = x.normalized();
-    axes.col(1) = axis.direction.cross(axes.col(0));
-    axes.col(2) = axis.direction;
-    return axes;
+    return axes_along(axis.direction, x_direction);
   }
 
   void BearingOptions::declare(dealii::ParameterHandler &prm)

@@ -2,6 +2,7 @@
 #ifndef vfife_base_text_number_text_h
 #define vfife_base_text_number_text_h
 
+#include <optional>
 #include <string>
 
 namespace vfife
@@ -21,6 +22,10 @@ namespace vfife
    * @throws InputError if there is no number, or one that is too large.
    */
   double read_number(const std::string &text, std::string &rest);
+
+  /** The finite number that @p text is, with blanks around it and nothing else; nothing where it is
+   * none. */
+  std::optional<double> plain_number(const std::string &text);
 } // namespace vfife
 
 #endif

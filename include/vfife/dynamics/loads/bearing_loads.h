@@ -28,7 +28,7 @@ namespace vfife
 
     /**
      * Adds the forces on bodies that have turned for @p time [s] at their rates to @p forces (all
-     * copies of a node); remembers them for half_powers() and add_reactions(). Collective.
+     * copies of a node); remembers them for powers and add_reactions(). Collective.
      */
     void add_forces(double           time,
                     const NodeField &positions,
@@ -41,15 +41,14 @@ namespace vfife
     /** What the springs store at the positions of add_forces() [mJ]; equal on all ranks. */
     double energy() const;
 
-    /** Halves of powers with the velocities before or after the update [mJ/s]. */
-    struct Powers
-    {
-      double drive = 0; ///< that the drives give through couplings
-      double loss  = 0; ///< that dampers take
-    };
+    /** What the drives give through couplings [mJ/s]; equal on all ranks. */
+    double drive_power() const;
+    /** The part of that which goes through the couplings' dampers. */
+    double damper_drive_power() const;
 
-    /** Equal on all ranks. Collective where there is a damper. */
-    Powers half_powers(const NodeField &velocities) const;
+    /** Half of what all dampers' forces do on this rank's nodes with these velocities [mJ/s]:
+     * called before and after the update. */
+    double half_damper_power(const NodeField &velocities) const;
 
     /** Adds the remembered forces on this rank's nodes to those of @p reactions from @p first on,
      * in the order of list_supports(). */
@@ -66,9 +65,19 @@ namespace vfife
     };
     struct Seat
     {
+      Seat(const Partition                 &partition,
+           const Body                      &of_body,
+           const std::vector<unsigned int> &of_nodes,
+           const Matrix3                   &axes,
+           const std::string               &owner);
+
+      /** In the fixed frame's axes, of displacement and turn. */
+      Eigen::Matrix<double, 6, 6> stiffness_bound() const;
+      Eigen::Matrix<double, 6, 6> damping_matrix() const;
+
       const Bearing            *bearing  = nullptr; ///< or
       const Coupling           *coupling = nullptr; ///< either of them
-      const Body               *body     = nullptr;
+      const Body               *body;
       ShaftSeat                 seat;
       MeanMotion                set;
       std::vector<unsigned int> all_nodes;      ///< of the body
@@ -83,23 +92,16 @@ namespace vfife
       double             energy        = 0;
     };
 
-    Seat make_seat(const Partition                 &partition,
-                   unsigned int                     body,
-                   const std::vector<unsigned int> &nodes,
-                   const Matrix3                   &axes,
-                   const std::string               &owner) const;
     /** Largest frequency and decay of the springs and dampers of a seat on the nodes' masses. */
-    void        find_limits(Seat &seat) const;
+    static void find_limits(Seat &seat);
     void        read_motions(const NodeField &positions, const NodeField *velocities);
     static void respond(double time, bool at_rest, Seat &seat);
     void        add_to(NodeField &forces) const;
 
-    const Model        &model_;
     const Communicator &communicator_;
-    std::vector<Seat>   seats_; ///< of bearings, then of couplings
-    bool                has_damping_ = false;
-    double              frequency2_  = 0; ///< largest k/m of all springs together [1/s^2]
-    double              decay_       = 0; ///< largest c/m of all dampers together [1/s]
+    std::vector<Seat>   seats_;          ///< of bearings, then of couplings
+    double              frequency2_ = 0; ///< largest k/m of all springs together [1/s^2]
+    double              decay_      = 0; ///< largest c/m of all dampers together [1/s]
   };
 } // namespace vfife
 

@@ -16,8 +16,7 @@ namespace vfife
    */
   struct BearingRing
   {
-    const Bearing              *bearing  = nullptr; ///< or
-    const Coupling             *coupling = nullptr; ///< either of them
+    std::size_t                 support = 0; ///< place in list_supports()
     std::vector<unsigned int>   points;
     Eigen::MatrixXd             motion; ///< B, 6 x 3 n
     Eigen::Matrix<double, 6, 6> stiffness =
@@ -31,9 +30,9 @@ namespace vfife
   };
 
   /**
-   * Rings of all bearings and couplings of the bodies of a discretization, in the order of
-   * list_supports(). Bearings are taken at their undisplaced state; of a body that turns, and whose
-   * axes turn with it, as the mean over all turns. Throws InputError on one sector of a body.
+   * Rings of all bearings and couplings of the bodies of a discretization. Bearings are linearized;
+   * of a body that turns, and whose axes turn with it, as the mean over all turns. Throws
+   * InputError on one sector of a body.
    */
   std::vector<BearingRing> find_bearing_rings(const Discretization &discretization);
 } // namespace vfife

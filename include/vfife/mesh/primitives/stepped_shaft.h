@@ -24,9 +24,8 @@ namespace vfife
 
   /**
    * A shaft with discs on it, about the z axis: cylinders and rings, which may lie behind or around
-   * each other, webs and rims of the discs among them. Diameters
-   * are those of circles with the area of the polygons that the cells make, so that mass and
-   * stiffness are those of the round shaft.
+   * each other, webs and rims of the discs among them. Diameters are those of circles with the area
+   * of the polygons that the cells make, so that mass and stiffness are those of the round shaft.
    */
   struct SteppedShaftOptions
   {
@@ -48,8 +47,8 @@ namespace vfife
 
   /**
    * The mesh. Node sets and surfaces: "outer" (all that faces away from the axis), "section 1",
-   * "section 2", ... (what of that belongs to each, if any), "bottom" and "top" (the ends), "bore" (all
-   * that faces the axis) where a section is hollow; node set "axis" where one is solid.
+   * "section 2", ... (what of that belongs to each, if any), "bottom" and "top" (the ends), "bore"
+   * (all that faces the axis) where a section is hollow; node set "axis" where one is solid.
    */
   std::unique_ptr<BodyMesh> make_stepped_shaft(const SteppedShaftOptions &options);
 } // namespace vfife
