@@ -40,6 +40,25 @@ namespace
                                  "\nset bearing = yes\nset axis direction = 0, 0, 1\n" + entries);
   }
 
+  /** Steps at places whose differences are not exact: the mass is that of the cylinders. */
+  void steps()
+  {
+    SteppedShaftOptions options;
+    options.text             = "0 0.3 10, 0.3 0.9 8, 0.9 4.1 6, 4.1 5.7 20 4, 5.7 6.3 12 4";
+    options.around           = 16;
+    options.axial_cell_size  = 10;
+    options.radial_cell_size = 2;
+    double volume            = 0;
+    for (const ShaftSection &section : options.sections(""))
+      volume += pi / 4 * (section.outer * section.outer - section.inner * section.inner) *
+                (section.to - section.from);
+    const Body body("steps", make_stepped_shaft(options), Material());
+    check_close("steps: mass over that of the cylinders",
+                body.mass() / (volume * Material().density),
+                1.,
+                1e-12);
+  }
+
   /** A shaft of 500 mm between bearings, a force half-way and a torque at the end that is not
    * driven. */
   void beam_on_springs(Communicator &world)
@@ -373,6 +392,45 @@ namespace
     check_close("tapered: nearly as preloaded [N]", pressed(whole), 1000., 20.);
   }
 
+  /** In axes that turn, a bearing with two stiffnesses across is one with their mean; at rest it
+   * tells both apart. */
+  void unequal_bearings(Communicator &world)
+  {
+    const auto frequencies = [&world](const std::string &name, const std::string &left) {
+      const auto text = study("modal") +
+                        "subsection Model\nset bodies = shaft\nset constraints = left, right\n" +
+                        shaft("0 60 100",
+                              "set cells around = 16\nset axial cell size = 15\n"
+                              "set radial cell size = 20\n") +
+                        bearing("left", "z < 1", left + "set x direction = 1, 0, 0\n") +
+                        bearing("right", "z > 59", "set radial stiffness = 5000\n") +
+                        "end\nsubsection Fem\nset modes = 10\nset coriolis = yes\n"
+                        "set speeds = 0, 3000\nend\n" +
+                        quiet_output(1);
+      std::ofstream(name + ".prm") << text;
+      run_pair(name + ".prm", name, world);
+      return read_columns(name + "/modes.csv");
+    };
+    const Columns unequal = frequencies("unequal",
+                                        "set stiffness matrix = 2000 0 0 0 0, 0 8000 0 0 0, "
+                                        "0 0 0 0 0, 0 0 0 0 0, 0 0 0 0 0\n"),
+                  mean    = frequencies("mean", "set radial stiffness = 5000\n");
+    double at_speed = 0, at_rest = 0;
+    check("unequal bearings: as many modes",
+          unequal.at("frequency").size() == mean.at("frequency").size());
+    for (std::size_t i = 0; i < mean.at("frequency").size(); ++i)
+      {
+        const double difference =
+          std::abs(unequal.at("frequency")[i] - mean.at("frequency")[i]) / 300;
+        double &largest = mean.at("speed")[i] > 0 ? at_speed : at_rest;
+        largest         = largest_of(largest, difference);
+      }
+    check_below("unequal bearings at speed: frequencies less those of the mean, over 300 Hz",
+                at_speed,
+                1e-6);
+    check("unequal bearings at rest: told apart", at_rest > .05);
+  }
+
   void two_discs(Communicator &world)
   {
     run_pair(SOURCE_DIR "/../../prm/supports/two_discs.prm",
@@ -460,8 +518,16 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts<Communicator>(
-    argc,
-    argv,
-    {&beam_on_springs, &whirl, &damped, &wound, &both_statics, &tapered, &two_discs, &refusals});
+  steps();
+  run_parts<Communicator>(argc,
+                          argv,
+                          {&beam_on_springs,
+                           &whirl,
+                           &damped,
+                           &wound,
+                           &both_statics,
+                           &tapered,
+                           &unequal_bearings,
+                           &two_discs,
+                           &refusals});
 }

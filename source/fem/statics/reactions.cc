@@ -35,7 +35,8 @@ namespace vfife
     std::vector<double> forces(result.displacements.size(), 0.);
     for (const BearingRing &ring : find_bearing_rings(discretization))
       {
-        ring.add_forces(ring.preload - ring.stiffness * ring.displacement(result.displacements),
+        ring.add_forces(ring.preload - ring.stiffness_at(model.bodies[ring.body].rate) *
+                                         ring.displacement(result.displacements),
                         forces);
         for (const unsigned int p : ring.points)
           {

@@ -136,7 +136,8 @@ namespace vfife
     // Without displacements, as in the first call where none are prescribed, no element stiffness
     // is asked for.
     const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; });
-    std::vector<double> sums(u.size(), 0.);
+    std::vector<double>        sums(u.size(), 0.);
+    const SystemMatrices::Rate rate = body_rate();
     if (is_root)
       {
         const std::vector<double> forces = make_forces(loads);
@@ -150,16 +151,16 @@ namespace vfife
           }
         for (const BearingRing &ring : matrices.assembly().rings())
           {
-            const Eigen::Matrix<double, 6, 1> way = ring.displacement(u);
-            ring.add_forces(ring.stiffness * way - ring.preload, sums);
-            strain_energy += .5 * way.dot(ring.stiffness * way) - way.dot(ring.preload);
+            const Eigen::Matrix<double, 6, 1> way     = ring.displacement(u);
+            const Eigen::Matrix<double, 6, 1> springs = ring.stiffness_at(rate(ring.body)) * way;
+            ring.add_forces(springs - ring.preload, sums);
+            strain_energy += way.dot(.5 * springs - ring.preload);
           }
       }
     // Elements are dealt out to the ranks in equal runs.
     const auto first = [&](const unsigned int rank) {
       return static_cast<unsigned long long>(rank) * d.n_elements() / communicator_.size();
     };
-    const SystemMatrices::Rate rate = body_rate();
     for (unsigned int e = first(communicator_.rank()); e < first(communicator_.rank() + 1); ++e)
       {
         const ElementNodes    X      = d.element_nodes(e);

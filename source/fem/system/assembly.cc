@@ -177,13 +177,14 @@ namespace vfife
     return values;
   }
 
-  SparseValues Assembly::ring_matrix() const
+  SparseValues Assembly::ring_matrix(const std::function<double(unsigned int body)> &rate) const
   {
     SparseValues      values(pattern_.columns.size(), 0.);
     const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
     for (const BearingRing &ring : rings_)
       {
-        const Eigen::MatrixXd A = ring.motion.transpose() * ring.stiffness * ring.motion;
+        const Eigen::MatrixXd A =
+          ring.motion.transpose() * ring.stiffness_at(rate(ring.body)) * ring.motion;
         for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
           add(k * copy, ring.points.data(), A, values);
       }

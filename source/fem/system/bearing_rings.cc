@@ -15,7 +15,8 @@ namespace vfife
     {
       if (discretization.sector_angle() > 0)
         throw InputError(owner + ": a ring needs the whole body, not one sector of it");
-      BearingRing          ring;
+      BearingRing ring;
+      ring.body = part.body;
       std::vector<double>  shares;
       std::vector<Vector3> places;
       for (const auto &share :
@@ -64,11 +65,10 @@ namespace vfife
             make_ring(discretization, *part, bearing.nodes, "bearing \"" + bearing.name + "\""));
           BearingRing          &ring     = rings.back();
           const BearingResponse response = bearing.law->linearized();
-          const bool            turns    = model.bodies[bearing.body].rate != 0;
           const ShaftSeat       seat(bearing.axes);
-          ring.support = bearings + (&bearing - model.bearings.data());
-          ring.stiffness =
-            seat.in_space(turns ? mean_over_turns(response.stiffness) : response.stiffness, 0.);
+          ring.support        = bearings + (&bearing - model.bearings.data());
+          ring.stiffness      = seat.in_space(response.stiffness, 0.);
+          ring.mean_stiffness = seat.in_space(mean_over_turns(response.stiffness), 0.);
           // Undisplaced, a load is force and moment along the axes.
           const Wrench preload   = seat.of_load(response.load, MeanMotion::Motion());
           ring.preload.head<3>() = preload.force;
@@ -79,10 +79,13 @@ namespace vfife
         {
           rings.push_back(
             make_ring(discretization, *part, coupling.nodes, "coupling \"" + coupling.name + "\""));
-          const Vector3 &axis  = model.bodies[coupling.body].axis.direction;
-          rings.back().support = couplings + (&coupling - model.couplings.data());
-          rings.back().stiffness.bottomRightCorner<3, 3>() =
-            coupling.stiffness * axis * axis.transpose();
+          BearingRing &ring = rings.back();
+          ring.support      = couplings + (&coupling - model.couplings.data());
+          // About the axis: the same in all axes that turn about it.
+          const Vector3 &axis = model.bodies[coupling.body].axis.direction;
+          ring.stiffness.setZero();
+          ring.stiffness.bottomRightCorner<3, 3>() = coupling.stiffness * axis * axis.transpose();
+          ring.mean_stiffness                      = ring.stiffness;
         }
     return rings;
   }

@@ -58,12 +58,14 @@ namespace vfife
     const auto            springs = find_springs(d);
     if (!springs.empty())
       K = add_scaled(std::move(K), 1., assembly_.point_matrix(springs));
-    return add_rings(std::move(K));
+    return add_rings(std::move(K),
+                     [&d](const unsigned int body) { return d.model().bodies[body].rate; });
   }
 
-  SparseValues SystemMatrices::add_rings(SparseValues K) const
+  SparseValues SystemMatrices::add_rings(SparseValues K, const Rate &rate) const
   {
-    return assembly_.rings().empty() ? K : add_scaled(std::move(K), 1., assembly_.ring_matrix());
+    return assembly_.rings().empty() ? K
+                                     : add_scaled(std::move(K), 1., assembly_.ring_matrix(rate));
   }
 
   SparseValues SystemMatrices::mass() const
@@ -178,7 +180,7 @@ namespace vfife
              expand_coefficients(omega * omega * mass_coefficients(e), across(axis(e).direction));
     });
     return add_rings(
-      add_scaled(std::move(K), 1., assembly_.point_matrix(point_stiffnesses(u, rate))));
+      add_scaled(std::move(K), 1., assembly_.point_matrix(point_stiffnesses(u, rate))), rate);
   }
 
   OwnedVector SystemMatrices::spinning_residual(const std::vector<double> &u,
@@ -198,7 +200,7 @@ namespace vfife
       Eigen::Map<Vector3>(held.data() + 3 * std::size_t(point.first)) -=
         point.second * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(point.first));
     for (const BearingRing &ring : assembly_.rings())
-      ring.add_forces(-ring.stiffness * ring.displacement(u), held);
+      ring.add_forces(-ring.stiffness_at(rate(ring.body)) * ring.displacement(u), held);
     const OwnedVector springs = assembly_.restrict_forces(held);
     return add_scaled(std::move(residual), 1., springs);
   }

@@ -16,13 +16,19 @@ namespace vfife
    */
   struct BearingRing
   {
-    std::size_t                 support = 0; ///< place in list_supports()
-    std::vector<unsigned int>   points;
-    Eigen::MatrixXd             motion; ///< B, 6 x 3 n
-    Eigen::Matrix<double, 6, 6> stiffness =
-      Eigen::Matrix<double, 6, 6>::Zero();                                     ///< [N/mm, N, N mm]
+    std::size_t               support = 0; ///< place in list_supports()
+    unsigned int              body    = 0; ///< of the model
+    std::vector<unsigned int> points;
+    Eigen::MatrixXd           motion; ///< B, 6 x 3 n
+    /** In axes that stand still, and its mean over all turns [N/mm, N, N mm]. */
+    Eigen::Matrix<double, 6, 6> stiffness, mean_stiffness;
     Eigen::Matrix<double, 6, 1> preload = Eigen::Matrix<double, 6, 1>::Zero(); ///< on the shaft
 
+    /** In axes that turn at @p rate [rad/s]. */
+    const Eigen::Matrix<double, 6, 6> &stiffness_at(const double rate) const
+    {
+      return rate != 0 ? mean_stiffness : stiffness;
+    }
     /** B u of a field of all points. */
     Eigen::Matrix<double, 6, 1> displacement(const std::vector<double> &u) const;
     /** Adds B^T @p load to forces at all points. */
@@ -30,8 +36,8 @@ namespace vfife
   };
 
   /**
-   * Rings of all bearings and couplings of the bodies of a discretization. Bearings are linearized;
-   * of a body that turns, and whose axes turn with it, as the mean over all turns. Throws
+   * Rings of all bearings and couplings of the bodies of a discretization. Bearings are linearized.
+   * Throws
    * InputError on one sector of a body.
    */
   std::vector<BearingRing> find_bearing_rings(const Discretization &discretization);

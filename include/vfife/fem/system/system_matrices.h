@@ -23,7 +23,7 @@ namespace vfife
       return assembly_;
     }
 
-    /** At rest, with the model's springs to the ground, bearings and couplings. */
+    /** Without spin, with the model's springs to the ground, bearings and couplings. */
     SparseValues stiffness() const;
     SparseValues mass() const;
     /** Angular velocity of a body of the model about its axis [rad/s]. */
@@ -67,7 +67,7 @@ namespace vfife
     /** What does not come from the elements: springs to the ground, and hub_curvature(). */
     PointMatrices point_stiffnesses(const std::vector<double> &u, const Rate &rate) const;
     /** @p K and what bearings and couplings add to it. */
-    SparseValues    add_rings(SparseValues K) const;
+    SparseValues    add_rings(SparseValues K, const Rate &rate) const;
     Eigen::MatrixXd mass_coefficients(unsigned int e) const;
     unsigned int    body(unsigned int e) const;
     const Axis     &axis(unsigned int e) const;
