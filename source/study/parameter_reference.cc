@@ -153,35 +153,50 @@ namespace vfife
       return declared;
     }
 
-    /** Parts of a model and the entries that decide what else they declare. */
+    /** Parts of a model or of a shaft, in the section of their list of names, and the entries that
+     * decide what else they declare. */
     struct Part
     {
-      const char *list, *section, *choice;
-    };
-    const Part parts[] = {{"bodies", "Body", "mesh"},
-                          {"constraints", "Constraint", "kind"},
-                          {"loads", "Load", "kind"},
-                          {"contacts", "Contact", "kind"},
-                          {"probes", "Probe", nullptr}};
+      const char *parent, *list, *section, *choice;
 
-    const char model_kinds[] = "run and static of a model";
+      std::string path() const
+      {
+        return std::string(parent) + "/" + section + " NAME";
+      }
+      /** A statement that gives the list one NAME. */
+      std::string named() const
+      {
+        return std::string(parent) + "/" + list + "=NAME";
+      }
+      Json &find(Json &declared) const
+      {
+        return declared.at(Json::json_pointer("/" + path()));
+      }
+    };
+    const Part parts[]       = {{"Model", "bodies", "Body", "mesh"},
+                                {"Model", "constraints", "Constraint", "kind"},
+                                {"Model", "loads", "Load", "kind"},
+                                {"Model", "contacts", "Contact", "kind"},
+                                {"Model", "probes", "Probe", nullptr}};
+    const Part shaft_parts[] = {{"Gear pair/Gear/Shaft", "bearings", "Bearing", "kind"},
+                                {"Gear pair/Pinion/Shaft", "bearings", "Bearing", "kind"}};
+
+    const char model_kinds[] = "run and static of a model",
+               pair_kinds[]  = "all kinds of a gear pair with bodies";
 
     /** A part whose choice decides what else it declares: the entries of all words. */
-    Section collect_part(const Part &part, const Json &declared)
+    Section collect_part(const Part &part, const char *kinds)
     {
-      const std::string path = std::string("Model/") + part.section + " NAME";
-      const auto        words =
-        words_of(declared.at("Model").at(std::string(part.section) + " NAME").at(part.choice));
+      Json       declared = declare({"Study/kind=run", part.named()});
+      const auto words    = words_of(part.find(declared).at(part.choice));
       // Declared once with each word: an entry that appears with all words needs no remark, another
       // one says with which.
-      Section section{path, {}, {model_kinds}};
+      Section section{part.path(), {}, {kinds}};
       for (const std::string &word : words)
         {
-          const Json of_word = declare({"Study/kind=run",
-                                        std::string("Model/") + part.list + "=NAME",
-                                        path + "/" + part.choice + "=" + word});
-          for (const Entry &entry :
-               entries_of(of_word.at("Model").at(std::string(part.section) + " NAME")))
+          Json of_word =
+            declare({"Study/kind=run", part.named(), part.path() + "/" + part.choice + "=" + word});
+          for (const Entry &entry : entries_of(part.find(of_word)))
             {
               auto known = std::find(section.entries.begin(), section.entries.end(), entry);
               if (known == section.entries.end())
@@ -203,15 +218,15 @@ namespace vfife
     {
       std::vector<std::string> all = {"Study/kind=run"};
       for (const Part &part : parts)
-        all.push_back(std::string("Model/") + part.list + "=NAME");
+        all.push_back(part.named());
       Json declared = declare(all);
       for (const Part &part : parts)
-        declared.at("Model").at(part.list).at("default_value") = ""; // not the name set above
+        declared.at(part.parent).at(part.list).at("default_value") = ""; // not the name set above
       for (const Part &part : parts)
         if (part.choice != nullptr)
           {
-            sections.push_back(collect_part(part, declared));
-            declared.at("Model").erase(std::string(part.section) + " NAME");
+            sections.push_back(collect_part(part, model_kinds));
+            declared.at(part.parent).erase(std::string(part.section) + " NAME");
           }
       collect(declared, "", model_kinds, sections);
     }
@@ -236,6 +251,8 @@ namespace vfife
     for (const auto &kind : study_kinds())
       collect(declare_kind(kind.first), "", kind.first, sections);
     collect_model(sections);
+    for (const Part &part : shaft_parts)
+      sections.push_back(collect_part(part, pair_kinds));
     std::stable_sort(sections.begin(), sections.end(), [](const Section &a, const Section &b) {
       return a.path < b.path;
     });

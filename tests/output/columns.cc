@@ -29,6 +29,7 @@
 #include <vfife/output/files/summary.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/pattern_writer.h>
 #include <vfife/output/observers/probe_writer.h>
@@ -99,6 +100,11 @@ namespace
     tables.push_back({"teeth.csv", "gear pair", TeethWriter(folder, pair, 1, hertz).table()});
     tables.push_back({"probes.csv", "gear pair", ProbeWriter(folder, 1).table()});
     tables.push_back({"rim.csv", "gear pair", RimWriter(folder, pair, 1).table()});
+    tables.push_back({"bearings.csv", "run", BearingWriter(folder, 1).table()});
+    Table misalignment;
+    misalignment.add_column(column::time, "s");
+    list_mounting_columns().add_to(misalignment);
+    tables.push_back({"misalignment.csv", "gear pair on shafts", misalignment});
     PatternWriter(folder, pair, 0., 1).finish(pair, State());
     tables.push_back({"pattern.csv", "gear pair", read_result_table(folder.file("pattern.csv"))});
   }
@@ -163,10 +169,19 @@ namespace
                                {torque_of("gear"), {1, "N m"}},
                                {force_on_arm, {1, "N"}}};
     using namespace error_part;
-    for (const char *part :
-         {total, teeth_and_rest, web_windup, rim_tilt_and_shift, centrifugal_shift})
+    for (const char *part : {total,
+                             teeth_and_rest,
+                             web_windup,
+                             rim_tilt_and_shift,
+                             centrifugal_shift,
+                             bearings,
+                             shaft_bending})
       summary.transmission_error.push_back({part, {1, "arcsec"}});
-    summary.steady = SteadyPart();
+    summary.misalignment = {{column::offset, {1, "um"}},
+                            {column::pinion_axial_shift, {1, "um"}},
+                            {column::gear_axial_shift, {1, "um"}},
+                            {column::shaft_angle_error, {1, "arcmin"}}};
+    summary.steady       = SteadyPart();
     summary.steady->columns.push_back({"COLUMN", "UNIT"});
     summary.probes.push_back(make_probe_record("PROBE", {0., 1.}, {1., 2.}, 1., {2., 1.}, 1., .5));
     summary.energy         = EnergyLedger();

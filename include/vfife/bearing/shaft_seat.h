@@ -13,6 +13,13 @@ namespace vfife
     Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
   };
 
+  /** What a bearing's shaft does in it, along the bearing's axes: displacement of the seat [mm,
+   * rad] and load on the shaft [N, N mm]. */
+  struct SeatState
+  {
+    Vector5 displacement = Vector5::Zero(), load = Vector5::Zero();
+  };
+
   /** Columns x, y, z of axes with the unit vector @p z; x is the direction @p x made square to it,
    * any one where it has no length across z. */
   Matrix3 axes_along(const Vector3 &z, const Vector3 &x = Vector3::Zero());

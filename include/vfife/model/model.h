@@ -93,6 +93,7 @@ namespace vfife
     std::vector<RigidWall>      walls;
     std::vector<Bearing>        bearings;
     std::vector<Coupling>       couplings;
+    Eigen::MatrixXd             housing; ///< BearingSystem::set_housing(); empty: the ground
     std::vector<ContactPair>    contacts;
     std::vector<Probe>          probes;
     std::optional<Transmission> transmission; ///< where two of the bodies are a gear pair

@@ -3,6 +3,7 @@
 #define vfife_model_state_h
 
 #include <vfife/base/types.h>
+#include <vfife/bearing/shaft_seat.h>
 #include <vfife/model/energy_ledger.h>
 #include <vfife/model/node_field.h>
 #include <vfife/model/partition.h>
@@ -88,6 +89,7 @@ namespace vfife
     std::vector<Vector3>    contact_forces;
     std::vector<ProbeValue> probes;
     std::vector<Reaction>   reactions;  ///< in the order of list_supports()
+    std::vector<SeatState>  bearings;   ///< in the order of Model::bearings, dampers included
     std::vector<double>     body_rates; ///< momentum rate of each body about its axis [rad/s]
     /** Of all bodies, velocities half a step back: sum m v [t mm/s = N s], and sum m x x v about
      * the fixed origin [N mm s]. */

@@ -42,8 +42,10 @@ namespace vfife
                              const Communicator &communicator)
     : communicator_(communicator)
   {
+    std::vector<BearingSystem::Seat> laws;
     for (const Bearing &bearing : model.bearings)
       {
+        laws.push_back({bearing.axes, bearing.law});
         seats_.emplace_back(partition,
                             model.bodies[bearing.body],
                             bearing.nodes,
@@ -51,6 +53,9 @@ namespace vfife
                             "bearing \"" + bearing.name + "\"");
         seats_.back().bearing = &bearing;
       }
+    system_ = BearingSystem(std::move(laws));
+    if (model.housing.size() > 0)
+      system_.set_housing(model.housing);
     for (const Coupling &coupling : model.couplings)
       {
         const Body &body = model.bodies[coupling.body];
@@ -153,29 +158,49 @@ namespace vfife
       }
   }
 
-  void BearingLoads::respond(const double time, const bool at_rest, Seat &seat)
+  void BearingLoads::respond(const double time, const bool at_rest)
   {
-    const MeanMotion::Motion &motion = seat.motion;
-    if (seat.bearing != nullptr)
+    energy_ = 0;
+    respond_bearings(at_rest);
+    for (Seat &seat : seats_)
+      if (seat.coupling != nullptr)
+        respond_coupling(time, at_rest, seat);
+  }
+
+  void BearingLoads::respond_bearings(const bool at_rest)
+  {
+    if (system_.size() == 0)
+      return;
+    // All at once: a housing lets each feel the others.
+    std::vector<Vector5> displacements;
+    for (std::size_t s = 0; s < system_.size(); ++s)
+      displacements.push_back(seats_[s].seat.displacement(seats_[s].motion));
+    const BearingSystem::Response response = system_.evaluate(displacements);
+    energy_ += response.energy;
+    for (std::size_t s = 0; s < system_.size(); ++s)
       {
-        const BearingLaw     &law      = *seat.bearing->law;
-        const BearingResponse response = law.evaluate(seat.seat.displacement(motion));
-        seat.energy                    = response.energy;
-        seat.elastic                   = seat.seat.of_load(response.load, motion);
-        seat.damping =
-          at_rest ? Wrench() : seat.seat.of_load(-law.damping() * seat.seat.rate(motion), motion);
-        return;
+        Seat         &seat = seats_[s];
+        const Vector5 damper =
+          at_rest ? Vector5(Vector5::Zero())
+                  : Vector5(-seat.bearing->law->damping() * seat.seat.rate(seat.motion));
+        seat.elastic = seat.seat.of_load(response.loads[s], seat.motion);
+        seat.damping = seat.seat.of_load(damper, seat.motion);
+        seat.state   = {displacements[s], response.loads[s] + damper};
       }
+  }
+
+  void BearingLoads::respond_coupling(const double time, const bool at_rest, Seat &seat)
+  {
     // The driver's end has turned by rate times time; what the shaft lags behind winds the spring.
     const double rate = seat.body->rate, expected = at_rest ? 0. : rate * time;
-    const double wound  = seat.seat.twist(motion, expected) - expected;
+    const double wound  = seat.seat.twist(seat.motion, expected) - expected;
     const double torque = -seat.coupling->stiffness * wound;
     seat.damper_torque =
-      at_rest ? 0. : -seat.coupling->damping * (seat.seat.twist_rate(motion) - rate);
+      at_rest ? 0. : -seat.coupling->damping * (seat.seat.twist_rate(seat.motion) - rate);
     seat.drive_torque = torque + seat.damper_torque;
-    seat.energy       = -.5 * torque * wound;
-    seat.elastic      = seat.seat.of_torque(torque, motion);
-    seat.damping      = seat.seat.of_torque(seat.damper_torque, motion);
+    seat.elastic      = seat.seat.of_torque(torque, seat.motion);
+    seat.damping      = seat.seat.of_torque(seat.damper_torque, seat.motion);
+    energy_ -= .5 * torque * wound;
   }
 
   void BearingLoads::read_motions(const NodeField &positions, const NodeField *const velocities)
@@ -220,8 +245,7 @@ namespace vfife
     if (seats_.empty())
       return;
     read_motions(positions, &velocities);
-    for (Seat &seat : seats_)
-      respond(time, false, seat);
+    respond(time, false);
     add_to(forces);
   }
 
@@ -230,17 +254,22 @@ namespace vfife
     if (seats_.empty())
       return;
     read_motions(positions, nullptr);
-    for (Seat &seat : seats_)
-      respond(0., true, seat);
+    respond(0., true);
     add_to(forces);
   }
 
   double BearingLoads::energy() const
   {
-    double energy = 0;
+    return energy_;
+  }
+
+  std::vector<SeatState> BearingLoads::bearing_states() const
+  {
+    std::vector<SeatState> states;
     for (const Seat &seat : seats_)
-      energy += seat.energy;
-    return energy;
+      if (seat.bearing != nullptr)
+        states.push_back(seat.state);
+    return states;
   }
 
   double BearingLoads::drive_power() const

@@ -135,6 +135,7 @@ namespace vfife
       measure_probes(model_, model_.probes, observed_, operator_, communicator_);
     measure_momentum(observed_, operator_.masses(), communicator_);
     measure_contact(contact_, walls_, observed_.measured);
+    observed_.measured.bearings = bearings_.bearing_states();
   }
 
   void ExplicitSolver::take_energies(const ElementMeasures &measures)

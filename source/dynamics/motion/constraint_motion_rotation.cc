@@ -42,24 +42,39 @@ namespace vfife
 
   void ConstraintMotion::turn_bodies(const Model &model, State &state) const
   {
-    // The mean angle of the free nodes, body by body: sum and number.
+    // Body by body what an angle's tangent is the ratio of: of a hub the sum of its free nodes'
+    // angles (small) over their number, of a shaft in bearings a . (r0 x r) over r0 . r of all
+    // nodes, across the axis.
     std::vector<double> sums(2 * model.bodies.size(), 0.);
     for (const Group &group : groups_)
-      if (group.turns_freely())
+      if (group.turns_freely() && !model.bodies[group.body].floats)
         for (const Node &node : group.nodes)
           if (node.owned && group.has_angle(node))
             {
               sums[2 * group.body] += node.angle;
               sums[2 * group.body + 1] += 1.;
             }
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      if (model.bodies[b].floats)
+        for (const std::uint32_t i : state.partition->owned_nodes(b))
+          {
+            const Body        &body = model.bodies[b];
+            const unsigned int node = state.partition->global_node[i] - body.first_node;
+            const Vector3     &a    = body.axis.direction;
+            const Vector3      r0   = body.placement(body.node_positions()[node]) - body.axis.point,
+                          r         = state.node_position(i) - body.axis.point;
+            sums[2 * b] += a.dot(r0.cross(r));
+            sums[2 * b + 1] += r0.dot(r) - a.dot(r0) * a.dot(r);
+          }
     communicator_.sum(sums);
     // The placement at time zero, turned about the axis by that angle.
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       if (sums[2 * b + 1] > 0)
         {
-          const Body   &body = model.bodies[b];
-          const Matrix3 rotation =
-            rotation_about(body.axis.direction, sums[2 * b] / sums[2 * b + 1]);
+          const Body  &body                = model.bodies[b];
+          const double ratio               = sums[2 * b] / sums[2 * b + 1],
+                       angle               = body.floats ? std::atan(ratio) : ratio;
+          const Matrix3 rotation           = rotation_about(body.axis.direction, angle);
           const Vector3 arm                = body.placement.translation - body.axis.point;
           state.body_motion[b].rotation    = rotation * body.placement.rotation;
           state.body_motion[b].translation = body.axis.point + rotation * arm;

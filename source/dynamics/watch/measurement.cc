@@ -43,21 +43,29 @@ namespace vfife
     if (!model.transmission)
       return;
     // DTE = theta_g - (z_p/z_g) theta_p, each theta = start + kinematic turn + lead: the kinematic
-    // turns cancel, the driver has no lead, and start + lead of the gear's bore or rim remain.
+    // turns cancel; start and leads of the gear's bore or rim and of the driver's bore remain. A
+    // driver that turns as prescribed has no lead.
     const Transmission &t      = *model.transmission;
     const Body         &driven = model.bodies[t.driven];
     const double        turned = t.driven_rate() * state.time; // in the drive direction
-    const double        start  = t.driven_start - t.ratio() * t.driver_start;
 
     // Differences from the kinematic turn are measured, so that no digits are lost in large angles.
     const auto lead = [&](const std::vector<unsigned int> &nodes) {
       return t.driven_sense *
              measure_rotation(driven, nodes, t.driven_sense * turned, state, communicator);
     };
-    Measurements &m          = state.measured;
-    const double  bore       = lead(t.driven_bore);
-    const double  rim        = lead(t.driven_rim);
-    m.driver_angle           = t.driver_start + t.driver_rate * state.time;
+    Measurements &m     = state.measured;
+    const double  bore  = lead(t.driven_bore);
+    const double  rim   = lead(t.driven_rim);
+    double        drive = 0;
+    if (!t.driver_bore.empty())
+      drive = t.driver_sense * measure_rotation(model.bodies[t.driver],
+                                                t.driver_bore,
+                                                t.driver_sense * t.driver_rate * state.time,
+                                                state,
+                                                communicator);
+    const double start       = t.driven_start - t.ratio() * (t.driver_start + drive);
+    m.driver_angle           = t.driver_start + t.driver_rate * state.time + drive;
     m.driven_angle           = t.driven_start + turned + bore;
     m.rim_angle              = t.driven_start + turned + rim;
     m.transmission_error     = start + bore;

@@ -26,6 +26,11 @@ namespace vfife
     return below(transmission_error, name);
   }
 
+  std::string summary_place::misalignment_of(const std::string &column)
+  {
+    return below(misalignment, column);
+  }
+
   std::string summary_place::passage_of(const std::string &probe)
   {
     return below(below(probes, probe), passes_mesh);

@@ -39,6 +39,12 @@ namespace vfife
               {"web windup", "arcsec", part_of_error(error_part::web_windup)},
               {"rim tilt and shift", "arcsec", part_of_error(error_part::rim_tilt_and_shift)},
               {"centrifugal shift", "arcsec", part_of_error(error_part::centrifugal_shift)},
+              {"bearings", "arcsec", part_of_error(error_part::bearings)},
+              {"shaft bending", "arcsec", part_of_error(error_part::shaft_bending)},
+              {column::offset, "um", misalignment_of(column::offset)},
+              {column::pinion_axial_shift, "um", misalignment_of(column::pinion_axial_shift)},
+              {column::gear_axial_shift, "um", misalignment_of(column::gear_axial_shift)},
+              {column::shaft_angle_error, "arcmin", misalignment_of(column::shaft_angle_error)},
               {"swing frequency", "Hz", figure(figure_name::swing_frequency)}};
     }
 

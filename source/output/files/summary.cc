@@ -168,6 +168,8 @@ namespace vfife
       add_steady_part(*summary.steady, json);
     if (!summary.transmission_error.empty())
       at(summary_place::transmission_error, json) = figures_json(summary.transmission_error);
+    if (!summary.misalignment.empty())
+      at(summary_place::misalignment, json) = figures_json(summary.misalignment);
     for (const ProbeRecord &record : summary.probes)
       at(summary_place::probes, json)[record.name] = probe(record);
 

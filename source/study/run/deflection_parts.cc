@@ -2,9 +2,11 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/dynamics/watch/measurement.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/load_shares.h>
 #include <vfife/study/run/deflection_parts.h>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <cmath>
 
@@ -21,6 +23,9 @@ namespace vfife
     : model_(model)
     , communicator_(communicator)
   {
+    const Transmission &t = *model.transmission;
+    add_member(t.driver, t.driver_bore);
+    add_member(t.driven, t.driven_bore);
   }
 
   Vector3 DeflectionProbe::flank_displacement(const State       &state,
@@ -88,6 +93,105 @@ namespace vfife
     shape.rim_turn  = solution.tail<3>();
   }
 
+  void DeflectionProbe::add_member(const unsigned int b, const std::vector<unsigned int> &bore)
+  {
+    // Bodies that no bearing holds have bores that turn only.
+    const Body &body = model_.bodies[b];
+    if (!body.floats)
+      return;
+    const auto make_ring = [&](const std::vector<unsigned int> &nodes,
+                               const std::vector<double>       &shares,
+                               const std::string               &owner) {
+      std::vector<Vector3> places;
+      Vector3              centre = Vector3::Zero();
+      double               sum    = 0;
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        {
+          places.push_back(body.placement(body.node_positions()[nodes[i]]));
+          centre += shares[i] * places.back();
+          sum += shares[i];
+        }
+      return Ring{nodes,
+                  MeanMotion(shares, places, owner),
+                  centre / sum,
+                  Eigen::Matrix<double, 6, 6>::Zero()};
+    };
+    std::vector<double> masses;
+    for (const unsigned int node : bore)
+      masses.push_back(body.node_masses()[node]);
+    members_[b].bore = make_ring(bore, masses, "bore of the " + body.name());
+    for (const Bearing &bearing : model_.bearings)
+      if (bearing.body == b)
+        {
+          members_[b].seats.push_back(make_ring(bearing.nodes,
+                                                compute_area_shares(body, bearing.nodes),
+                                                "bearing \"" + bearing.name + "\""));
+          members_[b].seats.back().stiffness =
+            ShaftSeat(bearing.axes).in_space(bearing.law->linearized().stiffness, 0.);
+        }
+  }
+
+  MeanMotion::Motion
+  DeflectionProbe::measure_ring(const State &state, const unsigned int b, const Ring &ring) const
+  {
+    std::vector<double> sums = MeanMotion::make_sums();
+    for (std::size_t i = 0; i < ring.nodes.size(); ++i)
+      {
+        const std::uint32_t local =
+          state.partition->find_owned(model_.bodies[b].first_node + ring.nodes[i]);
+        if (local != Partition::absent)
+          ring.set.add(i, state.node_position(local), Vector3::Zero(), sums);
+      }
+    communicator_.sum(sums);
+    return ring.set.solve(sums);
+  }
+
+  void DeflectionProbe::measure_supports(const State &state, Shape &shape) const
+  {
+    using Vector6         = Eigen::Matrix<double, 6, 1>;
+    const Transmission &t = *model_.transmission;
+    for (const unsigned int b : {t.driver, t.driven})
+      {
+        const Member &member = members_[b];
+        if (!member.bore)
+          continue;
+        const Vector3 &axis = model_.bodies[b].axis.direction;
+        // Way of the mean contact along the normal where a body moves by d at a centre and its axis
+        // tilts, in the drive direction; the driver's opens what the driven one's closes.
+        const auto lead = [&](const Vector3 &centre, const Vector3 &d, const Vector3 &tilt) {
+          return (b == t.driven ? 1. : -1.) *
+                 t.contact_normal.dot(d + tilt.cross(t.contact_point - centre)) / t.arm;
+        };
+        const auto tilt = [&axis](const MeanMotion::Motion &motion) {
+          return Vector3(axis.cross(motion.rotation * axis));
+        };
+        // 1. The bore.
+        const MeanMotion::Motion motion = measure_ring(state, b, *member.bore);
+        const double             hub = lead(member.bore->centre, motion.displacement, tilt(motion));
+        shape.hub += hub;
+        shape.driven_hub += b == t.driven ? hub : 0.;
+        // 2. The rigid motion (u at the bore's centre, turn) that fits the seats' best, in the
+        // energy of the bearings: sum D^T K D (u, turn) = sum D^T K q.
+        Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+        Vector6                     right  = Vector6::Zero();
+        for (const Ring &seat : member.seats)
+          {
+            const MeanMotion::Motion    at_seat = measure_ring(state, b, seat);
+            const Vector3               r       = seat.centre - member.bore->centre;
+            Eigen::Matrix<double, 6, 6> D       = Eigen::Matrix<double, 6, 6>::Identity();
+            for (unsigned int c = 0; c < 3; ++c)
+              D.block<3, 1>(0, 3 + c) = Vector3::Unit(c).cross(r);
+            Vector6 q;
+            q << at_seat.displacement, tilt(at_seat);
+            matrix += D.transpose() * seat.stiffness * D;
+            right += D.transpose() * seat.stiffness * q;
+          }
+        // Nothing holds the turn about the axis.
+        const Vector6 rigid = matrix.completeOrthogonalDecomposition().solve(right);
+        shape.bearings += lead(member.bore->centre, rigid.head<3>(), rigid.tail<3>());
+      }
+  }
+
   DeflectionProbe::Shape DeflectionProbe::measure(State &state) const
   {
     const Transmission &t = *model_.transmission;
@@ -96,14 +200,16 @@ namespace vfife
     measure_transmission(model_, state, communicator_);
 
     Shape shape;
-    shape.hub_lead = state.measured.transmission_error;
-    shape.rim_lead = state.measured.rim_transmission_error;
+    shape.hub_lead    = state.measured.transmission_error;
+    shape.rim_lead    = state.measured.rim_transmission_error;
+    shape.driven_turn = state.measured.driven_angle;
     // psi = (n . u_g - n . u_p)/p: the master flank is the driven one, the normal comes out of it.
     const ContactPair &drive = model_.contacts.front();
     shape.contact = t.contact_normal.dot(flank_displacement(state, t.driven, drive.master_surface) -
                                          flank_displacement(state, t.driver, drive.slave_surface)) /
                     t.arm;
     fit_rim(state, shape);
+    measure_supports(state, shape);
     return shape;
   }
 
@@ -116,13 +222,11 @@ namespace vfife
   {
     // Kept with the places of all nodes: the swing's shape is what the rest of the torque adds.
     partial_torque_   = torque;
-    partial_lead_     = measure(state).hub_lead;
+    partial_turn_     = measure(state).driven_turn;
     partial_position_ = state.position;
   }
 
-  Swing DeflectionProbe::compute_swing(const State           &loaded,
-                                       const DeflectionParts &parts,
-                                       const double           torque) const
+  Swing DeflectionProbe::compute_swing(const State &loaded, const double torque) const
   {
     // J psi^2 = sum m u . u over both bodies, u from the partly loaded state to the loaded one: the
     // driver deforms in the swing too.
@@ -137,7 +241,7 @@ namespace vfife
           sum += body.node_masses()[node] * (loaded.node_position(local) - before).squaredNorm();
         }
     // The lag grows with the torque: positive, as is k = dT/psi.
-    const double psi = partial_lead_ - parts.total;
+    const double psi = partial_turn_ - loaded_turn_;
     return {(torque - partial_torque_) / psi, communicator_.sum(sum) / (psi * psi)};
   }
 
@@ -147,11 +251,13 @@ namespace vfife
     return stiffness > 0 && inertia > 0 ? std::sqrt(stiffness / inertia) / (2 * pi) : 0.;
   }
 
-  DeflectionParts DeflectionProbe::take_loaded(State &state) const
+  DeflectionParts DeflectionProbe::take_loaded(State &state)
   {
     const Transmission &t      = *model_.transmission;
     const Axis         &axis   = model_.bodies[t.driven].axis;
     const Shape         loaded = measure(state);
+
+    loaded_turn_ = loaded.driven_turn;
 
     // Differences of the loaded and the spun shape; signs and the arm as in the header.
     DeflectionParts parts;
@@ -165,9 +271,13 @@ namespace vfife
     const Vector3 tilt = turn - axis.direction.dot(turn) * axis.direction;
     const Vector3 shift =
       loaded.rim_shift - spun_.rim_shift + tilt.cross(t.contact_point - axis.point);
-    parts.rim_tilt = t.contact_normal.dot(shift) / t.arm;
+    const double driven_hub = loaded.driven_hub - spun_.driven_hub;
+    parts.rim_tilt          = t.contact_normal.dot(shift) / t.arm - driven_hub;
+    supports_.bearings      = loaded.bearings - spun_.bearings;
+    supports_.bending       = loaded.hub - spun_.hub - supports_.bearings;
     // The parts add up by definition: what the split cannot tell apart, is here.
-    parts.teeth = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt;
+    parts.teeth = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt -
+                  supports_.bearings - supports_.bending;
     return parts;
   }
 } // namespace vfife

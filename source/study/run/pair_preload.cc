@@ -6,6 +6,7 @@
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/model/load_torque.h>
+#include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_start.h>
@@ -101,10 +102,13 @@ namespace vfife
     relax("at 0.9 of the torque", partly);
     probe.take_partly_loaded(state, partly.torque * torque);
     relax("loaded", Relaxation::Loads());
-    preload_.parts = probe.take_loaded(state);
+    preload_.parts    = probe.take_loaded(state);
+    preload_.supports = probe.supports();
+    if (PairMounting::changes(model_))
+      preload_.misalignment = PairMounting(model_).measure(state, communicator_);
     // The springs' energy is that of the state just found: to be asked before the next one.
     preload_.penalty_lag = compute_penalty_lag(solver_.contact().energy(), torque);
-    preload_.swing       = probe.compute_swing(state, preload_.parts, torque);
+    preload_.swing       = probe.compute_swing(state, torque);
 
     // 3. Where the run begins.
     StandingPattern pattern(model_, communicator_);
@@ -135,6 +139,8 @@ namespace vfife
   void PreloadedPair::serialize(ByteStream &stream)
   {
     stream.pass(preload_.parts, preload_.swing, preload_.penalty_lag);
+    if (PairMounting::changes(model_))
+      stream.pass(preload_.supports, preload_.misalignment);
   }
 
   const PairPreload *PreloadedPair::preload() const
@@ -158,6 +164,23 @@ namespace vfife
               "; of the lag ",
               preload_.penalty_lag / arcsecond,
               " arcsec are the contact's penalty springs");
+    if (PairMounting::changes(model_))
+      {
+        const Mounting &m = preload_.misalignment;
+        log_.line("of the whole, bearings ",
+                  preload_.supports.bearings / arcsecond,
+                  " and bending of the shafts ",
+                  preload_.supports.bending / arcsecond,
+                  " arcsec; misalignment under load: offset ",
+                  1e3 * m.offset,
+                  " um, pinion axial ",
+                  1e3 * m.pinion_shift,
+                  " um, gear axial ",
+                  1e3 * m.gear_shift,
+                  " um, shaft angle ",
+                  m.shaft_angle / (60 * arcsecond),
+                  " arcmin");
+      }
     log_.line("the driven member swings at about ",
               preload_.swing.frequency(),
               " Hz, ",

@@ -5,6 +5,8 @@
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/result_places.h>
+#include <vfife/output/measures/pair_mounting.h>
+#include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/pattern_writer.h>
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/output/observers/rim_writer.h>
@@ -22,7 +24,7 @@ namespace vfife
   {
     /** Parts of the transmission error and the swing, in the units of users (1e-3 kg m^2 are
      * 1 t mm^2). */
-    void add_preload(const PairPreload &preload, RunSummary &summary)
+    void add_preload(const PairPreload &preload, const bool on_shafts, RunSummary &summary)
     {
       const DeflectionParts &parts = preload.parts;
       summary.transmission_error   = {
@@ -31,6 +33,19 @@ namespace vfife
           {error_part::web_windup, {parts.web_windup / arcsecond, "arcsec"}},
           {error_part::rim_tilt_and_shift, {parts.rim_tilt / arcsecond, "arcsec"}},
           {error_part::centrifugal_shift, {parts.centrifugal / arcsecond, "arcsec"}}};
+      if (on_shafts)
+        {
+          summary.transmission_error.push_back(
+            {error_part::bearings, {preload.supports.bearings / arcsecond, "arcsec"}});
+          summary.transmission_error.push_back(
+            {error_part::shaft_bending, {preload.supports.bending / arcsecond, "arcsec"}});
+          const Mounting &m    = preload.misalignment;
+          summary.misalignment = {{column::offset, {1e3 * m.offset, "um"}},
+                                  {column::pinion_axial_shift, {1e3 * m.pinion_shift, "um"}},
+                                  {column::gear_axial_shift, {1e3 * m.gear_shift, "um"}},
+                                  {column::shaft_angle_error,
+                                   {m.shaft_angle / (60 * arcsecond), "arcmin"}}};
+        }
       const Swing &swing = preload.swing;
       summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});
       summary.figures.push_back({"inertia of the swing", {1e-3 * swing.inertia, "kg m^2"}});
@@ -54,6 +69,8 @@ namespace vfife
     stepping.add<PatternWriter>(model, std::max(0., end_time - one_mesh), history_steps);
     probes_ = &stepping.add<ProbeWriter>(history_steps).table();
     stepping.add<RimWriter>(model, history_steps);
+    if (PairMounting::changes(model))
+      stepping.add<MisalignmentWriter>(model, history_steps);
   }
 
   NamedFigures PairResults::list_figures(ExplicitSolver &solver) const
@@ -93,7 +110,7 @@ namespace vfife
     // Zero where the run has failed before its equilibrium was found.
     if (preload.swing.frequency() > 0)
       {
-        add_preload(preload, summary);
+        add_preload(preload, PairMounting::changes(model_), summary);
         if (history.n_rows() > 1)
           find_steady(history, preload, summary, log);
       }

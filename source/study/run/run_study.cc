@@ -6,6 +6,7 @@
 #include <vfife/dynamics/operator/mass_scaling.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
@@ -209,6 +210,8 @@ namespace vfife
       }
     else if (!model.contacts.empty())
       stepping.add<ContactWidthWatch>(model, history_steps, log);
+    if (!model.bearings.empty())
+      stepping.add<BearingWriter>(history_steps);
     stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
     summary.contradictions = report_contradictions(
       model, stepped, stepped.expect_run_time(stepping.state(), end_time / dt), log);

@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_loads_bearing_loads_h
 #define vfife_dynamics_loads_bearing_loads_h
 
+#include <vfife/bearing/bearing_system.h>
 #include <vfife/bearing/shaft_seat.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
@@ -56,6 +57,9 @@ namespace vfife
                        std::size_t            first,
                        std::vector<Reaction> &reactions) const;
 
+    /** Of each bearing at the last add_forces(), its damper included; equal on all ranks. */
+    std::vector<SeatState> bearing_states() const;
+
   private:
     struct Node
     {
@@ -86,20 +90,25 @@ namespace vfife
       double                    decay      = 0; ///< largest c/m [1/s]
       // At the last add_forces():
       MeanMotion::Motion motion;
+      SeatState          state;             ///< of a bearing
       Wrench             elastic, damping;  ///< on the shaft
       double             drive_torque  = 0; ///< of both, of a coupling [N mm]
       double             damper_torque = 0; ///< of the damper alone
-      double             energy        = 0;
     };
 
     /** Largest frequency and decay of the springs and dampers of a seat on the nodes' masses. */
     static void find_limits(Seat &seat);
     void        read_motions(const NodeField &positions, const NodeField *velocities);
-    static void respond(double time, bool at_rest, Seat &seat);
-    void        add_to(NodeField &forces) const;
+    /** Of all seats whose motions are known. */
+    void respond(double time, bool at_rest);
+    void respond_bearings(bool at_rest);
+    void respond_coupling(double time, bool at_rest, Seat &seat);
+    void add_to(NodeField &forces) const;
 
     const Communicator &communicator_;
+    BearingSystem       system_;
     std::vector<Seat>   seats_;          ///< of bearings, then of couplings
+    double              energy_     = 0; ///< of all springs at the last add_forces() [mJ]
     double              frequency2_ = 0; ///< largest k/m of all springs together [1/s^2]
     double              decay_      = 0; ///< largest c/m of all dampers together [1/s]
   };

@@ -26,6 +26,7 @@ namespace vfife
     // What holds figures by their names.
     constexpr char figures[]            = "/figures";
     constexpr char transmission_error[] = "/transmission error"; ///< parts of the mean DTE
+    constexpr char misalignment[]       = "/misalignment";       ///< of a pair on shafts
     constexpr char steady_columns[]     = "/steady part/columns";
     constexpr char probes[]             = "/probes"; ///< by name
 
@@ -39,6 +40,9 @@ namespace vfife
 
     /** A part of the transmission error, error_part. */
     std::string part_of_error(const std::string &name);
+
+    /** A number of the misalignment, named as its column. */
+    std::string misalignment_of(const std::string &column);
 
     /** Of a column of history.csv over the steady part. */
     std::string steady_mean(const std::string &column);
@@ -67,7 +71,9 @@ namespace vfife
     constexpr char web_windup[]         = "web windup";
     constexpr char rim_tilt_and_shift[] = "rim tilt and shift";
     constexpr char centrifugal_shift[]  = "centrifugal shift";
-  } // namespace error_part
+    constexpr char bearings[]           = "bearings";      ///< of pairs on shafts
+    constexpr char shaft_bending[]      = "shaft bending"; ///< of pairs on shafts
+  }                                                        // namespace error_part
 
   /** In lumped.json; names of members and where they lead to. */
   namespace lumped_place

@@ -47,6 +47,7 @@ namespace vfife
     NamedFigures figures; ///< anything that is given or derived: speeds, torque, penalty, lever arm
     std::optional<SteadyPart>   steady;
     NamedFigures                transmission_error; ///< parts of the mean DTE
+    NamedFigures                misalignment;       ///< of a pair on shafts, under load
     std::vector<ProbeRecord>    probes;             ///< of a gear pair
     std::optional<EnergyLedger> energy;
     std::vector<DampingAudit>   damping;

@@ -6,7 +6,9 @@
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/operation_options.h>
+#include <vfife/study/cases/shaft_supports.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -53,21 +55,36 @@ namespace vfife
     unsigned int gear_tooth_in_mesh(unsigned int meshes) const;
 
   private:
+    /** One of both members, body 0 the pinion. */
+    struct Member
+    {
+      std::string     name; ///< of its section
+      GearBodyOptions body;
+      ShaftSupports   supports;
+      std::string     material = "steel";
+
+      /** Its section Gear pair/NAME/Shaft. */
+      std::string               shaft_section() const;
+      std::vector<ShaftSection> shaft_sections() const;
+    };
     const Material &material(const std::string &name) const;
     /** E* of both members [MPa]. */
     double       pair_modulus() const;
     Transmission make_transmission(const GearPair &pair) const;
-    /** Node set by which a body (0 pinion, 1 gear) is driven or held. */
+    /** Node set by which a body (0 pinion, 1 gear) is driven or held, or sits on its shaft. */
     const char *held_set(unsigned int body) const;
+    Body        make_body(const GearPair &pair, unsigned int body) const;
     /** Penalty of the pair where the section Contact gives none [N/mm^3]. */
     double derive_penalty(const GearPair &pair, Log &log) const;
     void   add_contacts(const GearPair &pair, Log &log, Model &model) const;
-    void   add_hub(Model &model) const;
+    void   add_housing(Model &model) const;
+    void   add_drive(Model &model) const;
+    void   add_load(Model &model) const;
     void   add_probes(Model &model) const;
 
     GearPairOptions       pair_;
-    GearBodyOptions       pinion_body_, gear_body_;
-    std::string           pinion_material_ = "steel", gear_material_ = "steel";
+    std::array<Member, 2> members_; ///< by body
+    std::string           housing_; ///< file of its stiffness; empty: rigid
     std::vector<Material> materials_;
     OperationOptions      operation_;
     ContactOptions        contact_;

@@ -2,9 +2,13 @@
 #ifndef vfife_study_run_deflection_parts_h
 #define vfife_study_run_deflection_parts_h
 
+#include <vfife/bearing/mean_motion.h>
+#include <vfife/bearing/shaft_seat.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace vfife
@@ -23,8 +27,16 @@ namespace vfife
     double total       = 0;
     double centrifugal = 0; ///< displacement of both flanks by spinning alone
     double web_windup  = 0; ///< rotation of the rim against the hub under load
-    double rim_tilt    = 0; ///< the rest of the rim's rigid motion under load: tilt and shift
-    double teeth       = 0; ///< what remains: bending of teeth and rim, contact, pinion body
+    double rim_tilt = 0; ///< of the rim's rigid motion under load tilt and shift, from the hub on
+    double teeth    = 0; ///< what remains: bending of teeth and rim, contact, pinion body
+  };
+
+  /** Parts of the transmission error of a loaded pair on shafts [rad]: what the shafts of both
+   * members do without turning about their axes, taken to the mean contact. */
+  struct SupportParts
+  {
+    double bearings = 0; ///< the rigid motion of each shaft that its bearings' displacements make
+    double bending  = 0; ///< the motion of the bores beyond that
   };
 
   /** The lowest oscillation of a loaded pair whose driver is held. */
@@ -50,36 +62,66 @@ namespace vfife
     void take_partly_loaded(State &state, double torque);
 
     /** With the state under the full torque. Collective. */
-    DeflectionParts take_loaded(State &state) const;
+    DeflectionParts take_loaded(State &state);
+
+    /** Of the loaded state; zero for bodies without bearings. */
+    const SupportParts &supports() const
+    {
+      return supports_;
+    }
 
     /**
-     * The slope of the pair at full load, from the partly loaded state to the loaded one. With u
-     * the difference of both shapes and psi that of the hub's rotations, the swing of the pair in
-     * the shape u has the frequency (1/2pi) sqrt(k/J), k = dT/psi and J = sum m u . u/psi^2
-     * (Rayleigh). Collective.
+     * The slope of the pair at full load, from the partly loaded state to that of take_loaded().
+     * With u the difference of both shapes and psi the rotation of the driven hub, to which a shaft
+     * of the driver adds what it winds up, the swing of the pair in the shape u has the frequency
+     * (1/2pi) sqrt(k/J), k = dT/psi and J = sum m u . u/psi^2 (Rayleigh). Collective.
      */
-    Swing compute_swing(const State &loaded, const DeflectionParts &parts, double torque) const;
+    Swing compute_swing(const State &loaded, double torque) const;
 
   private:
     struct Shape
     {
       double  contact  = 0;               ///< (n . u_g - n . u_p)/p at the flanks
-      double  hub_lead = 0, rim_lead = 0; ///< drive direction
+      double  hub_lead = 0, rim_lead = 0; ///< transmission errors
+      double  driven_turn = 0;            ///< of the driven hub alone, drive direction
       Vector3 rim_shift =
         Vector3::Zero(); ///< rigid motion of the rim: u = shift + tilt x (x - axis point)
       Vector3 rim_turn = Vector3::Zero();
+
+      double hub        = 0; ///< of contact, what the rigid motions of both bores make
+      double bearings   = 0; ///< of that, what the displacements in the bearings make
+      double driven_hub = 0; ///< of hub, the driven member's
+    };
+    /** A ring of nodes whose mean motion counts: a bore, or the seat of a bearing. */
+    struct Ring
+    {
+      std::vector<unsigned int>   nodes;
+      MeanMotion                  set;
+      Vector3                     centre = Vector3::Zero(); ///< undeformed
+      Eigen::Matrix<double, 6, 6> stiffness;                ///< of a bearing, fixed frame
+    };
+    struct Member
+    {
+      std::optional<Ring> bore;
+      std::vector<Ring>   seats;
     };
 
-    Shape measure(State &state) const;
+    void               add_member(unsigned int body, const std::vector<unsigned int> &bore);
+    Shape              measure(State &state) const;
+    MeanMotion::Motion measure_ring(const State &state, unsigned int body, const Ring &ring) const;
+    void               measure_supports(const State &state, Shape &shape) const;
     Vector3
     flank_displacement(const State &state, unsigned int body, const std::string &surface) const;
     void fit_rim(const State &state, Shape &shape) const;
 
-    const Model        &model_;
-    const Communicator &communicator_;
-    Shape               spun_;
-    double              partial_torque_ = 0, partial_lead_ = 0; ///< [N mm], [rad]
-    NodeField           partial_position_;                      ///< [mm]
+    const Model          &model_;
+    const Communicator   &communicator_;
+    std::array<Member, 2> members_; ///< by body
+    Shape                 spun_;
+    SupportParts          supports_;
+    double                partial_torque_ = 0, partial_turn_ = 0; ///< [N mm], [rad]
+    double                loaded_turn_ = 0;                       ///< [rad]
+    NodeField             partial_position_;                      ///< [mm]
   };
 } // namespace vfife
 

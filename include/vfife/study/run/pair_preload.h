@@ -2,6 +2,7 @@
 #ifndef vfife_study_run_pair_preload_h
 #define vfife_study_run_pair_preload_h
 
+#include <vfife/output/measures/mounting.h>
 #include <vfife/study/run/deflection_parts.h>
 #include <vfife/study/run/run_start.h>
 
@@ -17,6 +18,8 @@ namespace vfife
   struct PairPreload
   {
     DeflectionParts parts;
+    SupportParts    supports;     ///< of pairs on shafts
+    Mounting        misalignment; ///< of these, under load
     Swing           swing;
     double          penalty_lag = 0; ///< [rad], compute_penalty_lag()
   };

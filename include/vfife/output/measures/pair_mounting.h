@@ -1,0 +1,60 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_measures_pair_mounting_h
+#define vfife_output_measures_pair_mounting_h
+
+#include <vfife/bearing/mean_motion.h>
+#include <vfife/model/model.h>
+#include <vfife/output/measures/mounting.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+  struct State;
+
+  /**
+   * How the members of a model's gear pair, body 0 the pinion, stand to each other: each is where
+   * the mean motion of its bore (Transmission) has taken apex and axis. A member whose bore turns
+   * as prescribed stays where it is.
+   */
+  class PairMounting
+  {
+  public:
+    /** The model must have a transmission and outlive this. */
+    explicit PairMounting(const Model &model);
+
+    /** Whether a member hangs in bearings, so that the mounting changes at all. */
+    static bool changes(const Model &model);
+
+    /** What the state has more than the undeformed pair. Collective. */
+    Mounting measure(const State &state, const Communicator &communicator) const;
+
+    /** The same where @p displacements [mm] are those of the bores' nodes in axes that have turned
+     * by @p rotations since time zero, about the bodies' axes; in the order of the bodies. */
+    Mounting measure(const std::array<std::vector<Vector3>, 2> &displacements,
+                     const std::array<Matrix3, 2>              &rotations) const;
+
+    /** Nodes of a body's bore whose displacements are asked for; empty: it does not move. */
+    const std::vector<unsigned int> &bore(unsigned int body) const;
+
+  private:
+    struct Member
+    {
+      MountedMember             undeformed;
+      Vector3                   centre = Vector3::Zero(); ///< of the bore
+      std::vector<unsigned int> bore;                     ///< nodes of the body
+      std::vector<Vector3>      places;                   ///< undeformed, fixed frame
+      std::optional<MeanMotion> set;
+    };
+    static MountedMember move(const Member &member, const MeanMotion::Motion &motion);
+
+    const Model          &model_;
+    std::array<Member, 2> members_;
+    Mounting              undeformed_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,35 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_observers_bearing_writer_h
+#define vfife_output_observers_bearing_writer_h
+
+#include <vfife/output/measures/bearing_columns.h>
+#include <vfife/output/measures/pair_mounting.h>
+#include <vfife/output/observers/sampled_table.h>
+
+namespace vfife
+{
+  /** bearings.csv, long format: one line a sample and bearing of the model. */
+  class BearingWriter : public SampledTable<BearingSample>
+  {
+  public:
+    BearingWriter(const OutputFolder &folder, std::uint64_t steps_between);
+
+  private:
+    void add_rows(const Model &model, const State &state) override;
+  };
+
+  /** misalignment.csv: how the members of a gear pair stand to each other, one line a sample. */
+  class MisalignmentWriter : public SampledTable<Mounting>
+  {
+  public:
+    MisalignmentWriter(const OutputFolder &folder, const Model &model, std::uint64_t steps_between);
+
+  private:
+    void add_rows(const Model &model, const State &state) override;
+
+    const OutputFolder &folder_;
+    PairMounting        mounting_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,146 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_matrix.h>
+#include <vfife/base/text/number_text.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Far more than matrices of a few bearings have. */
+    constexpr double largest_size = 6000;
+
+    /** Lines of numbers, without comments and empty ones. */
+    class MatrixFile
+    {
+    public:
+      explicit MatrixFile(const std::string &path)
+        : name_("the matrix \"" + path + "\"")
+        , file_(path)
+      {
+        if (!file_)
+          throw InputError(name_ + " cannot be opened");
+      }
+
+      /** The first line, in words. */
+      std::vector<std::string> header()
+      {
+        std::string line;
+        std::getline(file_, line);
+        ++number_;
+        std::vector<std::string> words;
+        std::istringstream       stream(line);
+        for (std::string word; stream >> word;)
+          words.push_back(word);
+        return words;
+      }
+
+      std::vector<double> next(const std::size_t n)
+      {
+        std::vector<double> numbers;
+        for (std::string line; numbers.empty() && std::getline(file_, line);)
+          {
+            ++number_;
+            if (!line.empty() && line[0] == '%')
+              continue;
+            std::istringstream stream(line);
+            for (std::string word; stream >> word;)
+              {
+                const std::optional<double> number = plain_number(word);
+                if (!number)
+                  refuse("\"" + word + "\" is no number");
+                numbers.push_back(*number);
+              }
+          }
+        if (numbers.size() != n)
+          refuse(numbers.empty()
+                   ? "the file ends before the last entry"
+                   : std::to_string(numbers.size()) + " numbers instead of " + std::to_string(n));
+        return numbers;
+      }
+
+      bool has_more()
+      {
+        for (std::string line; std::getline(file_, line);)
+          {
+            ++number_;
+            if (line.empty() || line[0] != '%')
+              if (!trimmed(line).empty())
+                return true;
+          }
+        return false;
+      }
+
+      [[noreturn]] void refuse(const std::string &what) const
+      {
+        throw InputError(name_ + ", line " + std::to_string(number_) + ": " + what);
+      }
+
+    private:
+      std::string   name_;
+      std::ifstream file_;
+      unsigned int  number_ = 0;
+    };
+
+    /** A number of rows, columns or entries, or the place of one. */
+    Eigen::Index whole(const double number, const double least, const double most, MatrixFile &file)
+    {
+      if (!(number >= least && number <= most) || number != std::floor(number))
+        file.refuse(number_text(number) + " is not a whole number from " + number_text(least) +
+                    " to " + number_text(most));
+      return static_cast<Eigen::Index>(number);
+    }
+  } // namespace
+
+  Eigen::MatrixXd read_parameter_matrix(const std::string &path)
+  {
+    MatrixFile file(path);
+    const auto words = file.header();
+    const bool known = words.size() == 5 && words[0] == "%%MatrixMarket" && words[1] == "matrix" &&
+                       (words[2] == "coordinate" || words[2] == "array") &&
+                       (words[3] == "real" || words[3] == "integer") &&
+                       (words[4] == "general" || words[4] == "symmetric");
+    if (!known)
+      file.refuse(
+        "must be \"%%MatrixMarket matrix coordinate real symmetric\" (or array, general)");
+    const bool by_place = words[2] == "coordinate", is_symmetric = words[4] == "symmetric";
+
+    const std::vector<double> sizes = file.next(by_place ? 3 : 2);
+    const Eigen::Index        rows  = whole(sizes[0], 1, largest_size, file),
+                       columns      = whole(sizes[1], 1, largest_size, file);
+    if (is_symmetric && rows != columns)
+      file.refuse("a symmetric matrix has as many columns as rows");
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows, columns);
+    const auto      set    = [&](const Eigen::Index i, const Eigen::Index j, const double value) {
+      if (is_symmetric && j > i)
+        file.refuse("an entry above the diagonal of a symmetric matrix");
+      matrix(i, j) = value;
+      if (is_symmetric)
+        matrix(j, i) = value;
+    };
+    if (by_place)
+      {
+        const Eigen::Index n =
+          whole(sizes[2], 0, static_cast<double>(rows) * static_cast<double>(columns), file);
+        for (Eigen::Index k = 0; k < n; ++k)
+          {
+            const std::vector<double> entry = file.next(3);
+            set(whole(entry[0], 1, rows, file) - 1,
+                whole(entry[1], 1, columns, file) - 1,
+                entry[2]);
+          }
+      }
+    else
+      for (Eigen::Index j = 0; j < columns; ++j)
+        for (Eigen::Index i = is_symmetric ? j : 0; i < rows; ++i)
+          set(i, j, file.next(1).front());
+    if (file.has_more())
+      file.refuse("more entries than the header says");
+    return matrix;
+  }
+} // namespace vfife

@@ -1,0 +1,29 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/output/measures/mounting.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  Mounting Mounting::operator-(const Mounting &other) const
+  {
+    return {offset - other.offset,
+            pinion_shift - other.pinion_shift,
+            gear_shift - other.gear_shift,
+            shaft_angle - other.shaft_angle};
+  }
+
+  Mounting find_mounting(const MountedMember &pinion, const MountedMember &gear)
+  {
+    const Vector3 &p = pinion.direction, &g = gear.direction;
+    const Vector3  normal = g.cross(p), between = pinion.apex - gear.apex;
+    const double   sine2 = normal.squaredNorm(), cosine = p.dot(g);
+    if (!(sine2 > 1e-12))
+      throw NumericalError("the axes of the two members are parallel");
+    // Feet of the common perpendicular: between + s p - t g is square to p and to g.
+    const double s = (cosine * between.dot(g) - between.dot(p)) / sine2;
+    const double t = between.dot(g) + s * cosine;
+    return {between.dot(normal) / std::sqrt(sine2), -s, -t, std::atan2(std::sqrt(sine2), cosine)};
+  }
+} // namespace vfife

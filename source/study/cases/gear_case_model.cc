@@ -1,0 +1,254 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The part of GearCase that puts the model together.
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_matrix.h>
+#include <vfife/base/process/log.h>
+#include <vfife/bearing/bearing_system.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/mesh/shaft_sections.h>
+#include <vfife/study/cases/body_figures.h>
+#include <vfife/study/cases/contact_resolution.h>
+#include <vfife/study/cases/gear_case.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** The name of a flank among the surfaces of a gear body. */
+    const char *surface_of(const FlankSide side)
+    {
+      return side == FlankSide::concave ? surface_name::concave : surface_name::convex;
+    }
+
+    /** Penalty times module over the contact modulus E*. At 1000 MPa the springs of the reference
+     * pair give way by 1 um, some 2 arcsec of its lag; stiffer ones ripple more on coarse flanks
+     * (doc/contact.md, In time). */
+    constexpr double penalty_over_stiffness = 30.;
+
+    /** Body frame placed in the fixed frame with its axis of rotation. */
+    void place(Body &body, const RigidMotion &placement, const double rate)
+    {
+      body.placement      = placement;
+      body.axis.point     = placement.translation;
+      body.axis.direction = placement.rotation.col(2);
+      body.turns_on_axis  = true;
+      body.rate           = rate;
+    }
+  } // namespace
+
+  Transmission GearCase::make_transmission(const GearPair &pair) const
+  {
+    // The mean contact's normal comes out of the gear: with the gear driving it is turned round,
+    // for the model's comes out of the driven member. The pair knows the arm p = |(P x n) . a|
+    // about the gear axis only; the driven pinion's is found here.
+    const MeanContact &mean          = pair.mean_contact(working_side());
+    const bool         pinion_drives = operation_.driving == DrivingMember::pinion;
+    const double       sense         = operation_.direction == TurningDirection::forward ? 1. : -1.;
+    const unsigned int teeth[]       = {pair.pinion().blank().teeth, pair.gear().blank().teeth};
+    Transmission       t;
+    t.driver                 = pinion_drives ? 0 : 1;
+    t.driven                 = 1 - t.driver;
+    t.driver_teeth           = teeth[t.driver];
+    t.driven_teeth           = teeth[t.driven];
+    t.driver_sense           = pinion_drives ? sense : -sense;
+    t.driven_sense           = -t.driver_sense;
+    t.driver_rate            = operation_.speed * (pinion_drives ? 1. : pair.speed_ratio());
+    t.contact_point          = mean.position;
+    t.contact_normal         = pinion_drives ? mean.normal : Vector3(-mean.normal);
+    const RigidMotion pinion = pair.pinion_placement(0.);
+    t.arm =
+      pinion_drives
+        ? mean.arm
+        : std::abs(
+            (mean.position - pinion.translation).cross(mean.normal).dot(pinion.rotation.col(2)));
+    return t;
+  }
+
+  Model GearCase::make_model(Log &log) const
+  {
+    for (const std::string &message : pair_.examine().warnings())
+      log.warning(message);
+    const GearPair pair(pair_);
+    Model          model;
+
+    // 1. Bodies, meshed and mounted so that the generated flanks of the working side touch in the
+    // mean contact at time zero, the pinion's turned onto its tooth 0. They turn about their axes
+    // in opposite senses, the pinion about + when it goes forward.
+    Body               pinion = make_body(pair, 0);
+    const MeshSide     side   = working_side();
+    const MeanContact &mean   = pair.mean_contact(side);
+    const double       sense  = operation_.direction == TurningDirection::forward ? 1. : -1.;
+    place(pinion,
+          pair.pinion_placement(mean.rot1 - pair.pinion().turn(pair.pinion_side(side))),
+          sense * operation_.speed);
+    Body gear = make_body(pair, 1);
+    place(gear, pair.gear_placement(mean.rot2), -sense * operation_.speed * pair.speed_ratio());
+
+    model.add_body(std::move(pinion));
+    model.add_body(std::move(gear));
+    // 2. What drives and what is driven.
+    Transmission t = make_transmission(pair);
+    // The rim is where the parts of the transmission error are fitted.
+    t.driven_rim       = model.bodies[t.driven].node_set(node_set::rim);
+    model.transmission = t;
+
+    // 3. Bores, load torque, flanks that may touch, places that are looked at.
+    add_drive(model);
+    add_load(model);
+    add_housing(model);
+    add_contacts(pair, log, model);
+    add_probes(model);
+    for (const BodyFigures &figures : measure_bodies(model))
+      figures.write_to(log);
+    warn_of_unused_entries(model, log);
+    return model;
+  }
+
+  Body GearCase::make_body(const GearPair &pair, const unsigned int body) const
+  {
+    // Seats begin and end where the mesh has levels.
+    const Member   &member  = members_[body];
+    GearBodyOptions options = member.body;
+    options.shaft.levels    = member.supports.levels();
+    const GearMember &teeth = body == 0 ? pair.pinion() : pair.gear();
+    return {body == 0 ? "pinion" : "gear",
+            make_gear_body(teeth, options),
+            material(member.material)};
+  }
+
+  void GearCase::add_housing(Model &model) const
+  {
+    if (housing_.empty())
+      return;
+    const char *entry = "Gear pair/Housing/stiffness";
+    if (model.bearings.empty())
+      throw InputError(entry,
+                       "there are no bearings in the housing: both members have ideal bores");
+    // Bearings of the driver were added first; the file has those of the pinion first.
+    std::stable_sort(model.bearings.begin(),
+                     model.bearings.end(),
+                     [](const Bearing &a, const Bearing &b) { return a.body < b.body; });
+    model.housing = read_parameter_matrix(housing_);
+    try
+      {
+        BearingSystem(std::vector<BearingSystem::Seat>(model.bearings.size()))
+          .set_housing(model.housing);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(entry, std::string(error.what()));
+      }
+  }
+
+  const char *GearCase::held_set(const unsigned int body) const
+  {
+    return members_[body].body.web == WebKind::none ? node_set::rim_underside : node_set::bore;
+  }
+
+  void GearCase::add_drive(Model &model) const
+  {
+    Transmission                   &t        = *model.transmission;
+    const Body                     &driver   = model.bodies[t.driver];
+    const Member                   &member   = members_[t.driver];
+    const std::vector<ShaftSection> sections = member.shaft_sections();
+    if (sections.empty())
+      {
+        model.constraints.push_back({driver.name() + " bore",
+                                     ConstraintKind::prescribed_rotation,
+                                     t.driver,
+                                     driver.node_set(held_set(t.driver))});
+        return;
+      }
+    t.driver_bore = driver.node_set(held_set(t.driver));
+    member.supports.add_driver(model, t.driver, member.shaft_section(), sections);
+  }
+
+  void GearCase::add_load(Model &model) const
+  {
+    // The set that is held is the bore, or without a web the underside of the rim. What turns there
+    // is the theta_g of the transmission error.
+    Transmission                   &t        = *model.transmission;
+    const Body                     &driven   = model.bodies[t.driven];
+    const Member                   &member   = members_[t.driven];
+    const std::vector<ShaftSection> sections = member.shaft_sections();
+    const double                    torque   = -t.driven_sense * operation_.torque;
+    t.driven_bore                            = driven.node_set(held_set(t.driven));
+    if (!sections.empty())
+      {
+        member.supports.add_driven(model, t.driven, member.shaft_section(), sections, torque);
+        return;
+      }
+    Constraint hub;
+    hub.name  = driven.name() + " hub";
+    hub.kind  = operation_.hub == HubKind::rigid_hub ? ConstraintKind::rigid_hub
+                                                     : ConstraintKind::free_rotation;
+    hub.body  = t.driven;
+    hub.nodes = t.driven_bore;
+    model.constraints.push_back(hub);
+
+    Torque load;
+    load.name  = "load torque";
+    load.body  = t.driven;
+    load.nodes = t.driven_bore;
+    // A constant traction on the bore, against the sense in which the driven member turns.
+    load.areas = compute_nodal_areas(driven, t.driven_bore);
+    load.value = torque;
+    model.torques.push_back(load);
+  }
+
+  double GearCase::derive_penalty(const GearPair &pair, Log &log) const
+  {
+    const BlankOutline &gear    = pair.gear().blank();
+    const double        modulus = pair_modulus(),
+                 module         = gear.circular_pitch(gear.outer_cone_distance) / pi,
+                 penalty        = penalty_over_stiffness * modulus / module;
+    log.line("contact penalty of the pair ",
+             penalty,
+             " N/mm^3: ",
+             penalty_over_stiffness,
+             " E*/m with E* = ",
+             modulus,
+             " MPa, m = ",
+             module,
+             " mm");
+    return penalty;
+  }
+
+  void GearCase::add_contacts(const GearPair &pair, Log &log, Model &model) const
+  {
+    ContactOptions options = contact_;
+    if (!options.penalty.from_step && options.penalty.value == 0.)
+      options.penalty.value = derive_penalty(pair, log);
+    const Transmission &t             = *model.transmission;
+    const bool          pinion_drives = operation_.driving == DrivingMember::pinion;
+    const MeshSide      working       = working_side();
+    // the side that carries comes first, the driver is the slave
+    for (const MeshSide side :
+         {working, working == MeshSide::drive ? MeshSide::coast : MeshSide::drive})
+      {
+        ContactPair contact;
+        const char *surfaces[] = {surface_of(pair.pinion_side(side)),
+                                  surface_of(pair.gear_side(side))};
+        contact.side           = side_name(side);
+        contact.slave_body     = t.driver;
+        contact.slave_surface  = surfaces[pinion_drives ? 0 : 1];
+        contact.master_body    = t.driven;
+        contact.master_surface = surfaces[pinion_drives ? 1 : 0];
+        contact.options        = options;
+        model.contacts.push_back(contact);
+      }
+  }
+
+  void GearCase::add_probes(Model &model) const
+  {
+    const Body &gear = model.bodies[1];
+    // Of all sectors that which passes the mesh at 75 % of the run: late, and still within it.
+    const unsigned int tooth = gear_tooth_in_mesh(std::lround(0.75 * operation_.meshes));
+    for (const char *set : {node_set::node_A_front, node_set::node_A_back})
+      if (gear.has_node_set(set) && tooth < gear.node_set(set).size())
+        model.probes.push_back({set, 1, gear.node_set(set)[tooth]});
+  }
+} // namespace vfife

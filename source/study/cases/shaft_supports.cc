@@ -1,0 +1,220 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/mesh/shaft_sections.h>
+#include <vfife/model/model.h>
+#include <vfife/study/cases/shaft_supports.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Places along the axis and radii that differ by less are the same [mm]. */
+    constexpr double tolerance = 1e-6;
+
+    std::string range_text(const double from, const double to)
+    {
+      std::ostringstream text;
+      text << from << " to " << to << " mm";
+      return text.str();
+    }
+
+    /** The section of the shaft that carries a ring. Throws InputError, naming the nearest. */
+    const ShaftSection &find_section(const ShaftRing                 &ring,
+                                     const std::vector<ShaftSection> &sections,
+                                     const std::string               &section)
+    {
+      if (!(ring.to > ring.from))
+        throw InputError(section + "/to",
+                         "the ring from " + range_text(ring.from, ring.to) +
+                           " must end behind its beginning");
+      const ShaftSection *nearest  = nullptr;
+      double              distance = 0;
+      for (const ShaftSection &s : sections)
+        {
+          if (ring.from >= s.from - tolerance && ring.to <= s.to + tolerance)
+            return s;
+          const double d = std::abs(.5 * (ring.from + ring.to) - .5 * (s.from + s.to));
+          if (nearest == nullptr || d < distance)
+            {
+              nearest  = &s;
+              distance = d;
+            }
+        }
+      throw InputError(section + "/from",
+                       "the ring from " + range_text(ring.from, ring.to) +
+                         " does not lie on one section of the shaft; the nearest section is from " +
+                         range_text(nearest->from, nearest->to));
+    }
+
+    /** Nodes of a ring on the shaft's surface; throws InputError where the hub covers it. */
+    std::vector<unsigned int> find_nodes(const Body                      &body,
+                                         const ShaftRing                 &ring,
+                                         const std::vector<ShaftSection> &sections,
+                                         const std::string               &section)
+    {
+      const double              radius = .5 * find_section(ring, sections, section).outer;
+      std::vector<unsigned int> nodes;
+      double                    lowest = ring.to, highest = ring.from;
+      for (const unsigned int node : body.node_set(node_set::shaft_surface))
+        {
+          const Vector3 &x = body.node_positions()[node];
+          if (x[2] < ring.from - tolerance || x[2] > ring.to + tolerance ||
+              std::abs(x.head<2>().norm() - radius) > tolerance)
+            continue;
+          nodes.push_back(node);
+          lowest  = std::min(lowest, x[2]);
+          highest = std::max(highest, x[2]);
+        }
+      if (nodes.empty() || lowest > ring.from + tolerance || highest < ring.to - tolerance)
+        throw InputError(section + "/from",
+                         "the ring from " + range_text(ring.from, ring.to) +
+                           " lies within the hub, where the shaft has no free surface");
+      return nodes;
+    }
+  } // namespace
+
+  void ShaftRing::declare(dealii::ParameterHandler &prm, const std::string &what)
+  {
+    declare_quantity(prm,
+                     "from",
+                     from,
+                     "mm",
+                     what + " begins here on the shaft: place along the axis from the apex");
+    declare_quantity(prm, "to", to, "mm", "Where it ends");
+  }
+
+  void ShaftSupports::Seat::declare_kind(dealii::ParameterHandler &prm)
+  {
+    const Choices<bool> kinds = {{"bearing", false}, {"rolling bearing", true}};
+    declare_choice(prm, "kind", rolls, kinds, "Linear law, or one of balls or rollers");
+  }
+
+  void ShaftSupports::declare_bearing_names(dealii::ParameterHandler &prm)
+  {
+    declare_names(prm, "bearings", names_, "A subsection \"Bearing NAME\" for each");
+  }
+
+  void ShaftSupports::declare_kinds(dealii::ParameterHandler &prm)
+  {
+    // All before anything is declared: entries are bound by address.
+    seats_.clear();
+    seats_.reserve(names_.size());
+    for (const std::string &name : names_)
+      seats_.emplace_back(name, Seat());
+    for (auto &seat : seats_)
+      {
+        const Subsection subsection(prm, "Bearing " + seat.first);
+        seat.second.declare_kind(prm);
+      }
+  }
+
+  void ShaftSupports::declare(dealii::ParameterHandler &prm)
+  {
+    declare_bearing_names(prm);
+    for (auto &[name, seat] : seats_)
+      {
+        const Subsection subsection(prm, "Bearing " + name);
+        seat.declare_kind(prm);
+        seat.ring.declare(prm, "The bearing's seat");
+        if (seat.rolls)
+          seat.rolling.declare(prm);
+        else
+          seat.linear.declare(prm);
+      }
+    const Subsection subsection(prm, "End");
+    end_.declare(prm, "The ring at which the machine drives or loads the shaft");
+    coupling_.declare(prm);
+  }
+
+  std::string ShaftSupports::section_of(const std::string &section, const std::string &bearing)
+  {
+    return section + "/Bearing " + bearing;
+  }
+
+  void ShaftSupports::check(const std::string               &section,
+                            const std::vector<ShaftSection> &sections) const
+  {
+    if (sections.empty())
+      {
+        if (!seats_.empty())
+          throw InputError(section + "/bearings", "there is no shaft for them: give its sections");
+        return;
+      }
+    if (seats_.empty())
+      throw InputError(section + "/bearings", "nothing holds the shaft: name its bearings");
+    for (const auto &[name, seat] : seats_)
+      {
+        const std::string where = section_of(section, name);
+        find_section(seat.ring, sections, where);
+        if (seat.rolls)
+          seat.rolling.make_law(where);
+        else
+          seat.linear.check(where);
+      }
+    find_section(end_, sections, section + "/End");
+  }
+
+  std::vector<double> ShaftSupports::levels() const
+  {
+    std::vector<double> levels;
+    for (const auto &seat : seats_)
+      levels.insert(levels.end(), {seat.second.ring.from, seat.second.ring.to});
+    levels.insert(levels.end(), {end_.from, end_.to});
+    return levels;
+  }
+
+  void ShaftSupports::add_bearings(Model                           &model,
+                                   const unsigned int               b,
+                                   const std::string               &section,
+                                   const std::vector<ShaftSection> &sections) const
+  {
+    Body &body  = model.bodies[b];
+    body.floats = true;
+    for (const auto &[name, seat] : seats_)
+      {
+        const std::string  where = section_of(section, name);
+        const SeatOptions &axes  = seat.rolls ? seat.rolling.seat : seat.linear.seat;
+        model.bearings.push_back(
+          {body.name() + " " + name,
+           b,
+           find_nodes(body, seat.ring, sections, where),
+           axes.make_axes(body.axis, where),
+           seat.rolls ? seat.rolling.make_law(where) : seat.linear.make_law(where)});
+      }
+  }
+
+  void ShaftSupports::add_driver(Model                           &model,
+                                 const unsigned int               body,
+                                 const std::string               &section,
+                                 const std::vector<ShaftSection> &sections) const
+  {
+    add_bearings(model, body, section, sections);
+    model.couplings.push_back({model.bodies[body].name() + " drive",
+                               body,
+                               find_nodes(model.bodies[body], end_, sections, section + "/End"),
+                               coupling_.stiffness,
+                               coupling_.damping});
+  }
+
+  void ShaftSupports::add_driven(Model                           &model,
+                                 const unsigned int               body,
+                                 const std::string               &section,
+                                 const std::vector<ShaftSection> &sections,
+                                 const double                     value) const
+  {
+    add_bearings(model, body, section, sections);
+    Torque load;
+    load.name  = "load torque";
+    load.body  = body;
+    load.nodes = find_nodes(model.bodies[body], end_, sections, section + "/End");
+    load.areas = compute_nodal_areas(model.bodies[body], load.nodes);
+    load.value = value;
+    model.torques.push_back(load);
+  }
+} // namespace vfife
