@@ -7,6 +7,7 @@
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
+#include <vfife/mesh/gear/gear_shaft_builder.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/contact_resolution.h>
@@ -112,6 +113,12 @@ namespace vfife
     const GearPairOptions completed = pair_.completed();
     pinion_body_.check("Gear pair/Pinion", completed.pinion.blank);
     gear_body_.check("Gear pair/Gear", completed.gear.blank);
+    if (pinion_body_.shaft.present() || gear_body_.shaft.present())
+      {
+        const GearPair pair(pair_);
+        check_gear_shaft("Gear pair/Pinion/Shaft", pair.pinion(), pinion_body_);
+        check_gear_shaft("Gear pair/Gear/Shaft", pair.gear(), gear_body_);
+      }
     for (const Material &m : materials_)
       m.check("Material " + m.name);
   }
