@@ -5,9 +5,9 @@
 #include "../tests.h"
 
 #include "paper_members.h"
+#include "sector_copies.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/gear/conical_web.h>
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/gear/gear_section.h>
@@ -20,53 +20,10 @@ using namespace vfife;
 
 namespace
 {
-  Vector3 vertex(const BodyMesh &mesh, const unsigned int i)
-  {
-    const auto &x = mesh.triangulation.get_vertices()[i];
-    return {x[0], x[1], x[2]};
-  }
-
-  void check_copies(const BodyMesh &mesh)
-  {
-    const unsigned int nodes   = mesh.triangulation.n_vertices() / mesh.n_sectors;
-    const unsigned int cells   = mesh.triangulation.n_active_cells() / mesh.n_sectors;
-    const unsigned int n       = mesh.triangulation.n_vertices();
-    double             largest = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const Matrix3 rotation =
-          rotation_about(Vector3::UnitZ(), 2. * pi * (i / nodes) / mesh.n_sectors);
-        largest =
-          largest_of(largest, (vertex(mesh, i) - rotation * vertex(mesh, i % nodes)).norm());
-      }
-    check_below(mesh.name + ": copies of the sector's nodes [mm]", largest, 1e-12);
-
-    bool same = true;
-    for (const auto &cell : mesh.triangulation.active_cell_iterators())
-      {
-        const unsigned int e = cell->active_cell_index(), k = e / cells;
-        const auto         first = std::next(mesh.triangulation.begin_active(), e % cells);
-        same                     = same && mesh.sector[e] == k;
-        for (unsigned int v = 0; v < 8; ++v)
-          same = same && cell->vertex_index(v) == (first->vertex_index(v) + k * nodes) % n;
-      }
-    check(mesh.name + ": cells are copies, sector by sector", same);
-  }
-
-  /** A body around an axis with a bore is bounded by a torus: no border, Euler characteristic 0. */
   void check_boundary(const BodyMesh &mesh, const unsigned int faces_per_sector)
   {
-    const auto surface = surface_of_boundary(mesh.triangulation,
-                                             "all",
-                                             [](const Vector3 &, const Vector3 &) { return true; });
-    bool       closed  = true;
-    for (const auto &sides : surface.neighbours)
-      for (const unsigned int neighbour : sides)
-        closed = closed && neighbour != FacetSurface::no_facet;
-    const long faces = surface.facets.size(),
-               euler = long(surface.nodes.size()) - 2 * faces + faces;
-    check(mesh.name + ": boundary is closed", closed && euler == 0);
-    check(mesh.name + ": faces of the boundary", faces == long(faces_per_sector) * mesh.n_sectors);
+    check(mesh.name + ": faces of the boundary",
+          check_closed(mesh) == std::size_t(faces_per_sector) * mesh.n_sectors);
   }
 
   /**

@@ -13,9 +13,9 @@ namespace vfife
 {
   namespace node_set
   {
-    constexpr char bore[]          = "bore";
-    constexpr char hub[]           = "hub";           ///< all nodes of the hub ring
-    constexpr char rim[]           = "rim";           ///< all nodes of the ring under the teeth
+    constexpr char bore[]          = "bore"; ///< with a shaft the nodes that both share, inside
+    constexpr char hub[]           = "hub";  ///< all nodes of the hub ring
+    constexpr char rim[]           = "rim";  ///< all nodes of the ring under the teeth
     constexpr char rim_underside[] = "rim underside"; ///< held where there is no web
     constexpr char web_front[]     = "web front";     ///< face of the web towards the apex
     constexpr char web_back[]      = "web back";      ///< face of the web towards the back
@@ -25,6 +25,11 @@ namespace vfife
     constexpr char toe[]           = "toe";
     constexpr char heel[]          = "heel";
     constexpr char root_land[]     = "root land"; ///< between the fillets of a slot
+
+    constexpr char shaft[]         = "shaft";         ///< all nodes of a shaft
+    constexpr char shaft_surface[] = "shaft surface"; ///< its free outside
+    constexpr char shaft_bore[]    = "shaft bore";    ///< its inside
+    constexpr char shaft_ends[]    = "shaft ends";    ///< faces across the axis, shoulders too
 
     constexpr char concave_fillet[] = "concave fillet"; ///< from root land to start of the flank
     constexpr char convex_fillet[]  = "convex fillet";
@@ -51,7 +56,10 @@ namespace vfife
             node_set::rim_underside,
             node_set::web_front,
             node_set::web_back,
-            node_set::bore};
+            node_set::bore,
+            node_set::shaft_surface,
+            node_set::shaft_bore,
+            node_set::shaft_ends};
   }
 } // namespace vfife
 

@@ -3,6 +3,7 @@
 #include <vfife/mesh/gear/gear_body.h>
 #include <vfife/mesh/gear/gear_manifolds.h>
 #include <vfife/mesh/gear/gear_sector_builder.h>
+#include <vfife/mesh/gear/gear_shaft_builder.h>
 #include <vfife/mesh/gear/refined_sector.h>
 #include <vfife/mesh/mesh_size.h>
 #include <vfife/mesh/node_set_names.h>
@@ -17,7 +18,8 @@ namespace vfife
       return {{static_cast<unsigned int>(GearRegion::tooth), "teeth"},
               {static_cast<unsigned int>(GearRegion::rim), "rim"},
               {static_cast<unsigned int>(GearRegion::web), "web"},
-              {static_cast<unsigned int>(GearRegion::hub), "hub"}};
+              {static_cast<unsigned int>(GearRegion::hub), "hub"},
+              {static_cast<unsigned int>(GearRegion::shaft), "shaft"}};
     }
 
     /** The template, refined as often as asked for. */
@@ -32,6 +34,7 @@ namespace vfife
   std::unique_ptr<BodyMesh> make_gear_body(const GearGeometry &gear, const GearBodyOptions &asked)
   {
     asked.check(gear.name(), gear.blank());
+    check_gear_shaft(gear.name() + "/Shaft", gear, asked);
     // 1. The template of one sector.
     const GearBodyOptions options = asked.with_counts_of_size(gear);
     check_mesh_size(gear.name(), options.n_cells(gear.blank().teeth));

@@ -218,6 +218,7 @@ namespace vfife
                        Range::positive());
     }
     declare_counts(prm);
+    shaft.declare(prm);
   }
 
   void GearBodyOptions::declare_counts(dealii::ParameterHandler &prm)
@@ -282,6 +283,11 @@ namespace vfife
   void GearBodyOptions::check(const std::string &section, const BlankOutline &blank) const
   {
     const Refusal refuse(section);
+    shaft.check(section + "/Shaft");
+    refuse.unless(!shaft.present() || web != WebKind::none,
+                  "Shaft/sections",
+                  "a body with web = none has no bore that a shaft could go through; allowed with "
+                  "web = conical or solid");
     refuse.unless(element_size == 0. || element_size >= least_size_part * blank.face_width,
                   "Mesh/element size",
                   millimetres(element_size) + " is too small, at least " +

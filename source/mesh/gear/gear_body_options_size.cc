@@ -13,15 +13,18 @@ namespace vfife
     const double in_teeth = cells_lengthwise * (flank_rows + 1.) * cells_across;
     const double in_rim   = static_cast<double>(cells_lengthwise) * rim_rows * columns();
     double       n        = in_teeth + in_rim;
+    if (web == WebKind::solid)
+      n += shaft.n_cells(bore_radius, columns(), cells_lengthwise);
     if (web == WebKind::conical)
       {
         // Three columns of the rim become one in a first row of four cells each.
-        const double groups = coarsens() ? columns() / 3 : columns();
-        const double fillets =
+        const unsigned int groups = coarsens() ? columns() / 3 : columns();
+        const double       fillets =
           (rim_fillet_radius > 0. ? fillet_rows * static_cast<double>(columns()) : 0.) +
-          (hub_fillet_radius > 0. ? fillet_rows * groups : 0.);
+          (hub_fillet_radius > 0. ? fillet_rows * double(groups) : 0.);
         n += web_layers * (groups * (web_rows + (coarsens() ? 3. : 0.)) + fillets);
         n += hub_rows * (2. * hub_side_cells + web_layers) * groups;
+        n += shaft.n_cells(bore_radius, groups, 2 * hub_side_cells + web_layers);
       }
     return teeth * n * std::pow(8., refinements);
   }

@@ -60,7 +60,14 @@ namespace vfife
       return outline;
     }
 
-    /** Outlines of teeth, rim, web and hub from the sections' roots. */
+    /** Corners of a ring about the axis. */
+    std::vector<Vector2>
+    rectangle(const double inner, const double outer, const double from, const double to)
+    {
+      return {{outer, from}, {outer, to}, {inner, to}, {inner, from}};
+    }
+
+    /** Outlines of teeth, rim, web and hub from the sections' roots, and of a shaft. */
     std::vector<MeridianPart> compute_parts(const BlankOutline             &blank,
                                             const GearBodyOptions          &options,
                                             const std::vector<GearSection> &sections)
@@ -85,16 +92,19 @@ namespace vfife
         parts[0].corners.push_back(blank.meridian_point({L, blank.addendum(L)}));
       for (unsigned int i = n_sections + 1; i > 0; --i)
         parts[1].corners.push_back(rim_bottom(blank, options, web, sections, i - 1));
-      if (options.web != WebKind::conical)
-        return parts;
-
-      parts.push_back({"web", web_outline(web)});
-      const double middle = web.point(1., .5)[1], half = .5 * options.hub_length;
-      parts.push_back({"hub",
-                       {{options.hub_radius, middle - half},
-                        {options.hub_radius, middle + half},
-                        {options.bore_radius, middle + half},
-                        {options.bore_radius, middle - half}}});
+      if (options.web == WebKind::conical)
+        {
+          parts.push_back({"web", web_outline(web)});
+          const double middle = web.point(1., .5)[1], half = .5 * options.hub_length;
+          parts.push_back(
+            {"hub",
+             rectangle(options.bore_radius, options.hub_radius, middle - half, middle + half)});
+        }
+      unsigned int n_rings = 0;
+      if (options.shaft.present())
+        for (const ShaftSection &s : options.shaft.sections("Shaft"))
+          parts.push_back({"shaft " + std::to_string(++n_rings),
+                           rectangle(.5 * s.inner, .5 * s.outer, s.from, s.to)});
       return parts;
     }
 

@@ -1,14 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/mesh/gear/gear_sector_builder.h>
+#include <vfife/mesh/gear/gear_shaft_builder.h>
 #include <vfife/mesh/gear/grading.h>
 #include <vfife/mesh/node_set_names.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace vfife
 {
@@ -38,6 +36,7 @@ namespace vfife
     , across_(graded_places_from_both_ends(options.cells_across, options.grading_towards_flank))
     , rim_parts_(graded_places(options.rim_rows, at_toe_ ? 1. : options.grading_towards_fillet))
     , web_(gear.blank(), options, sections_.front().root_height, sections_.back().root_height)
+    , cells_(gear.name(), gear.pitch())
   {
   }
 
@@ -58,65 +57,17 @@ namespace vfife
   GearSector GearSectorBuilder::build()
   {
     add_tooth();
-    region_ = GearRegion::rim;
+    cells_.enter(GearRegion::rim);
     add_rim();
-    region_ = GearRegion::web;
+    cells_.enter(GearRegion::web);
     if (at_toe_ || at_underside_)
       add_web();
     add_named_ends();
+    if (options_.shaft.present())
+      GearShaftBuilder(options_.shaft, cells_, bore_).add();
     add_flank_grid(FlankSide::concave);
     add_flank_grid(FlankSide::convex);
-    for (auto &set : sector_.node_sets)
-      {
-        auto &nodes = set.second;
-        std::sort(nodes.begin(), nodes.end());
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-      }
-    return std::move(sector_);
-  }
-
-  unsigned int GearSectorBuilder::add_node(const Vector3 &position)
-  {
-    sector_.nodes.push_back(position);
-    return sector_.nodes.size() - 1;
-  }
-
-  Vector3 GearSectorBuilder::position(const unsigned int node) const
-  {
-    const Vector3 &x = sector_.nodes[GearSector::index_of(node)];
-    return GearSector::is_next(node) ? Vector3(rotation_about(Vector3::UnitZ(), gear_.pitch()) * x)
-                                     : x;
-  }
-
-  void GearSectorBuilder::add_hexahedron(CellNodes nodes)
-  {
-    // volume spanned by the three edges that leave a corner
-    const auto determinant = [&](const unsigned int corner) {
-      Matrix3 edges;
-      for (unsigned int d = 0; d < 3; ++d)
-        edges.col(d) = position(nodes[corner | (1u << d)]) - position(nodes[corner & ~(1u << d)]);
-      return edges.determinant();
-    };
-    // The blocks are indexed as suits them: one rule makes their cells right-handed.
-    if (determinant(0) < 0.)
-      for (unsigned int v = 0; v < 4; ++v)
-        std::swap(nodes[v], nodes[v + 4]);
-    for (unsigned int v = 0; v < 8; ++v)
-      if (!(determinant(v) > 0.))
-        {
-          std::ostringstream message;
-          message << gear_.name() << ": inverted cell at " << position(nodes[v]).transpose()
-                  << " mm (body frame): change the web, the rim or the number of cells";
-          throw NumericalError(message.str());
-        }
-    sector_.hexahedra.push_back(nodes);
-    sector_.regions.push_back(static_cast<unsigned int>(region_));
-  }
-
-  void GearSectorBuilder::add_to_set(const char *name, const unsigned int node)
-  {
-    if (!GearSector::is_next(node))
-      sector_.node_sets[name].push_back(node);
+    return cells_.finish();
   }
 
   Vector2 GearSectorBuilder::tooth_point(const GearSection &section,
@@ -141,14 +92,14 @@ namespace vfife
           for (unsigned int c = 0; c <= across; ++c)
             {
               const Vector2 point = tooth_point(section, row, c);
-              layer[row][c] =
-                add_node(position_of(gear_.blank(), section.cone_distance, point[0], point[1]));
+              layer[row][c]       = cells_.add_node(
+                position_of(gear_.blank(), section.cone_distance, point[0], point[1]));
             }
         tooth_.push_back(layer);
       }
     // cells between neighbouring sections
     for (unsigned int i = 0; i + 1 < sections_.size(); ++i)
-      add_row(tooth_[i], tooth_[i + 1]);
+      cells_.add_row(tooth_[i], tooth_[i + 1]);
   }
 
   Vector2 GearSectorBuilder::rim_top(const GearSection &section, const unsigned int column) const
@@ -273,60 +224,44 @@ namespace vfife
             for (unsigned int c = 0; c < columns; ++c)
               layer[row][c] = row == 0 && c >= 2 && c + 2 <= columns
                                 ? tooth_[i][0][c - 2]
-                                : add_node(rim_point(i, row, c));
+                                : cells_.add_node(rim_point(i, row, c));
             layer[row][columns] = GearSector::next_sector(layer[row][0]);
           }
         rim_.push_back(layer);
+        if (options_.web == WebKind::solid)
+          bore_.push_back(layer.back());
       }
     for (unsigned int i = 0; i + 1 < sections_.size(); ++i)
-      add_row(rim_[i], rim_[i + 1]);
-  }
-
-  void GearSectorBuilder::add_row(const NodeLayer &first, const NodeLayer &second)
-  {
-    for (unsigned int row = 0; row + 1 < first.size(); ++row)
-      for (unsigned int c = 0; c + 1 < first[row].size(); ++c)
-        add_hexahedron({{first[row][c],
-                         second[row][c],
-                         first[row + 1][c],
-                         second[row + 1][c],
-                         first[row][c + 1],
-                         second[row][c + 1],
-                         first[row + 1][c + 1],
-                         second[row + 1][c + 1]}});
+      cells_.add_row(rim_[i], rim_[i + 1]);
   }
 
   void GearSectorBuilder::add_named_ends()
   {
-    const auto add_layer = [&](const char *name, const NodeLayer &layer) {
-      for (const auto &row : layer)
-        for (const unsigned int node : row)
-          add_to_set(name, node);
-    };
     // toe and heel: faces of tooth and rim
-    add_layer(node_set::toe, tooth_.front());
+    cells_.add_to_set(node_set::toe, tooth_.front());
     // The web covers the rows between its faces.
     const unsigned int above = at_toe_ ? rows_above_web() : options_.rim_rows,
                        below = at_toe_ ? above + options_.web_layers : above;
     for (unsigned int row = 0; row <= options_.rim_rows; ++row)
       if (row <= above || row >= below)
-        add_layer(node_set::toe, {rim_.front()[row]});
-    add_layer(node_set::heel, tooth_.back());
-    add_layer(node_set::heel, rim_.back());
+        cells_.add_to_set(node_set::toe, {rim_.front()[row]});
+    cells_.add_to_set(node_set::heel, tooth_.back());
+    cells_.add_to_set(node_set::heel, rim_.back());
     // tip, then underside or bore, rim and root land by sections
     for (const NodeLayer &layer : tooth_)
-      add_layer(node_set::tip, {layer.back()});
+      cells_.add_to_set(node_set::tip, {layer.back()});
     for (unsigned int i = 0; i < rim_.size(); ++i)
       {
         const NodeLayer &layer = rim_[i];
         // what lies between the faces of a web on the underside is inside
         if (!at_underside_ || i <= first_web_section() ||
             i >= first_web_section() + options_.web_layers)
-          add_layer(options_.web == WebKind::solid ? node_set::bore : node_set::rim_underside,
-                    {layer.back()});
-        add_layer(node_set::rim, layer);
+          cells_.add_to_set(options_.web == WebKind::solid ? node_set::bore
+                                                           : node_set::rim_underside,
+                            {layer.back()});
+        cells_.add_to_set(node_set::rim, layer);
         for (const unsigned int column : {0u, 1u, options_.columns() - 1})
-          add_to_set(node_set::root_land, layer[0][column]);
+          cells_.add_to_set(node_set::root_land, layer[0][column]);
       }
   }
 
@@ -343,8 +278,9 @@ namespace vfife
           const auto &nodes   = tooth_[i][row + 1];
           grid.nodes.push_back(upper ? nodes.back() : nodes.front());
           grid.L_h.emplace_back(sections_[i].cone_distance, profile[row + 2][0]);
-          add_to_set(side == FlankSide::concave ? surface_name::concave : surface_name::convex,
-                     grid.nodes.back());
+          cells_.add_to_set(side == FlankSide::concave ? surface_name::concave
+                                                       : surface_name::convex,
+                            grid.nodes.back());
           if (i + 1 == sections_.size() || row == rows)
             continue;
           // (L, h, polar angle) is right-handed: seen from outside, xi runs along L on the upper
@@ -361,10 +297,10 @@ namespace vfife
     for (unsigned int i = 0; i < sections_.size(); ++i)
       {
         const unsigned int bottom = upper ? options_.columns() - 1 : 1;
-        add_to_set(fillet, rim_[i][0][bottom]);
+        cells_.add_to_set(fillet, rim_[i][0][bottom]);
         for (const unsigned int row : {0u, 1u})
-          add_to_set(fillet, upper ? tooth_[i][row].back() : tooth_[i][row].front());
+          cells_.add_to_set(fillet, upper ? tooth_[i][row].back() : tooth_[i][row].front());
       }
-    sector_.flanks.push_back(grid);
+    cells_.add_flank(grid);
   }
 } // namespace vfife

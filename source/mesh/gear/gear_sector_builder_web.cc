@@ -7,12 +7,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    /** One face of a hexahedron, in lexicographic order. */
-    using HalfHexahedron = std::array<unsigned int, 4>;
-  } // namespace
-
   double GearSectorBuilder::web_angle(const double       u,
                                       const unsigned int layer,
                                       const double       fraction) const
@@ -33,66 +27,37 @@ namespace vfife
     return {r_z[0] * std::cos(angle), r_z[0] * std::sin(angle), r_z[1]};
   }
 
-  GearSectorBuilder::NodeLayer GearSectorBuilder::make_web_nodes(const double       u,
-                                                                 const unsigned int columns)
+  NodeLayer GearSectorBuilder::make_web_nodes(const double u, const unsigned int columns)
   {
     NodeLayer nodes(options_.web_layers + 1, std::vector<unsigned int>(columns + 1));
     for (unsigned int layer = 0; layer <= options_.web_layers; ++layer)
       {
         for (unsigned int c = 0; c < columns; ++c)
-          nodes[layer][c] = add_node(web_point(u, layer, web_angle(u, layer, double(c) / columns)));
+          nodes[layer][c] =
+            cells_.add_node(web_point(u, layer, web_angle(u, layer, double(c) / columns)));
         nodes[layer][columns] = GearSector::next_sector(nodes[layer][0]);
       }
     return nodes;
   }
 
-  // A row in which three columns of the rim's side become one of the hub's, seen along the layers:
-  //
-  //    a0-----a1-----a2-----a3     rim side
-  //    |       |      |      |
-  //    |      c1-----c2      |     four cells: a0 a1 c1 b0, a1 a2 c2 c1, a2 a3 b1 c2, c1 c2 b1 b0
-  //    |    .'          '.   |
-  //    b0-------------------b1     hub side
   void GearSectorBuilder::add_coarsening_row(const NodeLayer &rim_side,
                                              const NodeLayer &hub_side,
                                              const double     u)
   {
-    const unsigned int layers = options_.web_layers, groups = options_.columns() / 3;
-    for (unsigned int g = 0; g < groups; ++g)
-      {
-        // the four quadrilaterals on every layer; two neighbouring layers bound a cell each
-        std::vector<std::array<HalfHexahedron, 4>> faces;
-        for (unsigned int layer = 0; layer <= layers; ++layer)
-          {
-            const unsigned int *a = &rim_side[layer][3 * g], *b = &hub_side[layer][g];
-            // Between the columns of the rim, not yet equally wide, and those of the web.
-            const auto angle = [&](const unsigned int k) {
-              const Vector3 x    = position(a[k]);
-              const double  even = web_angle(u, layer, (g + k / 3.) / groups);
-              return even + .5 * std::remainder(std::atan2(x[1], x[0]) - even, 2. * pi);
-            };
-            const unsigned int c1 = add_node(web_point(u, layer, angle(1)));
-            const unsigned int c2 = add_node(web_point(u, layer, angle(2)));
-            faces.push_back({{{{a[0], b[0], a[1], c1}},
-                              {{a[1], c1, a[2], c2}},
-                              {{a[2], c2, a[3], b[1]}},
-                              {{c1, b[0], c2, b[1]}}}});
-            if (layer == 0 || layer == layers)
-              for (const unsigned int c : {c1, c2})
-                add_to_set(layer == 0 ? node_set::web_front : node_set::web_back, c);
-          }
-        for (unsigned int layer = 0; layer < layers; ++layer)
-          for (unsigned int k = 0; k < 4; ++k)
-            {
-              CellNodes nodes;
-              std::copy_n(faces[layer][k].begin(), 4, nodes.begin());
-              std::copy_n(faces[layer + 1][k].begin(), 4, nodes.begin() + 4);
-              add_hexahedron(nodes);
-            }
-      }
+    // Between the columns of the rim, not yet equally wide, and those of the web.
+    const auto place = [&](const unsigned int layer, const unsigned int column) {
+      const Vector3 x = cells_.position(rim_side[layer][column]);
+      const double  even =
+        web_angle(u, layer, (column / 3 + column % 3 / 3.) / (options_.columns() / 3));
+      const double angle = even + .5 * std::remainder(std::atan2(x[1], x[0]) - even, 2. * pi);
+      return web_point(u, layer, angle);
+    };
+    const NodeLayer inner = cells_.add_coarsening_row(rim_side, hub_side, place);
+    cells_.add_to_set(node_set::web_front, NodeLayer{inner.front()});
+    cells_.add_to_set(node_set::web_back, NodeLayer{inner.back()});
   }
 
-  GearSectorBuilder::NodeLayer GearSectorBuilder::web_foot() const
+  NodeLayer GearSectorBuilder::web_foot() const
   {
     const unsigned int layers = options_.web_layers;
     if (at_toe_)
@@ -117,12 +82,11 @@ namespace vfife
       for (unsigned int row = 1; row <= options_.fillet_rows; ++row)
         stations.push_back(start * row / options_.fillet_rows);
 
-    // The coarsening row is 0.8 of its three columns' width long: best of the lengths tried for the
-    // least scaled Jacobian over all webs of the paper.
     coarsening               = options_.coarsens() ? stations.size() : 0;
     const double group_width = 3. * gear_.pitch() * web_.point(0., .5)[0] / options_.columns();
     const double straight    = (stop - start) * web_.length();
-    const double first = coarsening > 0 ? std::min(.5, .8 * group_width / straight) : 1. / rows;
+    const double first =
+      coarsening > 0 ? std::min(.5, coarsening_row_length * group_width / straight) : 1. / rows;
     for (unsigned int row = 1; row <= rows; ++row)
       {
         const double part = rows == 1 ? 1. : first + (1. - first) * (row - 1) / (rows - 1);
@@ -143,10 +107,8 @@ namespace vfife
 
     // first and last layer are the web's faces
     const auto add_faces = [&](const NodeLayer &nodes) {
-      for (const unsigned int node : nodes.front())
-        add_to_set(node_set::web_front, node);
-      for (const unsigned int node : nodes.back())
-        add_to_set(node_set::web_back, node);
+      cells_.add_to_set(node_set::web_front, NodeLayer{nodes.front()});
+      cells_.add_to_set(node_set::web_back, NodeLayer{nodes.back()});
     };
     add_faces(previous);
     for (unsigned int row = 1; row < stations.size(); ++row)
@@ -156,21 +118,21 @@ namespace vfife
           columns /= 3;
         const NodeLayer next = make_web_nodes(u, columns);
         if (row == coarsening)
-          add_coarsening_row(previous, next, last + .6 * (u - last));
+          add_coarsening_row(previous, next, last + coarsening_row_place * (u - last));
         else
-          add_row(previous, next);
+          cells_.add_row(previous, next);
         add_faces(next);
         previous = next;
       }
     // node A: in the middle of the sector where the faces meet the hub
-    add_to_set(node_set::node_A_front, previous.front()[columns / 2]);
-    add_to_set(node_set::node_A_back, previous.back()[columns / 2]);
+    cells_.add_to_set(node_set::node_A_front, previous.front()[columns / 2]);
+    cells_.add_to_set(node_set::node_A_back, previous.back()[columns / 2]);
     add_hub(previous);
   }
 
   void GearSectorBuilder::add_hub(const NodeLayer &web_end)
   {
-    region_                   = GearRegion::hub;
+    cells_.enter(GearRegion::hub);
     const unsigned int layers = options_.web_layers, side = options_.hub_side_cells;
     const unsigned int columns = web_end.front().size() - 1, lines = 2 * side + layers;
     const double       middle = web_.point(1., .5)[1];
@@ -200,18 +162,19 @@ namespace vfife
               {
                 const double angle = web_angle(1., 0, double(c) / columns);
                 nodes[line][c] =
-                  on_web ? web_end[line - side][c]
-                         : add_node({r * std::cos(angle), r * std::sin(angle), height(line)});
-                add_to_set(node_set::hub, nodes[line][c]);
+                  on_web
+                    ? web_end[line - side][c]
+                    : cells_.add_node({r * std::cos(angle), r * std::sin(angle), height(line)});
+                cells_.add_to_set(node_set::hub, nodes[line][c]);
                 if (row == options_.hub_rows)
-                  add_to_set(node_set::bore, nodes[line][c]);
+                  cells_.add_to_set(node_set::bore, nodes[line][c]);
               }
             nodes[line][columns] = GearSector::next_sector(nodes[line][0]);
           }
         if (row > 0)
-          add_row(previous, nodes);
+          cells_.add_row(previous, nodes);
         previous = nodes;
       }
+    bore_ = previous;
   }
-
 } // namespace vfife

@@ -133,19 +133,28 @@ namespace vfife
         if (coarse.node_sets.count(name) != 0)
           for (const unsigned int node : coarse.node_sets.at(name))
             add(name, node);
-      const auto names = gear_boundaries();
+      const std::pair<GearRegion, const char *> parts[] = {{GearRegion::rim, node_set::rim},
+                                                           {GearRegion::hub, node_set::hub},
+                                                           {GearRegion::shaft, node_set::shaft}};
+      constexpr auto shaft = static_cast<unsigned int>(GearRegion::shaft);
+      const auto     names = gear_boundaries();
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
         {
-          for (const auto region : {GearRegion::rim, GearRegion::hub})
-            if (cell->material_id() == static_cast<unsigned int>(region))
+          for (const auto &part : parts)
+            if (cell->material_id() == static_cast<unsigned int>(part.first))
               for (const unsigned int v : cell->vertex_indices())
-                add(region == GearRegion::rim ? node_set::rim : node_set::hub,
-                    cell->vertex_index(v));
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() && face->boundary_id() > 0 &&
-                face->boundary_id() <= names.size())
-              for (unsigned int v = 0; v < 4; ++v)
-                add(names[face->boundary_id() - 1], face->vertex_index(v));
+                add(part.second, cell->vertex_index(v));
+          for (const unsigned int f : cell->face_indices())
+            {
+              const auto         face = cell->face(f);
+              const unsigned int id   = face->at_boundary() ? face->boundary_id() : 0;
+              // with a shaft the bore is inside, between it and the rest
+              const bool on_shaft = !face->at_boundary() && cell->material_id() == shaft &&
+                                    cell->neighbor(f)->material_id() != shaft;
+              if (on_shaft || (id > 0 && id <= names.size()))
+                for (unsigned int v = 0; v < 4; ++v)
+                  add(on_shaft ? node_set::bore : names[id - 1], face->vertex_index(v));
+            }
         }
       for (auto &set : sector.node_sets)
         {

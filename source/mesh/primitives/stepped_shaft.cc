@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
-#include <vfife/base/text/number_text.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/mesh_size.h>
 #include <vfife/mesh/primitives/disc_cells.h>
@@ -10,17 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace vfife
 {
   namespace
   {
-    unsigned int count_cells(const double length, const double largest)
-    {
-      return std::max(1u, static_cast<unsigned int>(std::ceil(length / largest - 1e-9)));
-    }
-
     /** The plane cells of all sections together: those between two neighbouring diameters belong to
      * one band. */
     struct Plane
@@ -104,12 +97,6 @@ namespace vfife
       return plane;
     }
 
-    bool overlap(const ShaftSection &a, const ShaftSection &b)
-    {
-      return std::max(a.from, b.from) < std::min(a.to, b.to) &&
-             std::max(a.inner, b.inner) < std::min(a.outer, b.outer);
-    }
-
     /** The meridian plane: layers of cells along the axis, and which bands of them are filled. */
     class Meridian
     {
@@ -119,16 +106,7 @@ namespace vfife
         std::set<double> places;
         for (const ShaftSection &section : sections)
           places.insert({section.from, section.to});
-        heights_.push_back(*places.begin());
-        for (auto place = std::next(places.begin()); place != places.end(); ++place)
-          {
-            const double       from   = heights_.back();
-            const unsigned int layers = count_cells(*place - from, size);
-            for (unsigned int layer = 1; layer < layers; ++layer)
-              heights_.push_back(from + (*place - from) * layer / layers);
-            // To the last digit: sections are compared with their layers.
-            heights_.push_back(*place);
-          }
+        heights_ = divide_between(places, size);
         n_bands_ = plane.radii.size();
         filled_.assign(n_layers() * n_bands_, false);
         for (const ShaftSection &section : sections)
@@ -199,44 +177,7 @@ namespace vfife
 
   std::vector<ShaftSection> SteppedShaftOptions::sections(const std::string &section) const
   {
-    const std::string         entry = section + "/sections";
-    std::vector<ShaftSection> sections;
-    std::istringstream        all(text);
-    for (std::string part; std::getline(all, part, ',');)
-      {
-        const std::string name =
-          "section " + std::to_string(sections.size() + 1) + " (\"" + part + "\")";
-        std::istringstream  words(part);
-        std::vector<double> numbers;
-        for (std::string word; words >> word;)
-          {
-            const std::optional<double> number = plain_number(word);
-            if (!number)
-              throw InputError(entry,
-                               name + ": \"" + word +
-                                 "\" is no number; a section is FROM TO OUTER [INNER]");
-            numbers.push_back(*number);
-          }
-        if (numbers.size() != 3 && numbers.size() != 4)
-          throw InputError(entry,
-                           name + " has " + std::to_string(numbers.size()) +
-                             " numbers; a section is FROM TO OUTER [INNER]");
-        sections.push_back(
-          {numbers[0], numbers[1], numbers[2], numbers.size() == 4 ? numbers[3] : 0.});
-        const ShaftSection &now = sections.back();
-        if (!(now.to > now.from))
-          throw InputError(entry, name + " must end behind its beginning");
-        if (!(now.outer > now.inner) || now.inner < 0)
-          throw InputError(entry,
-                           name + ": the outer diameter must be larger than the inner one, and "
-                                  "neither negative");
-        for (std::size_t k = 0; k + 1 < sections.size(); ++k)
-          if (overlap(sections[k], now))
-            throw InputError(entry, name + " crosses section " + std::to_string(k + 1));
-      }
-    if (sections.empty())
-      throw InputError(entry, "is missing; a section is FROM TO OUTER [INNER]");
-    return sections;
+    return parse_shaft_sections(text, section + "/sections");
   }
 
   void SteppedShaftOptions::check(const std::string &section) const

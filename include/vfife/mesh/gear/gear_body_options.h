@@ -4,6 +4,7 @@
 
 #include <vfife/gear/gear_geometry.h>
 #include <vfife/mesh/gear/conical_web.h>
+#include <vfife/mesh/gear/gear_shaft_options.h>
 
 #include <string>
 
@@ -53,11 +54,14 @@ namespace vfife
     /** Width of the columns in the middle of the tooth over that at the flanks. */
     double grading_towards_flank = 1.;
 
-    /** Declares the subsections Body and Mesh in the current section. */
+    GearShaftOptions shaft; ///< of one piece with the body; none by default
+
+    /** Declares the subsections Body, Mesh and Shaft in the current section. */
     void declare(dealii::ParameterHandler &prm);
 
     /** Throws InputError (entries under @p section, e.g. "Gear pair/Gear") when sizes contradict
-     * each other or @p blank. */
+     * each other or @p blank. Whether the shaft goes with the true body check_gear_shaft() knows.
+     */
     void check(const std::string &section, const BlankOutline &blank) const;
 
     /** The same with the counts that the element size asks for, each at least as small as check()

@@ -15,14 +15,14 @@ namespace vfife
   /** A part of a gear body in the meridian plane: closed polygon of corners (r, z) [mm]. */
   struct MeridianPart
   {
-    std::string          name; ///< "teeth", "rim", "web" or "hub"
+    std::string          name; ///< "teeth", "rim", "web", "hub", "shaft 1", "shaft 2", ...
     std::vector<Vector2> corners;
   };
 
   /**
    * The meridian of the true body, without a mesh: teeth between root and tip, rim (of a solid body
-   * down to the bore), web with its fillets (arcs of many chords) and hub. Everything but the teeth
-   * is a solid of revolution.
+   * down to the bore), web with its fillets (arcs of many chords), hub, and each section of a
+   * shaft. Everything but the teeth is a solid of revolution.
    */
   std::vector<MeridianPart> compute_meridian(const GearGeometry    &gear,
                                              const GearBodyOptions &options);

@@ -30,7 +30,8 @@ namespace vfife
     tooth = 1,
     rim   = 2,
     web   = 3,
-    hub   = 4
+    hub   = 4,
+    shaft = 5
   };
 
   /**

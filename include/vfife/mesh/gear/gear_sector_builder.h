@@ -5,15 +5,15 @@
 #include <vfife/mesh/gear/conical_web.h>
 #include <vfife/mesh/gear/gear_body_options.h>
 #include <vfife/mesh/gear/gear_section.h>
-#include <vfife/mesh/gear/gear_sector.h>
+#include <vfife/mesh/gear/gear_sector_cells.h>
 
 #include <vector>
 
 namespace vfife
 {
   /**
-   * Builds a GearSector block by block: tooth, rim, web, hub (layout in doc/mesh.md). Member and
-   * options must outlive it.
+   * Builds a GearSector block by block: tooth, rim, web, hub, shaft (layout in doc/mesh.md). Member
+   * and options must outlive it.
    */
   class GearSectorBuilder
   {
@@ -25,14 +25,6 @@ namespace vfife
     GearSector build();
 
   private:
-    /** Node numbers, [row or layer][column]. */
-    using NodeLayer = std::vector<std::vector<unsigned int>>;
-
-    unsigned int add_node(const Vector3 &position);
-    Vector3      position(unsigned int node) const;
-    void         add_hexahedron(CellNodes nodes);
-    void         add_to_set(const char *name, unsigned int node);
-
     void add_tooth();
     void add_rim();
     void add_flank_grid(FlankSide side);
@@ -40,7 +32,6 @@ namespace vfife
 
     void      add_web();
     NodeLayer make_web_nodes(double u, unsigned int columns);
-    void      add_row(const NodeLayer &rim_side, const NodeLayer &hub_side);
     void      add_coarsening_row(const NodeLayer &rim_side, const NodeLayer &hub_side, double u);
     void      add_hub(const NodeLayer &web_end);
 
@@ -77,8 +68,8 @@ namespace vfife
     std::vector<double>      across_, rim_parts_; ///< places of columns, of rim rows where graded
     ConicalWeb               web_;                ///< used where the body has one
     std::vector<NodeLayer>   tooth_, rim_;
-    GearRegion               region_ = GearRegion::tooth; ///< of the cells being added
-    GearSector               sector_;
+    NodeLayer                bore_; ///< lines along the axis, of a body that has one
+    GearSectorCells          cells_;
   };
 } // namespace vfife
 

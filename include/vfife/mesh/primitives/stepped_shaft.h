@@ -3,6 +3,7 @@
 #define vfife_mesh_primitives_stepped_shaft_h
 
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/shaft_sections.h>
 
 #include <memory>
 #include <string>
@@ -15,13 +16,6 @@ namespace dealii
 
 namespace vfife
 {
-  /** A rectangle of the meridian plane, solid where the inner diameter is zero [mm]. */
-  struct ShaftSection
-  {
-    double from = 0, to = 0;     ///< along the axis
-    double outer = 0, inner = 0; ///< diameters
-  };
-
   /**
    * A shaft with discs on it, about the z axis: cylinders and rings, which may lie behind or around
    * each other, webs and rims of the discs among them. Diameters are those of circles with the area

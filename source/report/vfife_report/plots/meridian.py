@@ -3,7 +3,7 @@
 from ..data.table import Table
 from .style import EDGE, plt
 
-FILLS = {"teeth": "#f0c04a", "rim": "#b5cde3", "web": "#6f9fd0", "hub": "#d5dde5"}
+FILLS = {"teeth": "#f0c04a", "rim": "#b5cde3", "web": "#6f9fd0", "hub": "#d5dde5", "shaft": "#b9b4a6"}
 PANELS_A_ROW = 4
 
 
@@ -19,8 +19,12 @@ def read_parts(folder, body):
 
 
 def draw_meridian(axes, title, parts):
-    for name, corners in parts.items():
-        axes.fill(*zip(*corners), facecolor=FILLS[name], edgecolor=EDGE, lw=0.8, label=name)
+    named = set()
+    for part, corners in parts.items():
+        # The sections of a shaft ("shaft 1", "shaft 2") are of one kind.
+        name = part.split()[0]
+        axes.fill(*zip(*corners), facecolor=FILLS[name], edgecolor=EDGE, lw=0.8, label=None if name in named else name)
+        named.add(name)
     axes.set_title(title)
     axes.set_aspect("equal")
 
