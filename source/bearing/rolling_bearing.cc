@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include <cmath>
+#include <sstream>
 
 namespace vfife
 {
@@ -16,22 +17,48 @@ namespace vfife
     /** Depth over the element's diameter that stands for the largest load. */
     constexpr double largest_depth = 5e-3;
 
+    /** Pressure that a contact of steel carries without lasting harm, ISO 76 [MPa]. */
+    constexpr double static_pressure = 4000.;
+
+    /** E* of elements and rings [MPa]. */
+    double modulus_of(const RollingBearingData &data)
+    {
+      return contact_modulus(data.youngs_modulus,
+                             data.poissons_ratio,
+                             data.youngs_modulus,
+                             data.poissons_ratio);
+    }
+
+    /** Diameter of an element over the pitch diameter, in the direction of contact. */
+    double gamma_of(const RollingBearingData &data)
+    {
+      return data.diameter * std::cos(data.contact_angle) / data.pitch_diameter;
+    }
+
+    /** A ball in a groove: @p along is the curvature of both together around the axis. */
+    HertzContact
+    groove_contact(const RollingBearingData &data, const double conformity, const double along)
+    {
+      return {Vector2(2. / data.diameter - 1. / (conformity * data.diameter), along),
+              modulus_of(data)};
+    }
+    HertzContact inner_contact(const RollingBearingData &data)
+    {
+      const double gamma = gamma_of(data);
+      return groove_contact(data,
+                            data.inner_conformity,
+                            2. / data.diameter * (1. + gamma / (1. - gamma)));
+    }
+
     /** Force over depth^1.5 of ball and raceways, inner and outer contact in series [N/mm^1.5]. */
     double ball_constant(const RollingBearingData &data)
     {
-      const double D        = data.diameter,
-                   gamma    = D * std::cos(data.contact_angle) / data.pitch_diameter;
-      const double modulus  = contact_modulus(data.youngs_modulus,
-                                             data.poissons_ratio,
-                                             data.youngs_modulus,
-                                             data.poissons_ratio);
-      const auto   approach = [&](const double conformity, const double along) {
-        // Across the groove and along it; Q = (depth/approach(1))^1.5.
-        return HertzContact(Vector2(2. / D - 1. / (conformity * D), along), modulus).approach(1.);
-      };
-      const double inner = approach(data.inner_conformity, 2. / D * (1. + gamma / (1. - gamma)));
-      const double outer = approach(data.outer_conformity, 2. / D * (1. - gamma / (1. + gamma)));
-      return std::pow(inner + outer, -1.5);
+      const double       gamma = gamma_of(data);
+      const HertzContact outer = groove_contact(data,
+                                                data.outer_conformity,
+                                                2. / data.diameter * (1. - gamma / (1. + gamma)));
+      // Q = (depth/approach(1))^1.5.
+      return std::pow(inner_contact(data).approach(1.) + outer.approach(1.), -1.5);
     }
 
     /** Palmgren: depth = 3.84e-5 Q^0.9/l^0.8 at each of the two contacts of a roller [N, mm]. */
@@ -78,6 +105,7 @@ namespace vfife
     if (!balls && !(data.length > 0))
       throw InputError("element length", "a roller needs one");
     constant_ = balls ? ball_constant(data) : roller_constant(data);
+    check_interference();
     find_preload();
     if (data.working_load.isZero(0.))
       linearized_ = evaluate(Vector5::Zero());
@@ -87,6 +115,27 @@ namespace vfife
         q << displacement_under(data.working_load), 0., 0.;
         linearized_ = evaluate(q);
         linearized_.load += linearized_.stiffness * q;
+      }
+  }
+
+  void RollingBearing::check_interference() const
+  {
+    if (!(data_.clearance < 0))
+      return;
+    // The undisplaced bearing presses all elements alike.
+    const double force = element_forces(Vector5::Zero()).front();
+    // Of a line, p = sqrt(q E*/(pi R)), at the inner race.
+    const double pressure = data_.element == RollingElement::ball
+                              ? inner_contact(data_).largest_pressure(force)
+                              : std::sqrt(force / data_.length * modulus_of(data_) /
+                                          (pi * .5 * data_.diameter * (1. - gamma_of(data_))));
+    if (!(pressure <= static_pressure))
+      {
+        std::ostringstream text;
+        text << "an interference of " << -data_.clearance << " mm jams the bearing: without load "
+             << "its elements are pressed by " << pressure << " MPa, more than the "
+             << static_pressure << " MPa that races bear (ISO 76)";
+        throw InputError("clearance", text.str());
       }
   }
 

@@ -45,8 +45,8 @@ namespace vfife
   class RollingBearing : public BearingLaw
   {
   public:
-    /** Throws InputError, naming the entry, for sizes that contradict each other, a preload that
-     * the bearing cannot take, and a working load that it cannot carry. */
+    /** Throws InputError, naming the entry, for sizes that contradict each other, an interference
+     * that jams it, a preload that it cannot take, and a working load that it cannot carry. */
     RollingBearing(const RollingBearingData &data, const Matrix5 &damping);
 
     /** Of the displacements from the preloaded state. */
@@ -66,6 +66,7 @@ namespace vfife
     BearingResponse of_balls(const Vector5 &displacement, std::vector<double> *forces) const;
     BearingResponse of_rollers(const Vector5 &displacement, std::vector<double> *forces) const;
     BearingResponse respond(const Vector5 &displacement, std::vector<double> *forces) const;
+    void            check_interference() const;
     void            find_preload();
 
     RollingBearingData data_;

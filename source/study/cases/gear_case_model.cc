@@ -131,9 +131,9 @@ namespace vfife
     std::stable_sort(model.bearings.begin(),
                      model.bearings.end(),
                      [](const Bearing &a, const Bearing &b) { return a.body < b.body; });
-    model.housing = read_parameter_matrix(housing_);
     try
       {
+        model.housing = read_parameter_matrix(housing_);
         BearingSystem(std::vector<BearingSystem::Seat>(model.bearings.size()))
           .set_housing(model.housing);
       }

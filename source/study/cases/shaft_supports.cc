@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace vfife
@@ -52,29 +53,32 @@ namespace vfife
                          range_text(nearest->from, nearest->to));
     }
 
-    /** Nodes of a ring on the shaft's surface; throws InputError where the hub covers it. */
+    /** Nodes of a ring on the shaft's surface; throws InputError where it meets the hub. */
     std::vector<unsigned int> find_nodes(const Body                      &body,
                                          const ShaftRing                 &ring,
                                          const std::vector<ShaftSection> &sections,
                                          const std::string               &section)
     {
+      double in = std::numeric_limits<double>::infinity(), out = -in;
+      for (const unsigned int node : body.node_set(node_set::bore))
+        {
+          in  = std::min(in, body.node_positions()[node][2]);
+          out = std::max(out, body.node_positions()[node][2]);
+        }
+      if (ring.from < out - tolerance && ring.to > in + tolerance)
+        throw InputError(section + "/from",
+                         "the ring from " + range_text(ring.from, ring.to) +
+                           " meets the hub from " + range_text(in, out) +
+                           ", where the shaft has no free surface");
       const double              radius = .5 * find_section(ring, sections, section).outer;
       std::vector<unsigned int> nodes;
-      double                    lowest = ring.to, highest = ring.from;
       for (const unsigned int node : body.node_set(node_set::shaft_surface))
         {
           const Vector3 &x = body.node_positions()[node];
-          if (x[2] < ring.from - tolerance || x[2] > ring.to + tolerance ||
-              std::abs(x.head<2>().norm() - radius) > tolerance)
-            continue;
-          nodes.push_back(node);
-          lowest  = std::min(lowest, x[2]);
-          highest = std::max(highest, x[2]);
+          if (x[2] > ring.from - tolerance && x[2] < ring.to + tolerance &&
+              std::abs(x.head<2>().norm() - radius) < tolerance)
+            nodes.push_back(node);
         }
-      if (nodes.empty() || lowest > ring.from + tolerance || highest < ring.to - tolerance)
-        throw InputError(section + "/from",
-                         "the ring from " + range_text(ring.from, ring.to) +
-                           " lies within the hub, where the shaft has no free surface");
       return nodes;
     }
   } // namespace
