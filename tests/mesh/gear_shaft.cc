@@ -24,13 +24,14 @@ namespace
   /** What a mesh of a body is held against. */
   struct Expected
   {
-    Vector2      hub           = Vector2::Zero(); ///< z of its ends [mm]
-    unsigned int around_bore   = 0;               ///< columns at the bore and outside it
-    unsigned int around_within = 0; ///< columns inside a row that joins three into one
+    Vector2      hub            = Vector2::Zero(); ///< z of its ends [mm]
+    unsigned int around_outside = 0;               ///< columns at the bore and outside it
+    unsigned int around_within  = 0; ///< columns inside a row that joins three into one
+    double       joining_radius = 0; ///< outer one of that row [mm]
 
-    unsigned int around(const double radius, const double bore_radius) const
+    unsigned int around(const double radius) const
     {
-      return radius < bore_radius - 1e-9 ? around_within : around_bore;
+      return radius < joining_radius - 1e-9 ? around_within : around_outside;
     }
   };
 
@@ -95,8 +96,7 @@ namespace
         if (part[0] < part[1] && (whole || part[0] < expected.hub[0] || part[0] >= expected.hub[1]))
           for (const double R : {.5 * s.outer, .5 * s.inner})
             {
-              const SolidIntegrals p =
-                prism(expected.around(R, options.bore_radius), R, part[0], part[1]);
+              const SolidIntegrals p = prism(expected.around(R), R, part[0], part[1]);
               sum += R == .5 * s.outer ? p : negative(p);
             }
     const auto select = [&](const double z) {
@@ -150,7 +150,7 @@ namespace
       for (const bool outer : {true, false})
         {
           const double       radius = .5 * (outer ? s.outer : s.inner);
-          const unsigned int n      = expected.around(radius, options.bore_radius);
+          const unsigned int n      = expected.around(radius);
           const double       in_hub =
             std::max(0., std::min(s.to, expected.hub[1]) - std::max(s.from, expected.hub[0]));
           const double exact = 2. * n * radius * std::sin(pi / n) * (s.to - s.from - in_hub);
@@ -169,16 +169,12 @@ namespace
                 1e-12);
   }
 
-  /** @p ends: radii between which faces across the axis are free. */
-  void check_ends(const BodyMesh             &mesh,
-                  const GearBodyOptions      &options,
-                  const Expected             &expected,
-                  const std::vector<Vector2> &ends)
+  void check_ends(const BodyMesh &mesh, const Expected &expected, const std::vector<Vector2> &ends)
   {
     double exact = 0.;
     for (const Vector2 &end : ends)
-      exact += polygon_area(expected.around(end[0], options.bore_radius), end[0]) -
-               polygon_area(expected.around(end[1], options.bore_radius), end[1]);
+      exact += polygon_area(expected.around(end[0]), end[0]) -
+               polygon_area(expected.around(end[1]), end[1]);
     check_close(mesh.name + ": area of the ends and shoulders",
                 area_of(surface_of(mesh, node_set::shaft_ends),
                         [](double, double) { return true; }) /
@@ -206,23 +202,23 @@ namespace
                    mesh.regions.at(cell->neighbor(f)->material_id()) != "shaft";
         }
     check(mesh.name + ": the bore is shared by hub and shaft", inside && found == faces);
-    bool                   all = true;
     std::set<unsigned int> nodes;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       if (mesh.regions.at(cell->material_id()) == "shaft")
         for (const unsigned int v : cell->vertex_indices())
           nodes.insert(cell->vertex_index(v));
-    all = std::equal(nodes.begin(),
-                     nodes.end(),
-                     mesh.node_sets.at(node_set::shaft).begin(),
-                     mesh.node_sets.at(node_set::shaft).end());
-    check(mesh.name + ": set of all nodes of the shaft", all);
+    const auto &set = mesh.node_sets.at(node_set::shaft);
+    check(mesh.name + ": set of all nodes of the shaft",
+          std::equal(nodes.begin(), nodes.end(), set.begin(), set.end()));
   }
 
+  /** @p columns: of a sector, at the bore; @p joining_radius: under which three become one, where
+   * their number allows; @p ends: radii between which faces across the axis are free. */
   void check_body(const std::string          &name,
                   const GearGeometry         &gear,
                   GearBodyOptions             options,
                   const unsigned int          columns,
+                  const double                joining_radius,
                   const std::vector<Vector2> &ends)
   {
     const bool coarsens = columns % 3 == 0, solid = options.web == WebKind::solid;
@@ -233,13 +229,14 @@ namespace
         mesh->name          = name + (times > 0 ? ", refined" : "");
         const Expected expected{ends_of(*mesh, node_set::bore),
                                 gear.blank().teeth * columns << times,
-                                gear.blank().teeth * (coarsens ? columns / 3 : columns) << times};
+                                gear.blank().teeth * (coarsens ? columns / 3 : columns) << times,
+                                joining_radius};
         check_prisms(*mesh, options, expected, !solid);
         check_sides(*mesh, options, expected);
-        check_ends(*mesh, options, expected, ends);
+        check_ends(*mesh, expected, ends);
         const unsigned int lines =
           solid ? options.cells_lengthwise : 2 * options.hub_side_cells + options.web_layers;
-        check_bore(*mesh, expected.around_bore * (lines << times));
+        check_bore(*mesh, expected.around_outside * (lines << times));
         check_copies(*mesh);
         check_closed(*mesh);
         const MeshQuality quality = compute_mesh_quality(mesh->triangulation);
@@ -287,29 +284,33 @@ namespace
     compare("polar inertia", [](const SolidIntegrals &s) { return s.polar(); });
     compare("transverse inertia", [](const SolidIntegrals &s) { return s.transverse(); });
   }
-
 } // namespace
 
 int main()
 {
   const GearMember gear = paper::gear(), pinion = paper::pinion();
 
-  // Steps on either side, a collar apart from the body that is one cell long, a wider bore.
+  // Steps on either side, a collar apart from the body that is shorter than a cell, a wider bore.
   GearBodyOptions solid           = coarse(pinion_body_defaults());
   solid.cells_lengthwise          = 3;
   solid.shaft.text                = "80 140 40 20, 140 160 30 20, 160 163 60 20, 163 200 40 26";
   const std::vector<Vector2> ends = {{20, 10}, {20, 15}, {30, 15}, {30, 20}, {13, 10}, {20, 13}};
-  check_body("pinion, three columns to one", pinion, solid, 6, ends);
+  check_body("pinion, three columns to one", pinion, solid, 6, 20., ends);
   solid.cells_across = 3;
-  check_body("pinion, columns as they are", pinion, solid, 7, ends);
+  check_body("pinion, columns as they are", pinion, solid, 7, 20., ends);
+
+  // A step under the bore that is too thin for the row that joins columns.
+  solid.cells_across = 2;
+  solid.shaft.text   = "90 140 40 20, 140 160 39 20";
+  check_body("pinion, a thin step", pinion, solid, 6, 19.5, {{20, 10}, {20, 19.5}, {19.5, 10}});
 
   GearBodyOptions conical       = coarse(GearBodyOptions());
   conical.shaft.text            = "-20 90 100 60, 90 100 80 60, 100 104 130 60";
   conical.shaft.axial_cell_size = conical.shaft.radial_cell_size = 10.;
   const std::vector<Vector2> gear_ends = {{50, 30}, {50, 40}, {65, 40}, {65, 30}};
-  check_body("gear, columns as they are", gear, conical, 2, gear_ends);
+  check_body("gear, columns as they are", gear, conical, 2, 50., gear_ends);
   conical.cells_across = 5;
-  check_body("gear, three columns to one", gear, conical, 3, gear_ends);
+  check_body("gear, three columns to one", gear, conical, 3, 50., gear_ends);
 
   solid            = coarse(pinion_body_defaults());
   solid.shaft.text = "90 180 40 20";

@@ -18,6 +18,7 @@ from vfife_report.measures.periodicity import compute_mesh_average
 from vfife_report.measures.spectrum import compute_spectrum
 from vfife_report.pictures.canvas import Camera, Canvas
 from vfife_report.pictures.hexahedra import Section, find_axis, find_outer_faces
+from vfife_report.plots.meridian import draw_meridians, read_parts
 
 
 def make_block(cells):
@@ -119,6 +120,22 @@ class Histories(unittest.TestCase):
         self.assertAlmostEqual(orders[np.argmax(amplitudes)], 3)
         self.assertAlmostEqual(amplitudes.max(), 2.5, places=10)
         self.assertLess(np.sort(amplitudes)[-2], 1e-10)
+
+
+class Meridians(unittest.TestCase):
+    def test_sections_of_a_shaft(self):
+        """All of one kind: one colour, one row of the legend."""
+        with tempfile.TemporaryDirectory() as name:
+            parts = ("rim", "shaft 1", "shaft 2")
+            rows = [f"pinion,{part},{r},{z}" for part in parts for r, z in ((1, 0), (1, 2), (0, 2), (0, 0))]
+            (Path(name) / "meridian.csv").write_text("\n".join(["body,part,r [mm],z [mm]", *rows, ""]))
+            read = read_parts(Path(name), "pinion")
+            self.assertEqual(tuple(read), parts)
+            axes, = draw_meridians([("pinion", read)]).axes
+            self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()], ["rim", "shaft"])
+            colours = [patch.get_facecolor() for patch in axes.patches]
+            self.assertEqual(colours[1], colours[2])
+            self.assertNotEqual(colours[0], colours[1])
 
 
 class WholeRun(unittest.TestCase):

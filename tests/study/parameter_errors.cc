@@ -82,6 +82,9 @@ int main(int argc, char **argv)
   refuse(write_case(gear_body("set web thickness = -5 mm")), world);
   refuse(write_case(gear_body("set web thickness = 0 mm")), world);
   refuse(write_case(gear_body("set web angle = 120 deg")), world);
+  refuse(write_case("subsection Gear pair\n  subsection Pinion\n    subsection Shaft\n"
+                    "      set sections = 90 120 40 20\n    end\n  end\nend\n"),
+         world);
   refuse(write_case("subsection Gear pairs\nend\n"), world);
   refuse(write_case("subsection Study\n  set kind = walk\nend\n"), world);
   refuse(write_case("subsection Operation\n  set hub = rigid hob\nend\n"), world);
@@ -129,4 +132,9 @@ int main(int argc, char **argv)
          world);
   refuse(write_case(""), world, {"Gear pair/Gear/Mesh/cells lengthwise=1e7"});
   refuse(write_case(""), world, {"Gear pair/Pinion/Mesh/cells across tooth=1e8"});
+  refuse(write_case(""),
+         world,
+         {"Gear pair/Pinion/Shaft/sections=90 200 40 20",
+          "Gear pair/Pinion/Shaft/axial cell size=1 um",
+          "Gear pair/Pinion/Shaft/radial cell size=1 um"});
 }

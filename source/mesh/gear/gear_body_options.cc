@@ -288,6 +288,12 @@ namespace vfife
                   "Shaft/sections",
                   "a body with web = none has no bore that a shaft could go through; allowed with "
                   "web = conical or solid");
+    if (shaft.present())
+      {
+        GearBodyOptions bare = *this;
+        bare.shaft           = {};
+        check_mesh_size(section + "/Shaft", n_cells(blank.teeth) - bare.n_cells(blank.teeth));
+      }
     refuse.unless(element_size == 0. || element_size >= least_size_part * blank.face_width,
                   "Mesh/element size",
                   millimetres(element_size) + " is too small, at least " +

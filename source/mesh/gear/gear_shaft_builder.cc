@@ -10,9 +10,9 @@ namespace vfife
 {
   namespace
   {
-    /** A band under the bore is one row where a row that joins columns would leave less than this
-     * part of itself. */
-    constexpr double least_rest = .5;
+    /** Least length of a row that joins columns, and of what it leaves of its band, over the best
+     * length. */
+    constexpr double least_part = .5;
 
     /** Adds a place where there is none yet. */
     void add_distinct(const double place, std::set<double> &places)
@@ -106,26 +106,23 @@ namespace vfife
         return std::abs(.5 * s.*diameter - radius) <= GearShaftOptions::tolerance;
       });
     };
-    radii_ = {*found.rbegin()};
+    const bool can_join = (bore_[0].size() - 1) % 3 == 0;
+    bool       joined   = false;
+    radii_              = {*found.rbegin()};
     for (auto radius = std::next(found.rbegin()); radius != found.rend(); ++radius)
       {
         if (radii_.back() == bore_radius)
+          bore_circle_ = radii_.size() - 1;
+        const double band = radii_.back() - *radius, length = joining_length(radii_.back());
+        if (can_join && !joined && radii_.back() <= bore_radius && band > least_part * length)
           {
-            bore_circle_ = radii_.size() - 1;
-            if (joins_columns_under(bore_circle_))
-              {
-                const unsigned int columns = bore_[0].size() - 1;
-                const double       pitch =
-                  std::remainder(angle_of(bore_[0].back()) - angle_of(bore_[0][0]), 2. * pi);
-                const double length = coarsening_row_length * bore_radius * 3. * pitch / columns;
-                // The whole band, or a row of the best length and what it leaves.
-                if (bore_radius - *radius < (1. + least_rest) * length)
-                  {
-                    radii_.push_back(*radius);
-                    continue;
-                  }
-                radii_.push_back(bore_radius - length);
-              }
+            joined          = true;
+            joining_circle_ = radii_.size() - 1;
+            // The whole band, or a row of the best length and what that leaves.
+            const bool whole = band < (1. + least_part) * length;
+            radii_.push_back(whole ? *radius : radii_.back() - length);
+            if (whole)
+              continue;
           }
         // A shoulder between two sides is no part of them: nodes of it lie on neither.
         const bool shoulder =
@@ -137,6 +134,8 @@ namespace vfife
         for (unsigned int row = 1; row <= rows; ++row)
           radii_.push_back(row == rows ? *radius : outer + (*radius - outer) * row / rows);
       }
+    if (!joined)
+      joining_circle_ = radii_.size();
   }
 
   const std::vector<unsigned int> &GearShaftBuilder::bore_line(const unsigned int line) const
@@ -151,9 +150,11 @@ namespace vfife
     return std::atan2(x[1], x[0]);
   }
 
-  bool GearShaftBuilder::joins_columns_under(const unsigned int circle) const
+  double GearShaftBuilder::joining_length(const double radius) const
   {
-    return circle == bore_circle_ && (bore_.front().size() - 1) % 3 == 0;
+    const std::vector<unsigned int> &line = bore_.front();
+    const double pitch = std::remainder(angle_of(line.back()) - angle_of(line.front()), 2. * pi);
+    return coarsening_row_length * radius * 3. * pitch / (line.size() - 1);
   }
 
   bool GearShaftBuilder::is_filled(const int line, const int circle) const
@@ -177,7 +178,7 @@ namespace vfife
                                        const unsigned int first,
                                        const unsigned int last)
   {
-    const unsigned int step = circle > bore_circle_ && joins_columns_under(bore_circle_) ? 3 : 1;
+    const unsigned int step = circle > joining_circle_ ? 3 : 1;
     for (unsigned int line = first; line <= last; ++line)
       {
         std::vector<unsigned int> &nodes = nodes_[circle][line];
@@ -203,7 +204,7 @@ namespace vfife
                     inner = nodes_of(circle + 1, first, last);
     for (const NodeLayer &nodes : {outer, inner})
       cells_.add_to_set(node_set::shaft, nodes);
-    if (!joins_columns_under(circle))
+    if (circle != joining_circle_)
       {
         cells_.add_row(outer, inner);
         return;
@@ -232,7 +233,7 @@ namespace vfife
     };
     const auto add_end = [&](const unsigned int on) {
       cells_.add_to_set(node_set::shaft_ends, {nodes_[circle][on], nodes_[circle + 1][on]});
-      if (joins_columns_under(circle))
+      if (circle == joining_circle_)
         cells_.add_to_set(node_set::shaft_ends, NodeLayer{inner_[on]});
     };
     const int i = line, k = circle;

@@ -33,7 +33,8 @@ namespace vfife
     const std::vector<unsigned int> &bore_line(unsigned int line) const;
     /** Polar angle of a node [rad]. */
     double angle_of(unsigned int node) const;
-    bool   joins_columns_under(unsigned int circle) const;
+    /** Of a row under a radius that joins three columns into one. */
+    double joining_length(double radius) const;
 
     /** Whether there is metal between a line and the next, and a circle and the next; there is none
      * beyond the grid. */
@@ -54,8 +55,9 @@ namespace vfife
     std::vector<double>       radii_;            ///< of the circles, from outside inwards [mm]
     unsigned int              first_in_hub_ = 0; ///< line that is the first of the bore
     unsigned int              bore_circle_  = 0;
-    std::vector<NodeLayer>    nodes_; ///< [circle][line][column]; no columns where not made
-    NodeLayer                 inner_; ///< of the row that joins columns, [line]
+    unsigned int           joining_circle_ = 0; ///< over the row that joins columns; none: past all
+    std::vector<NodeLayer> nodes_; ///< [circle][line][column]; no columns where not made
+    NodeLayer              inner_; ///< of the row that joins columns, [line]
   };
 
   /**
