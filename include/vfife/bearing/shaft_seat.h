@@ -13,6 +13,13 @@ namespace vfife
     Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
   };
 
+  /** What a bearing's shaft does in it, along the bearing's axes: displacement of the seat [mm, rad]
+   * and load on the shaft [N, N mm]. */
+  struct SeatState
+  {
+    Vector5 displacement = Vector5::Zero(), load = Vector5::Zero();
+  };
+
   /** Columns x, y, z of axes with the unit vector @p z; x is the direction @p x made square to it,
    * any one where it has no length across z. */
   Matrix3 axes_along(const Vector3 &z, const Vector3 &x = Vector3::Zero());
@@ -46,6 +53,10 @@ namespace vfife
     double twist_rate(const MeanMotion::Motion &motion) const;
     /** A torque that works on the twist [N mm]. */
     Wrench of_torque(double torque, const MeanMotion::Motion &motion) const;
+
+    /** What small displacements and turns of the centre along the fixed frame's axes are in those of
+     * the bearing: x, y, z, tilts about x and y. */
+    Eigen::Matrix<double, 5, 6> reading() const;
 
     /** A matrix of a bearing as one of small displacements and turns of the centre along the fixed
      * frame's axes; @p torsion: of the turn about z. */

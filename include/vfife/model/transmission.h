@@ -22,6 +22,9 @@ namespace vfife
     double       driver_start = 0, driven_start = 0; ///< theta at time zero [rad]
     double       driver_rate = 0;                    ///< d theta_driver / dt [rad/s]
 
+    /** Nodes whose mass-weighted mean rotation beyond the prescribed turn is the driver's; empty:
+     * it turns as prescribed. */
+    std::vector<unsigned int> driver_bore;
     std::vector<unsigned int>
       driven_bore; ///< nodes whose mass-weighted mean rotation is theta_driven
     std::vector<unsigned int> driven_rim; ///< nodes of the rim

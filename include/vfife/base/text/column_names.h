@@ -36,6 +36,13 @@ namespace vfife
     constexpr char von_mises[]    = "von mises";
     constexpr char after_mesh[] = "after the mesh"; ///< place of a probe, from the mean contact on
 
+    // Bearings, and how the members of a pair stand to each other: changes of the mounting.
+    constexpr char bearing[]            = "bearing"; ///< its name
+    constexpr char offset[]             = "offset";
+    constexpr char pinion_axial_shift[] = "pinion axial shift";
+    constexpr char gear_axial_shift[]   = "gear axial shift";
+    constexpr char shaft_angle_error[]  = "shaft angle error";
+
     // Positions of a loaded tooth contact analysis.
     constexpr char position[]                    = "position";
     constexpr char transmission_error[]          = "transmission error";

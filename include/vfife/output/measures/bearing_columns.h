@@ -1,0 +1,24 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_measures_bearing_columns_h
+#define vfife_output_measures_bearing_columns_h
+
+#include <vfife/base/text/sample_columns.h>
+#include <vfife/bearing/shaft_seat.h>
+
+#include <string>
+
+namespace vfife
+{
+  /** One bearing at one instant or position. */
+  struct BearingSample
+  {
+    const std::string &bearing;
+    const SeatState   &state;
+  };
+
+  /** Name, load on the shaft, displacement of its seat: columns of bearings.csv after the time or
+   * the position. */
+  SampleColumns<BearingSample> list_bearing_columns();
+} // namespace vfife
+
+#endif
