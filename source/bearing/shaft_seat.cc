@@ -63,13 +63,18 @@ namespace vfife
     return {Vector3::Zero(), torque * twist_direction(motion)};
   }
 
-  Eigen::Matrix<double, 6, 6> ShaftSeat::in_space(const Matrix5 &matrix, const double torsion) const
+  Eigen::Matrix<double, 5, 6> ShaftSeat::reading() const
   {
-    // Rows: x, y, z and turns about x, y of the seat.
     Eigen::Matrix<double, 5, 6> rows = Eigen::Matrix<double, 5, 6>::Zero();
     rows.topLeftCorner<3, 3>()       = axes_.transpose();
     rows.bottomRightCorner<2, 3>()   = axes_.leftCols<2>().transpose();
-    Eigen::Matrix<double, 6, 6> all  = rows.transpose() * matrix * rows;
+    return rows;
+  }
+
+  Eigen::Matrix<double, 6, 6> ShaftSeat::in_space(const Matrix5 &matrix, const double torsion) const
+  {
+    const Eigen::Matrix<double, 5, 6> rows = reading();
+    Eigen::Matrix<double, 6, 6>       all  = rows.transpose() * matrix * rows;
     all.bottomRightCorner<3, 3>() += torsion * axes_.col(2) * axes_.col(2).transpose();
     return all;
   }

@@ -48,7 +48,8 @@ namespace
     Compliance         compliance(model, fem, false, world);
     PairEquilibrium    equilibrium(model, compliance, {3e4, 3e4}, {0.});
     const auto         at_rest = equilibrium.solve(0., 1.);
-    const CoupledModes modes   = find_coupled_modes(compliance, fem, false, at_rest.ties, 3, world);
+    const CoupledModes modes =
+      find_coupled_modes(compliance, fem, false, at_rest.ties, {}, 3, world);
 
     const Transmission &t         = *model.transmission;
     const double        turn      = at_rest.turn_slope + mean_rotation(compliance.discretization(),
@@ -72,7 +73,7 @@ namespace
 
     try
       {
-        find_coupled_modes(compliance, fem, false, at_rest.ties, 100000, world);
+        find_coupled_modes(compliance, fem, false, at_rest.ties, {}, 100000, world);
         check("too many coupled modes are refused", false);
       }
     catch (const InputError &error)
@@ -95,7 +96,7 @@ namespace
     // A contact so weak that it only keeps the hub from turning away: the bodies alone.
     for (ContactTie &tie : ties)
       tie.stiffness *= 1e-7;
-    const CoupledModes modes = find_coupled_modes(compliance, fem, true, ties, 9, world);
+    const CoupledModes modes = find_coupled_modes(compliance, fem, true, ties, {}, 9, world);
 
     fem.n_modes               = 9;
     fem.coriolis              = true;

@@ -8,6 +8,7 @@
 #include <vfife/fem/pair/coupled_modes.h>
 #include <vfife/fem/solvers/sparse_matrix.h>
 #include <vfife/fem/system/torque_forces.h>
+#include <vfife/model/constraints/supports.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -46,6 +47,25 @@ namespace vfife
         for (std::size_t k = 0; k < ties[l].points.size(); ++k)
           direction.segment<3>(3 * k) = ties[l].points[k].second;
         return Eigen::MatrixXd(ties[l].stiffness * direction * direction.transpose());
+      });
+    }
+
+    /** What the tangents of bearings at their displacements have more than the linear stiffness
+     * that K has for them. */
+    SparseValues make_bearings(const Assembly &assembly, const std::vector<SeatState> &bearings)
+    {
+      const Model      &model = assembly.discretization().model();
+      const std::size_t first = first_bearing(model);
+      return assembly.ring_matrix([&](const BearingRing &ring) -> Eigen::Matrix<double, 6, 6> {
+        if (ring.support >= first + bearings.size()) // couplings
+          return Eigen::Matrix<double, 6, 6>::Zero();
+        const std::size_t b       = ring.support - first;
+        const Bearing    &bearing = model.bearings[b];
+        const Matrix5     tangent = bearing.law->evaluate(bearings[b].displacement).stiffness;
+        const double      rate    = model.bodies[ring.body].rate;
+        return ShaftSeat(bearing.axes)
+                 .in_space(rate != 0 ? mean_over_turns(tangent) : tangent, 0.) -
+               ring.stiffness_at(rate);
       });
     }
 
@@ -217,6 +237,7 @@ namespace vfife
                                   const FemOptions              &fem_options,
                                   const bool                     centrifugal,
                                   const std::vector<ContactTie> &ties,
+                                  const std::vector<SeatState>  &bearings,
                                   const unsigned int             n,
                                   const Communicator            &communicator)
   {
@@ -243,6 +264,8 @@ namespace vfife
     SparseValues       K =
       centrifugal ? matrices.spinning_stiffness(compliance.spun(), rate) : matrices.stiffness();
     K = add_scaled(std::move(K), 1., make_contact(assembly, ties));
+    if (!bearings.empty())
+      K = add_scaled(std::move(K), 1., make_bearings(assembly, bearings));
     CoupledModes result;
     OwnedVector  turn = make_unit_torque(assembly);
     {

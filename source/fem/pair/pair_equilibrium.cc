@@ -9,7 +9,8 @@
 #include <sstream>
 
 // Displacements, forces and springs are in the axes of time zero, with three entries for each
-// watched point in the order of Compliance::watched(). Positions and all that the contact module
+// watched point in the order of Compliance::watched(), and six behind them for the ring of each
+// bearing. Positions and all that the contact module
 // sees are in the fixed frame, the bodies turned by rotations_.
 namespace vfife
 {
@@ -31,6 +32,11 @@ namespace vfife
   {
     if (!model.transmission || model.contacts.empty())
       throw InputError("the equilibrium of a loaded pair needs a gear pair with contact");
+    const unsigned int driven = model.transmission->driven;
+    if (!compliance.turns_freely(driven))
+      throw InputError("body \"" + model.bodies[driven].name() +
+                       "\" is driven and carries a torque, but something holds its turn about its "
+                       "axis");
     const Discretization &d = compliance.discretization();
     for (std::size_t i = 0; i < model.contacts.size(); ++i)
       pairs_.push_back(std::make_unique<Pair>(model.contacts[i], model, d, penalties[i]));
@@ -47,7 +53,9 @@ namespace vfife
             for (const unsigned int i : pair->active(*surface))
               points.insert(surface->first_point + surface->facets.nodes[i]);
       }
-    compliance_.watch({points.begin(), points.end()});
+    bearings_ =
+      std::make_unique<BearingSprings>(model, compliance.rings(), model.transmission->arm);
+    compliance_.watch({points.begin(), points.end()}, bearings_->motions());
     const std::vector<unsigned int> &watched = compliance_.watched();
     for (const auto &pair : pairs_)
       for (Surface *surface : {&pair->slave, &pair->master})
@@ -107,27 +115,15 @@ namespace vfife
     return sum;
   }
 
-  Eigen::VectorXd PairEquilibrium::at_watched(const std::vector<double> &u) const
+  std::size_t PairEquilibrium::bearing_row(const std::size_t i) const
   {
-    const std::vector<unsigned int> &watched = compliance_.watched();
-    Eigen::VectorXd                  values(3 * watched.size());
-    for (std::size_t k = 0; k < watched.size(); ++k)
-      values.segment<3>(3 * k) = Eigen::Map<const Vector3>(u.data() + 3 * watched[k]);
-    return values;
-  }
-
-  std::vector<double> PairEquilibrium::spread(const Eigen::VectorXd &force) const
-  {
-    const std::vector<unsigned int> &watched = compliance_.watched();
-    std::vector<double>              all(compliance_.spun().size(), 0.);
-    for (std::size_t k = 0; k < watched.size(); ++k)
-      Eigen::Map<Vector3>(all.data() + 3 * watched[k]) = force.segment<3>(3 * k);
-    return all;
+    return 3 * compliance_.watched().size() + 6 * i;
   }
 
   Eigen::VectorXd PairEquilibrium::apply_compliance(const Eigen::VectorXd &force)
   {
-    // Forces are zero but at the few nodes under pressure: only their columns of A are asked for.
+    // Forces are zero but at the few nodes under pressure and bearings: only their columns of A are
+    // asked for.
     std::vector<unsigned int> rows;
     for (unsigned int k = 0; k < force.size(); ++k)
       if (force[k] != 0.)
@@ -152,13 +148,36 @@ namespace vfife
         }
   }
 
-  PairEquilibrium::Trial PairEquilibrium::evaluate(const Eigen::VectorXd &u, const double turn)
+  PairEquilibrium::Trial
+  PairEquilibrium::evaluate(const Eigen::VectorXd &u, const double turn, const bool touching)
   {
     set_turn(turn);
+    Trial trial;
+    trial.force = Eigen::VectorXd::Zero(u.size());
+    if (touching)
+      add_contact(u, trial);
+    trial.contact_force = trial.force.norm();
+    trial.energy        = trial.contact_energy;
+    trial.torque        = trial.contact_torque;
+    add_bearings(u, trial);
+    return trial;
+  }
+
+  void PairEquilibrium::add_bearings(const Eigen::VectorXd &u, Trial &trial) const
+  {
+    for (std::size_t i = 0; i < bearings_->size(); ++i)
+      {
+        const auto response = bearings_->evaluate(i, u.segment<6>(bearing_row(i)), rotations_);
+        trial.force.segment<6>(bearing_row(i)) += response.force;
+        trial.energy += response.energy;
+        trial.torque += response.torque;
+      }
+  }
+
+  void PairEquilibrium::add_contact(const Eigen::VectorXd &u, Trial &trial)
+  {
     const unsigned int driven = model_.transmission->driven;
     const Axis        &axis   = model_.bodies[driven].axis;
-    Trial              trial;
-    trial.force = Eigen::VectorXd::Zero(u.size());
     for (const auto &pair : pairs_)
       {
         // x = c + R (X + u - c) of both flanks; the contact module works in the fixed frame,
@@ -174,7 +193,7 @@ namespace vfife
                                  s.forces.data(),
                                  m.forces.data());
         for (const GroupPairResult &result : pair->contact.results())
-          trial.energy += result.energy;
+          trial.contact_energy += result.energy;
         for (const Surface *surface : {&s, &m})
           for (const unsigned int i : pair->active(*surface))
             {
@@ -182,12 +201,11 @@ namespace vfife
               trial.force.segment<3>(3 * surface->place[i]) +=
                 rotations_[surface->body].transpose() * f;
               if (surface->body == driven)
-                trial.torque += axis.direction.dot(
+                trial.contact_torque += axis.direction.dot(
                   (Eigen::Map<const Vector3>(surface->positions.data() + 3 * i) - axis.point)
                     .cross(f));
             }
       }
-    return trial;
   }
 
   double PairEquilibrium::find_touch(const Eigen::VectorXd &base)
@@ -218,32 +236,73 @@ namespace vfife
     fail("the flanks do not touch within reach", "");
   }
 
-  double PairEquilibrium::find_touch(const double driver_turn)
+  PairEquilibrium::Iterate PairEquilibrium::find_unloaded(const Eigen::VectorXd &base)
   {
-    set_position(driver_turn);
-    find_candidates();
-    return find_touch(at_watched(compliance_.spun()));
+    // Bearings that are not alike all around take the body elsewhere when it has turned to the
+    // touch, by far less than the way there.
+    double turn = 0;
+    for (unsigned int i = 0; i < largest_steps; ++i)
+      {
+        Iterate      now   = settle(base, turn);
+        const double touch = find_touch(base + now.deflection);
+        const bool   found = std::abs(touch - turn) * model_.transmission->arm <= touch_tolerance;
+        now.turn = turn = touch;
+        if (found || bearings_->size() == 0)
+          return now;
+      }
+    fail("the unloaded bearings find no equilibrium", "");
   }
 
-  PairEquilibrium::Iterate PairEquilibrium::press_rigid(const Eigen::VectorXd &base,
-                                                        const double           load)
+  PairEquilibrium::Iterate
+  PairEquilibrium::press_rigid(const Eigen::VectorXd &base, const double load, Iterate guess)
   {
-    // A first guess with some points under pressure: as deep as rigid bodies would need it.
-    Iterate guess;
-    guess.force = guess.deflection = Eigen::VectorXd::Zero(base.size());
-    const double sense             = load < 0 ? -1. : 1.;
-    const double touch             = find_touch(base);
-    double       depth             = 1e-5; // [mm]
+    // A first guess with some points under pressure: as deep as rigid bodies would need it where
+    // the unloaded bearings have them.
+    guess.touching              = true;
+    const Eigen::VectorXd u     = base + guess.deflection;
+    const double          sense = load < 0 ? -1. : 1.;
+    const double          touch = find_touch(u);
+    double                depth = 1e-5; // [mm]
     for (; depth < pairs_.front()->contact.depth_limit(); depth *= 2.)
       {
         // Twice as deep each time, until the contact has at least the torque: Newton's method comes
         // back from there, where all points that will carry are pressed.
         guess.turn  = touch + sense * depth / model_.transmission->arm;
-        guess.trial = evaluate(base, guess.turn);
-        if (-sense * guess.trial.torque >= std::abs(load))
+        guess.trial = evaluate(u, guess.turn, true);
+        if (-sense * guess.trial.contact_torque >= std::abs(load))
           return guess;
       }
     fail("the undeformed flanks cannot carry the torque", "");
+  }
+
+  void PairEquilibrium::check_reach(const Eigen::VectorXd &u) const
+  {
+    // Pairs of teeth are looked for where undeformed bodies have them. What bearings move them by
+    // is the mean over a flank's nodes.
+    if (bearings_->size() == 0)
+      return;
+    for (const auto &pair : pairs_)
+      {
+        Vector3 apart = Vector3::Zero();
+        for (const Surface *surface : {&pair->slave, &pair->master})
+          {
+            Vector3 sum = Vector3::Zero();
+            for (const unsigned int i : pair->active(*surface))
+              sum += u.segment<3>(3 * surface->place[i]);
+            if (!pair->active(*surface).empty())
+              apart += (surface == &pair->slave ? 1. : -1.) / pair->active(*surface).size() *
+                       (rotations_[surface->body] * sum);
+          }
+        if (apart.norm() > pair->contact.depth_limit())
+          {
+            std::ostringstream text;
+            text << "bearings let the flanks move by " << apart.norm()
+                 << " mm against each other, farther than contact is looked for ("
+                 << pair->contact.depth_limit() << " mm, Contact/depth limit); stiffer bearings or "
+                 << "a smaller torque";
+            fail(text.str(), "");
+          }
+      }
   }
 
   void PairEquilibrium::fail(const std::string &what, const std::string &history) const

@@ -2,6 +2,8 @@
 #ifndef vfife_fem_pair_pair_equilibrium_parts_h
 #define vfife_fem_pair_pair_equilibrium_parts_h
 
+#include "bearing_springs.h"
+
 #include <vfife/contact/contact.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/mesh/body_mesh.h>
@@ -70,19 +72,25 @@ namespace vfife
     }
   };
 
-  /** What the contact does at a trial state. */
+  /** What contact and bearings do at a trial state. */
   struct PairEquilibrium::Trial
   {
-    Eigen::VectorXd force;      ///< at the watched points, axes of time zero [N]
-    double          energy = 0; ///< of the contact [mJ]
-    double          torque = 0; ///< on the driven body about its axis [N mm]
+    Eigen::VectorXd force;              ///< at the compliance's rows, axes of time zero [N]
+    double          contact_force  = 0; ///< norm of the contact's [N]
+    double          contact_energy = 0; ///< [mJ]
+    double          contact_torque = 0; ///< on the driven body about its axis [N mm]
+    double          energy         = 0; ///< of contact and bearings [mJ]
+    double          torque         = 0; ///< of both [N mm]
   };
 
-  /** Where Newton's method is: forces taken for those of the contact, what they do, the turn. */
+  /** Where Newton's method is: forces taken for those of contact and bearings, what they do, the
+   * turn. */
   struct PairEquilibrium::Iterate
   {
-    Eigen::VectorXd force, deflection; ///< at the watched points
-    double          turn = 0;
+    Eigen::VectorXd force, deflection; ///< at the compliance's rows
+    double          turn     = 0;
+    bool            touching = true; ///< otherwise the turn is given and bearings act alone
+    double          unit     = 0;    ///< not touching: of forces [N]
     Trial           trial;
 
     double potential(const double load) const
@@ -90,23 +98,34 @@ namespace vfife
       return 0.5 * force.dot(deflection) + trial.energy - load * turn;
     }
 
-    /** Forces that the bodies were bent by less those that the contact then exerts, over these, or
-     * what its torque lacks of the load, over the load. */
+    /** Forces that the bodies were bent by less those that contact and bearings then exert, over
+     * the contact's, or what the torque lacks of the load, over the load. */
     double residual(const double load) const
     {
-      return std::max((trial.force - force).norm() / trial.force.norm(),
-                      std::abs((trial.torque + load) / load));
+      const double imbalance = (trial.force - force).norm();
+      return touching
+               ? std::max(imbalance / trial.contact_force, std::abs((trial.torque + load) / load))
+               : imbalance / unit;
+    }
+
+    /** Whether something is pressed, where it has to. */
+    bool presses() const
+    {
+      return !touching || trial.contact_energy > 0;
     }
   };
 
-  /** Springs of the contact at the watched points: force = B f, f = -stiffness h. */
+  /** Springs of the contact at the watched points, force = B f, f = -stiffness h, and behind them
+   * the rows of the bearings. */
   struct PairEquilibrium::Tangent
   {
     std::vector<std::array<std::pair<unsigned int, Vector3>, 8>> springs; ///< place and direction
     Eigen::VectorXd                                              inverse_stiffness; ///< [mm/N]
-    Eigen::VectorXd by_turn; ///< change of h with the turn of the driven body [mm/rad]
-    Eigen::PartialPivLU<Eigen::MatrixXd> system;
-    double                               arm = 1; ///< scale of the turn [mm]
+    Eigen::VectorXd by_turn;       ///< change of h with the turn of the driven body [mm/rad]
+    std::size_t     first_row = 0; ///< of the bearings
+    std::vector<BearingSprings::Response> bearings; ///< or none, to go by the compliance's own
+    Eigen::PartialPivLU<Eigen::MatrixXd>  system;
+    double                                arm = 1; ///< scale of the turn [mm]
 
     Eigen::VectorXd project(const Eigen::VectorXd &u) const
     {
@@ -117,23 +136,44 @@ namespace vfife
       return h;
     }
 
+    Eigen::Index n_forces() const
+    {
+      return springs.size() + 6 * bearings.size();
+    }
+
     Eigen::VectorXd spread(const Eigen::VectorXd &f, const std::size_t n) const
     {
       Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
       for (std::size_t i = 0; i < springs.size(); ++i)
         for (const auto &node : springs[i])
           force.segment<3>(3 * node.first) += f[i] * node.second;
+      force.segment(first_row, 6 * bearings.size()) = f.tail(6 * bearings.size());
       return force;
     }
 
-    /** Change of the springs' forces (first) and of the turn (second) for an imbalance of
-     * displacements and of torque. */
+    /** What displacements @p u at the compliance's rows do: ways along the springs, forces that the
+     * bearings lose, and, last, torque that they lose, over the arm. */
+    Eigen::VectorXd respond(const Eigen::VectorXd &u) const
+    {
+      Eigen::VectorXd x      = Eigen::VectorXd::Zero(n_forces() + 1);
+      x.head(springs.size()) = project(u);
+      for (std::size_t i = 0; i < bearings.size(); ++i)
+        {
+          const BearingSprings::Vector6 d      = u.segment<6>(first_row + 6 * i);
+          x.segment<6>(springs.size() + 6 * i) = bearings[i].stiffness * d;
+          x[n_forces()] += bearings[i].by_turn.dot(d) / arm;
+        }
+      return x;
+    }
+
+    /** Change of the springs' and bearings' forces (first) and of the turn (second) for an
+     * imbalance of displacements and of torque. */
     std::pair<Eigen::VectorXd, double> solve(const Eigen::VectorXd &u, const double torque) const
     {
-      Eigen::VectorXd right(springs.size() + 1);
-      right << project(u), torque / arm;
+      Eigen::VectorXd right   = respond(u);
+      right[n_forces()]       = torque / arm - right[n_forces()];
       const Eigen::VectorXd x = system.solve(right);
-      return {-x.head(springs.size()), x[springs.size()] / arm};
+      return {-x.head(n_forces()), x[n_forces()] / arm};
     }
   };
 } // namespace vfife

@@ -18,18 +18,70 @@ namespace vfife
     constexpr unsigned int largest_halvings = 8;
     /** Round-off of the potential energy over its largest part. */
     constexpr double energy_round_off = 1e-11;
+
+    void add_to(std::vector<double> &sum, const std::vector<double> &u)
+    {
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += u[i];
+    }
   } // namespace
 
-  PairEquilibrium::Tangent PairEquilibrium::linearize()
+  PairEquilibrium::Tangent PairEquilibrium::linearize(const Eigen::VectorXd &u,
+                                                      const bool             touching,
+                                                      const bool             with_bearings)
+  {
+    Tangent tangent;
+    tangent.arm       = model_.transmission->arm;
+    tangent.first_row = bearing_row(0);
+    if (touching)
+      add_springs(tangent);
+    for (std::size_t i = 0; with_bearings && i < bearings_->size(); ++i)
+      {
+        tangent.bearings.push_back(
+          bearings_->evaluate(i, u.segment<6>(bearing_row(i)), rotations_));
+        if (!touching) // the turn is given
+          {
+            tangent.bearings.back().by_turn.setZero();
+            tangent.bearings.back().turn_twice = 0;
+          }
+      }
+
+    // [D^-1 + B^T A B, -b; b^T, 0], the turn counted as a way at the arm: what the springs give
+    // way by themselves and the compliance A of the bodies, and the balance of torques. Of a
+    // bearing, 1 + D A instead, since D may be singular, and what its forces do about the axis.
+    const Eigen::Index n_springs = tangent.springs.size(), n = tangent.n_forces();
+    Eigen::MatrixXd    matrix = Eigen::MatrixXd::Zero(n + 1, n + 1);
+    for (Eigen::Index i = 0; i < n; ++i)
+      {
+        matrix.col(i) =
+          tangent.respond(apply_compliance(tangent.spread(Eigen::VectorXd::Unit(n, i), u.size())));
+        matrix(n, i) *= -1.;
+        matrix(i, i) += i < n_springs ? tangent.inverse_stiffness[i] : 1.;
+      }
+    if (touching)
+      {
+        matrix.col(n).head(n_springs) = -tangent.by_turn / tangent.arm;
+        matrix.row(n).head(n_springs) += tangent.by_turn.transpose() / tangent.arm;
+      }
+    else
+      matrix(n, n) = 1.;
+    for (std::size_t i = 0; i < tangent.bearings.size(); ++i)
+      {
+        matrix.col(n).segment<6>(n_springs + 6 * i) = -tangent.bearings[i].by_turn / tangent.arm;
+        matrix(n, n) += tangent.bearings[i].turn_twice / (tangent.arm * tangent.arm);
+      }
+    tangent.system.compute(matrix);
+    return tangent;
+  }
+
+  void PairEquilibrium::add_springs(Tangent &tangent)
   {
     const unsigned int driven = model_.transmission->driven;
     const Axis        &axis   = model_.bodies[driven].axis;
     // Of each point under pressure: h changes by d . (dx_s - dy), d on the slave's node weights and
     // -d on the master's (at most 4 + 4 nodes), turned back into the axes of time zero; and by the
     // turn of the driven body by b = sum of weight d . (a x (x - c)) over its nodes.
-    Tangent             tangent;
     std::vector<double> inverse, by_turn;
-    tangent.arm = model_.transmission->arm;
     // Every spring as directions at the watched points, in the axes of time zero, with the way that
     // a turn of the driven body makes along them.
     for (const auto &pair : pairs_)
@@ -63,21 +115,6 @@ namespace vfife
     const std::size_t n       = inverse.size();
     tangent.inverse_stiffness = Eigen::Map<Eigen::VectorXd>(inverse.data(), n);
     tangent.by_turn           = Eigen::Map<Eigen::VectorXd>(by_turn.data(), n);
-
-    // [D^-1 + B^T A B, -b; b^T, 0], the turn counted as a way at the arm: what the springs give
-    // way by themselves and the compliance A of the bodies, and the balance of torques.
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 1, n + 1);
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        const Eigen::VectorXd one =
-          tangent.spread(Eigen::VectorXd::Unit(n, i), 3 * compliance_.watched().size());
-        matrix.col(i).head(n) = tangent.project(apply_compliance(one));
-        matrix(i, i) += tangent.inverse_stiffness[i];
-      }
-    matrix.col(n).head(n) = -tangent.by_turn / tangent.arm;
-    matrix.row(n).head(n) = tangent.by_turn.transpose() / tangent.arm;
-    tangent.system.compute(matrix);
-    return tangent;
   }
 
   void PairEquilibrium::search_line(const Eigen::VectorXd &base,
@@ -89,19 +126,19 @@ namespace vfife
     // of second order (doc/contact.md, Force along the facet), and next to the equilibrium the
     // potential may gain more by these than it loses by the step.
     const double start = now.potential(load), residual = now.residual(load);
-    const double scale = 0.5 * std::abs(now.force.dot(now.deflection)) + now.trial.energy +
-                         std::abs(load * (full.turn - now.turn));
+    const double scale = 0.5 * std::abs(now.force.dot(now.deflection)) +
+                         std::abs(now.trial.energy) + std::abs(load * (full.turn - now.turn));
     // Half the step until the potential energy does not grow and something is still pressed.
     double  step = 1;
-    Iterate next;
+    Iterate next = now;
     for (unsigned int i = 0;; ++i, step *= 0.5)
       {
         // Deflections belong to forces linearly, so that both are cut by the same part.
         next.force         = now.force + step * (full.force - now.force);
         next.deflection    = now.deflection + step * (full.deflection - now.deflection);
         next.turn          = now.turn + step * (full.turn - now.turn);
-        next.trial         = evaluate(base + next.deflection, next.turn);
-        const bool presses = next.trial.energy > 0;
+        next.trial         = evaluate(base + next.deflection, next.turn, next.touching);
+        const bool presses = next.presses();
         if ((i == 0 && presses && next.residual(load) <= 0.5 * residual) ||
             (presses && next.potential(load) <= start + energy_round_off * scale) ||
             i == largest_halvings)
@@ -123,16 +160,18 @@ namespace vfife
         history << " " << result.residual;
         if (result.residual < tolerance)
           return;
-        if (result.iterations >= largest_iterations || now.trial.energy <= 0 ||
+        if (result.iterations >= largest_iterations || !now.presses() ||
             !std::isfinite(result.residual))
           fail("Newton's method does not converge", history.str());
 
         // Springs answer with y = D (B^T dv + b dpsi), dv = A F~ - v, F~ = F - B y; b^T y = M + T
-        // balances the torque. Eliminating dv gives the system of linearize().
-        const Tangent         tangent   = linearize();
+        // balances the torque. Eliminating dv gives the system of linearize(). The first step goes
+        // by the compliance's own bearings: undisplaced ones may have no stiffness at all.
+        const Tangent tangent =
+          linearize(base + now.deflection, now.touching, result.iterations > 0);
         const Eigen::VectorXd imbalance = apply_compliance(now.trial.force) - now.deflection;
-        const auto            change    = tangent.solve(imbalance, torque);
-        Iterate               full;
+        const auto            change    = tangent.solve(imbalance, now.touching ? torque : 0.);
+        Iterate               full      = now;
         full.force      = now.trial.force + tangent.spread(change.first, base.size());
         full.deflection = apply_compliance(full.force);
         full.turn       = now.turn + change.second;
@@ -140,23 +179,46 @@ namespace vfife
       }
   }
 
+  PairEquilibrium::Iterate PairEquilibrium::settle(const Eigen::VectorXd &base, const double turn)
+  {
+    Iterate now;
+    now.force = now.deflection = Eigen::VectorXd::Zero(base.size());
+    now.turn                   = turn;
+    now.touching               = false;
+    now.unit                   = std::abs(load(1.)) / model_.transmission->arm;
+    if (bearings_->size() == 0)
+      return now;
+    now.trial = evaluate(base, turn, false);
+    PairEquilibriumResult unasked;
+    balance(base, 0., now, unasked);
+    return now;
+  }
+
   PairEquilibriumResult PairEquilibrium::solve(const double driver_turn, const double load_factor)
   {
     PairEquilibriumResult result;
     result.driver_turn = driver_turn;
-    result.touch_turn  = find_touch(driver_turn);
+    set_position(driver_turn);
+    find_candidates();
+    const Eigen::VectorXd spun     = compliance_.at_rows(compliance_.spun());
+    const Iterate         unloaded = find_unloaded(spun);
+    result.touch_turn              = unloaded.turn;
+    result.touch_displacements     = compliance_.spun();
+    if (bearings_->size() > 0)
+      add_to(result.touch_displacements, compliance_.solve(compliance_.spread(unloaded.force)));
 
     // u_s + part of u_T: spin and the traction of the torque
     // What the bodies do without contact; Newton's method adds the deflection by contact forces.
-    const Eigen::VectorXd base =
-      at_watched(compliance_.spun()) + load_factor * at_watched(compliance_.twisted());
-    Iterate now = press_rigid(base, load(load_factor));
+    const Eigen::VectorXd base = spun + load_factor * compliance_.at_rows(compliance_.twisted());
+    Iterate               now  = press_rigid(base, load(load_factor), unloaded);
     balance(base, load(load_factor), now, result);
-    report(now, load_factor, result);
+    check_reach(base + now.deflection);
+    report(base, now, load_factor, result);
     return result;
   }
 
   PairEquilibriumResult PairEquilibrium::press(const double               driver_turn,
+                                               const std::vector<double> &known,
                                                const std::vector<double> &free,
                                                const double               torque)
   {
@@ -164,36 +226,49 @@ namespace vfife
     result.driver_turn = driver_turn;
     set_position(driver_turn);
     find_candidates();
-    const Eigen::VectorXd base = at_watched(free);
+    const Eigen::VectorXd base = compliance_.at_rows(free), before = compliance_.at_rows(known);
     if (pressed_ != nullptr)
-      pressed_->trial = evaluate(base + pressed_->deflection, pressed_->turn);
+      set_turn(pressed_->turn);
+    std::vector<BearingSprings::Vector6> motions;
+    for (std::size_t i = 0; i < bearings_->size(); ++i)
+      motions.emplace_back(before.segment<6>(bearing_row(i)));
+    const double load = torque - bearings_->set_known(motions, rotations_);
+    if (pressed_ != nullptr)
+      pressed_->trial = evaluate(base + pressed_->deflection, pressed_->turn, true);
     // The last equilibrium is the start while it still presses, else rigid flanks are pressed anew.
-    if (pressed_ == nullptr || !(pressed_->trial.energy > 0))
-      pressed_ = std::make_unique<Iterate>(press_rigid(base, torque));
-    balance(base, torque, *pressed_, result);
+    if (pressed_ == nullptr || !pressed_->presses())
+      {
+        Iterate apart;
+        apart.force = apart.deflection = Eigen::VectorXd::Zero(base.size());
+        pressed_ = std::make_unique<Iterate>(press_rigid(base, load, std::move(apart)));
+      }
+    balance(base, load, *pressed_, result);
+    check_reach(base + pressed_->deflection);
     result.turn          = pressed_->turn;
-    result.displacements = compliance_.solve(spread(pressed_->force));
-    for (std::size_t i = 0; i < free.size(); ++i)
-      result.displacements[i] += free[i];
+    result.displacements = free;
+    add_to(result.displacements, compliance_.solve(compliance_.spread(pressed_->force)));
     return result;
   }
 
-  void PairEquilibrium::report(const Iterate         &now,
+  void PairEquilibrium::report(const Eigen::VectorXd &base,
+                               const Iterate         &now,
                                const double           load_factor,
                                PairEquilibriumResult &result)
   {
     result.turn           = now.turn;
-    result.contact_torque = model_.transmission->driven_sense * now.trial.torque;
+    result.contact_torque = model_.transmission->driven_sense * now.trial.contact_torque;
     for (const auto &pair : pairs_)
       for (const GroupPairResult &group : pair->contact.results())
         if (group.normal_force > 0)
           result.teeth.push_back(make_tooth_contact(model_, pair->definition, group));
 
     // Per unit of the load factor the bodies twist further, and the springs answer.
-    const Tangent         tangent = linearize();
-    const auto            change  = tangent.solve(at_watched(compliance_.twisted()), load(1.));
-    const Eigen::VectorXd slope   = tangent.spread(change.first, now.force.size());
-    result.turn_slope             = change.second;
+    const Tangent tangent = linearize(base + now.deflection, true, true);
+    for (const BearingSprings::Response &bearing : tangent.bearings)
+      result.bearings.push_back(bearing.state);
+    const auto change = tangent.solve(compliance_.at_rows(compliance_.twisted()), load(1.));
+    const Eigen::VectorXd slope = tangent.spread(change.first, now.force.size());
+    result.turn_slope           = change.second;
     for (std::size_t i = 0; i < tangent.springs.size(); ++i)
       {
         ContactTie tie{tangent.springs[i], 1. / tangent.inverse_stiffness[i]};
@@ -203,32 +278,12 @@ namespace vfife
       }
 
     // Two solutions for the fields of all points, not only the watched ones.
-    result.displacements      = compliance_.solve(spread(now.force));
-    result.displacement_slope = compliance_.solve(spread(slope));
+    result.displacements      = compliance_.solve(compliance_.spread(now.force));
+    result.displacement_slope = compliance_.solve(compliance_.spread(slope));
     for (std::size_t i = 0; i < result.displacements.size(); ++i)
       {
         result.displacements[i] += compliance_.spun()[i] + load_factor * compliance_.twisted()[i];
         result.displacement_slope[i] += compliance_.twisted()[i];
       }
-  }
-
-  double mean_rotation(const Discretization            &discretization,
-                       const unsigned int               body,
-                       const std::vector<unsigned int> &nodes,
-                       const std::vector<double>       &displacements)
-  {
-    const Body        &b     = discretization.model().bodies[body];
-    const unsigned int first = discretization.find_part(body)->first_point;
-    double             sum = 0, mass = 0;
-    for (const unsigned int node : nodes)
-      {
-        const Vector3 arm =
-          b.axis.direction.cross(discretization.points()[first + node] - b.axis.point);
-        const Eigen::Map<const Vector3> u(displacements.data() + 3 * std::size_t(first + node));
-        // u_theta / r of each node; "arm" is a x (x - c), of length r.
-        sum += b.node_masses()[node] * u.dot(arm) / arm.squaredNorm();
-        mass += b.node_masses()[node];
-      }
-    return sum / mass;
   }
 } // namespace vfife

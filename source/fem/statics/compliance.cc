@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace vfife
 {
@@ -17,6 +18,25 @@ namespace vfife
       std::vector<unsigned int> bodies(model.bodies.size());
       std::iota(bodies.begin(), bodies.end(), 0u);
       return bodies;
+    }
+
+    /** Whether a rigid motion of a body is nothing but a turn about its axis. */
+    bool is_turn(const Discretization       &discretization,
+                 const Discretization::Part &part,
+                 const std::vector<double>  &motion)
+    {
+      // What is left of it without its part along the turn a x (X - c).
+      const Axis &axis  = discretization.model().bodies[part.body].axis;
+      double      whole = 0, along = 0, turn = 0;
+      for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
+        {
+          const Eigen::Map<const Vector3> u(motion.data() + 3 * std::size_t(p));
+          const Vector3 way = axis.direction.cross(discretization.points()[p] - axis.point);
+          whole += u.squaredNorm();
+          along += u.dot(way);
+          turn += way.squaredNorm();
+        }
+      return whole - along * along / turn < 1e-8 * whole;
     }
 
     /** Right sides solved for at once. */
@@ -64,24 +84,66 @@ namespace vfife
     twisted_ = solve(forces);
   }
 
-  void Compliance::check_motions() const
+  void Compliance::check_motions()
   {
     for (const Discretization::Part &part : discretization_.parts())
       {
-        unsigned int allowed = 0;
+        bool hub = false, bearing = false;
         for (const Constraint &constraint : model_.constraints)
           if (constraint.body == part.body && (constraint.kind == ConstraintKind::free_rotation ||
                                                constraint.kind == ConstraintKind::rigid_hub))
-            allowed = 1;
-        if (find_free_motions(discretization_, part).size() > allowed)
+            hub = true;
+        // In bearings alone only the driven body of a pair may turn: its turn is asked for.
+        if (model_.transmission && part.body == model_.transmission->driven)
+          for (const Bearing &of_body : model_.bearings)
+            bearing = bearing || of_body.body == part.body;
+        const auto motions = find_free_motions(discretization_, part);
+        if (motions.empty())
+          continue;
+        if (motions.size() > 1 || !(hub || bearing) ||
+            !is_turn(discretization_, part, motions.front()))
           throw InputError("body \"" + model_.bodies[part.body].name() +
-                           "\" can move rigidly otherwise than by turning on its hub, so it has no "
-                           "static equilibrium; hold more of its nodes");
+                           "\" can move rigidly otherwise than by turning on its hub or, driven, "
+                           "in its bearings, so it has no static equilibrium; hold more of its "
+                           "nodes, or couple the driver");
+        turning_.push_back(part.body);
+        if (!hub)
+          pinned_.push_back(part.body);
       }
   }
 
-  void Compliance::factorize(const SparseValues &K)
+  bool Compliance::turns_freely(const unsigned int body) const
   {
+    return std::find(turning_.begin(), turning_.end(), body) != turning_.end();
+  }
+
+  void Compliance::add_pins(SparseValues &K) const
+  {
+    if (pinned_.empty())
+      return;
+    // A torsional spring on the mean turn of the body's first bearing, whose points are coupled
+    // anyway; as stiff as the mean entry of the matrix at the ring's radius.
+    const double           stiffness = assembly_->mean_diagonal(K);
+    std::set<unsigned int> done;
+    K = add_scaled(std::move(K), 1., assembly_->ring_matrix([&](const BearingRing &ring) {
+      Eigen::Matrix<double, 6, 6> pin = Eigen::Matrix<double, 6, 6>::Zero();
+      if (std::find(pinned_.begin(), pinned_.end(), ring.body) == pinned_.end() ||
+          !done.insert(ring.body).second)
+        return pin;
+      const Axis &axis   = model_.bodies[ring.body].axis;
+      double      square = 0;
+      for (const unsigned int p : ring.points)
+        square += axis.direction.cross(discretization_.points()[p] - axis.point).squaredNorm() /
+                  ring.points.size();
+      pin.bottomRightCorner<3, 3>() =
+        stiffness * square * axis.direction * axis.direction.transpose();
+      return pin;
+    }));
+  }
+
+  void Compliance::factorize(SparseValues K)
+  {
+    add_pins(K);
     solver_.reset(); // its memory first
     solver_ = std::make_unique<DirectSolver>(assembly_->pattern(), K, communicator_);
     if (solver_->n_negative() > 0 || solver_->n_zero() > 0)
@@ -95,16 +157,48 @@ namespace vfife
     return assembly_->expand(q);
   }
 
-  void Compliance::watch(std::vector<unsigned int> points)
+  void Compliance::watch(std::vector<unsigned int> points, std::vector<PointMotion> motions)
   {
-    watched_ = std::move(points);
-    columns_.assign(3 * watched_.size(), Eigen::VectorXd());
+    watched_           = std::move(points);
+    motions_           = std::move(motions);
+    std::size_t n_rows = 3 * watched_.size();
+    for (const PointMotion &motion : motions_)
+      n_rows += motion.motion.rows();
+    columns_.assign(n_rows, Eigen::VectorXd());
+  }
+
+  Eigen::VectorXd Compliance::at_rows(const std::vector<double> &u) const
+  {
+    Eigen::VectorXd values(columns_.size());
+    for (std::size_t k = 0; k < watched_.size(); ++k)
+      values.segment<3>(3 * k) = Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(watched_[k]));
+    std::size_t row = 3 * watched_.size();
+    for (const PointMotion &motion : motions_)
+      {
+        values.segment(row, motion.motion.rows()) = motion.displacement(u);
+        row += motion.motion.rows();
+      }
+    return values;
+  }
+
+  std::vector<double> Compliance::spread(const Eigen::VectorXd &force) const
+  {
+    std::vector<double> all(spun_.size(), 0.);
+    for (std::size_t k = 0; k < watched_.size(); ++k)
+      Eigen::Map<Vector3>(all.data() + 3 * std::size_t(watched_[k])) = force.segment<3>(3 * k);
+    std::size_t row = 3 * watched_.size();
+    for (const PointMotion &motion : motions_)
+      {
+        motion.add_forces(force.segment(row, motion.motion.rows()), all);
+        row += motion.motion.rows();
+      }
+    return all;
   }
 
   void Compliance::prepare(const std::vector<unsigned int> &rows)
   {
-    // Row 3 k + c is the component c at the watched point k. A column of A = K^-1 is solved for
-    // when a force first acts there, and kept.
+    // Row 3 k + c is the component c at the watched point k, rows of motions follow. A column of
+    // A = K^-1 is solved for when a force first acts there, and kept.
     std::vector<unsigned int> missing;
     for (const unsigned int row : rows)
       if (columns_[row].size() == 0)
@@ -114,29 +208,22 @@ namespace vfife
     n_prepared_ += missing.size();
 
     // In blocks: MUMPS reads its factors once for each, and right sides stay few in memory.
-    std::vector<double> force(spun_.size(), 0.);
     for (std::size_t first = 0; first < missing.size(); first += block)
       {
         const std::size_t   n = std::min<std::size_t>(block, missing.size() - first);
         std::vector<double> all;
         for (std::size_t i = first; i < first + n; ++i)
           {
-            double &entry       = force[3 * std::size_t(watched_[missing[i] / 3]) + missing[i] % 3];
-            entry               = 1.;
-            const OwnedVector q = assembly_->restrict_forces(force);
+            const OwnedVector q = assembly_->restrict_forces(
+              spread(Eigen::VectorXd::Unit(columns_.size(), missing[i])));
             all.insert(all.end(), q.begin(), q.end());
-            entry = 0.;
           }
         solver_->solve(all.data(), n);
         const std::size_t n_own = all.size() / n;
         for (std::size_t i = 0; i < n; ++i)
           {
-            const OwnedVector         q(all.begin() + i * n_own, all.begin() + (i + 1) * n_own);
-            const std::vector<double> u      = assembly_->expand(q);
-            Eigen::VectorXd          &column = columns_[missing[first + i]];
-            column.resize(3 * watched_.size());
-            for (std::size_t k = 0; k < watched_.size(); ++k)
-              column.segment<3>(3 * k) = Eigen::Map<const Vector3>(u.data() + 3 * watched_[k]);
+            const OwnedVector q(all.begin() + i * n_own, all.begin() + (i + 1) * n_own);
+            columns_[missing[first + i]] = at_rows(assembly_->expand(q));
           }
       }
   }

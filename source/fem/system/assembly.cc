@@ -177,14 +177,13 @@ namespace vfife
     return values;
   }
 
-  SparseValues Assembly::ring_matrix(const std::function<double(unsigned int body)> &rate) const
+  SparseValues Assembly::ring_matrix(const RingMatrix &stiffness) const
   {
     SparseValues      values(pattern_.columns.size(), 0.);
     const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
     for (const BearingRing &ring : rings_)
       {
-        const Eigen::MatrixXd A =
-          ring.motion.transpose() * ring.stiffness_at(rate(ring.body)) * ring.motion;
+        const Eigen::MatrixXd A = ring.motion.transpose() * stiffness(ring) * ring.motion;
         for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
           add(k * copy, ring.points.data(), A, values);
       }

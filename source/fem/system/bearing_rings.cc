@@ -30,22 +30,25 @@ namespace vfife
       const MeanMotion::Motion at_rest = set.at_rest();
       ring.motion.resize(6, 3 * ring.points.size());
       for (std::size_t i = 0; i < ring.points.size(); ++i)
-        ring.motion.middleCols<3>(3 * i) = set.derivative(i, at_rest);
+        {
+          ring.motion.middleCols<3>(3 * i) = set.derivative(i, at_rest);
+          // Its first three rows are the share of the point.
+          ring.centre += ring.motion(0, 3 * i) * places[i];
+        }
       return ring;
     }
   } // namespace
 
-  Eigen::Matrix<double, 6, 1> BearingRing::displacement(const std::vector<double> &u) const
+  Eigen::VectorXd PointMotion::displacement(const std::vector<double> &u) const
   {
-    Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(motion.rows());
     for (std::size_t i = 0; i < points.size(); ++i)
       sum += motion.middleCols<3>(3 * i) *
              Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(points[i]));
     return sum;
   }
 
-  void BearingRing::add_forces(const Eigen::Matrix<double, 6, 1> &load,
-                               std::vector<double>               &forces) const
+  void PointMotion::add_forces(const Eigen::VectorXd &load, std::vector<double> &forces) const
   {
     for (std::size_t i = 0; i < points.size(); ++i)
       Eigen::Map<Vector3>(forces.data() + 3 * std::size_t(points[i])) +=

@@ -5,6 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+
 namespace vfife
 {
   std::vector<std::vector<double>> make_rigid_motions(const Discretization       &discretization,
@@ -63,7 +65,8 @@ namespace vfife
         for (const unsigned int p : discretization.points_of(part, load.nodes))
           forbid(p, Matrix3(load.vector.cwiseSign().asDiagonal()));
     const auto rigid = make_rigid_motions(discretization, part, centre);
-    // Bearings and couplings hold what has a stiffness, each by its own measure of it.
+    // Bearings and couplings hold what has a stiffness, each by its own measure of it: one of ways
+    // and one of turns, whatever the axes of the bearing are.
     if (discretization.sector_angle() == 0)
       for (const BearingRing &ring : find_bearing_rings(discretization))
         if (discretization.part_of_point(ring.points.front()).body == part.body)
@@ -71,15 +74,17 @@ namespace vfife
             Eigen::Matrix<double, 6, 6> motion;
             for (unsigned int d = 0; d < 6; ++d)
               motion.col(d) = ring.displacement(rigid[d]) / (d < 3 ? 1. : size);
-            const Eigen::Matrix<double, 6, 1> scale =
-              ring.stiffness.diagonal().cwiseAbs().cwiseSqrt();
-            Eigen::Matrix<double, 6, 6> held = ring.stiffness;
-            for (unsigned int i = 0; i < 6; ++i)
-              for (unsigned int j = 0; j < 6; ++j)
-                // Turns in units of the body's size, as the motions are.
-                held(i, j) *= (i < 3 ? 1. : size) * (j < 3 ? 1. : size) /
-                              (scale[i] * scale[j] > 0 ? scale[i] * scale[j] : 1.);
-            forbidden += motion.transpose() * held * motion / part.n_points;
+            // Turns in units of the body's size, as the motions are.
+            Eigen::Matrix<double, 6, 1> scale = Eigen::Matrix<double, 6, 1>::Zero();
+            for (unsigned int block = 0; block < 6; block += 3)
+              {
+                const double measure = ring.stiffness.diagonal().segment<3>(block).maxCoeff();
+                if (measure > 0)
+                  scale.segment<3>(block).setConstant((block == 0 ? 1. : size) /
+                                                      std::sqrt(measure));
+              }
+            forbidden += motion.transpose() * scale.asDiagonal() * ring.stiffness *
+                         scale.asDiagonal() * motion / part.n_points;
           }
     // Motions that nothing forbids are its kernel.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(forbidden);

@@ -64,8 +64,11 @@ namespace vfife
 
   SparseValues SystemMatrices::add_rings(SparseValues K, const Rate &rate) const
   {
-    return assembly_.rings().empty() ? K
-                                     : add_scaled(std::move(K), 1., assembly_.ring_matrix(rate));
+    return assembly_.rings().empty()
+             ? K
+             : add_scaled(std::move(K), 1., assembly_.ring_matrix([&rate](const BearingRing &ring) {
+                 return ring.stiffness_at(rate(ring.body));
+               }));
   }
 
   SparseValues SystemMatrices::mass() const

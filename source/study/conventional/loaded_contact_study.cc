@@ -17,6 +17,7 @@
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/measures/bearing_columns.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
@@ -52,6 +53,7 @@ namespace vfife
       LoadedContactStudy()
         : positions_(make_loaded_contact_table())
         , teeth_(make_loaded_teeth_table())
+        , bearings_(make_loaded_bearing_table())
       {
         fem_.mass = MassKind::lumped; // as the mass points of a run
       }
@@ -107,7 +109,7 @@ namespace vfife
       OutputOptions        output_;
       FemOptions           fem_;
       LoadedContactOptions options_;
-      Table                positions_, teeth_;
+      Table                positions_, teeth_, bearings_;
     };
   } // namespace
 
@@ -208,6 +210,8 @@ namespace vfife
       }
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
+    if (!model.bearings.empty())
+      write_csv(folder, "bearings.csv", bearings_);
     write_tables(folder, "loaded_contact", positions_);
   }
 
@@ -222,6 +226,7 @@ namespace vfife
                                                   fem_,
                                                   options_.centrifugal,
                                                   result.ties,
+                                                  result.bearings,
                                                   options_.coupled_modes,
                                                   folder.communicator());
     log.line("coupled modes: ",
@@ -270,18 +275,16 @@ namespace vfife
                                         const std::vector<Stress>   &stresses,
                                         Log                         &log)
   {
-    // Leads of the driven member's bore in the drive direction: where flanks touch without load,
-    // and under the torque. The secant leads from one to the other, the tangent is the slope under
-    // load.
+    // Leads of the driven member in the drive direction: where flanks touch without load, and under
+    // the torque. The secant leads from one to the other, the tangent is the slope under load.
     const Transmission &t    = *model.transmission;
     const auto          lead = [&](const double turn, const std::vector<double> &u) {
-      return t.driven_sense *
-             (turn + mean_rotation(compliance.discretization(), t.driven, t.driven_bore, u));
+      return lead_of_driven(compliance.discretization(), turn, u);
     };
     // [rad]; transmission error = theta_driven - (z_driver/z_driven) theta_driver. A lead is
     // counted from the kinematic turn, so of both angles only those at time zero remain.
     const double offset   = t.driven_start - t.ratio() * t.driver_start;
-    const double unloaded = offset + lead(result.touch_turn, compliance.spun());
+    const double unloaded = offset + lead(result.touch_turn, result.touch_displacements);
     const double loaded   = offset + lead(result.turn, result.displacements);
     const double torque   = load_torque(model);
     // [N mm/rad]; the slope is the change per unit of the load factor, so the whole torque belongs
@@ -304,6 +307,14 @@ namespace vfife
                         tooth.torque / result.contact_torque,
                         tooth.largest_pressure,
                         tooth.area});
+      }
+    const auto columns = list_bearing_columns();
+    for (std::size_t b = 0; b < model.bearings.size(); ++b)
+      {
+        std::vector<Table::Cell> row =
+          columns.cells_of({model.bearings[b].name, result.bearings[b]});
+        row.insert(row.begin(), position);
+        bearings_.add_row(row);
       }
     // Where teeth break: the largest stress of either fillet, and of the web's faces.
     const std::vector<const char *> fillets = {node_set::concave_fillet, node_set::convex_fillet};

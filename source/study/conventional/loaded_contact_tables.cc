@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
+#include <vfife/output/measures/bearing_columns.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 
 namespace vfife
@@ -37,6 +38,14 @@ namespace vfife
     table.add_column("share of torque", "-");
     table.add_column(column::largest_pressure, "MPa");
     table.add_column(column::area, "mm^2");
+    return table;
+  }
+
+  Table make_loaded_bearing_table()
+  {
+    Table table;
+    table.add_column(column::position, "tooth meshes");
+    list_bearing_columns().add_to(table);
     return table;
   }
 } // namespace vfife

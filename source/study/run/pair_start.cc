@@ -175,8 +175,9 @@ namespace vfife
           break;
 
         // 2. What both bodies do under it, in their turning axes, added to where they are.
-        const std::vector<double> moved = compliance_->solve(turned_back(state, forces));
-        std::vector<double>       u     = displacements(state);
+        const std::vector<double> moved  = compliance_->solve(turned_back(state, forces));
+        const std::vector<double> before = displacements(state);
+        std::vector<double>       u      = before;
         for (std::size_t i = 0; i < u.size(); ++i)
           u[i] += moved[i];
         // 3. The flanks are pressed together; the driven member turns as that asks.
@@ -184,9 +185,10 @@ namespace vfife
           {
             // The driver stands as at time zero; the torque is all that still turns the driven
             // body.
-            const PairEquilibriumResult pressed = pair_->press(0., u, moment(state, forces));
-            u                                   = pressed.displacements;
-            turn_                               = pressed.turn;
+            const PairEquilibriumResult pressed =
+              pair_->press(0., before, u, moment(state, forces));
+            u     = pressed.displacements;
+            turn_ = pressed.turn;
           }
         place(u, state);
       }

@@ -2,6 +2,7 @@
 #ifndef vfife_fem_pair_pair_equilibrium_h
 #define vfife_fem_pair_pair_equilibrium_h
 
+#include <vfife/bearing/shaft_seat.h>
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/model/state.h>
 
@@ -12,6 +13,8 @@
 
 namespace vfife
 {
+  class BearingSprings;
+
   /** A contact point under pressure, for small motions u of points of the discretization: the
    * energy stiffness/2 (sum of direction . u)^2. */
   struct ContactTie
@@ -28,11 +31,14 @@ namespace vfife
     double turn        = 0; ///< of the driven body beyond its kinematic turn, about its axis [rad]
     /** Of all points (3 a point) on top of the turns, axes of time zero [mm]. */
     std::vector<double> displacements;
+    /** The same at the first touch, without contact and torque: spin and preloads of bearings. */
+    std::vector<double> touch_displacements;
 
     double turn_slope = 0; ///< change of turn per unit of the load factor [rad]
     std::vector<double>
       displacement_slope; ///< change of displacements per unit of the load factor [mm]
 
+    std::vector<SeatState>    bearings; ///< in the order of Model::bearings
     std::vector<ToothContact> teeth;
     std::vector<ContactTie>   ties;               ///< the linearized contact
     double                    contact_torque = 0; ///< on the driven body, resists the load [N mm]
@@ -43,17 +49,19 @@ namespace vfife
   /**
    * Static equilibrium of a gear pair whose driver stands at a given angle and whose driven body
    * carries the model's torques: the elastic bodies are reduced to the compliance of the nodes that
-   * may touch, the penalty contact of the explicit solver acts on the moved flanks, and the
-   * rotation of the driven body is the last unknown (doc/fem.md). Newton's method on the springs of
-   * the contact points with a line search on the potential energy; every position is found from the
-   * undeformed bodies. Only the first contact pair is looked at for the first touch.
+   * may touch and of the rings in bearings, the penalty contact of the explicit solver acts on the
+   * moved flanks, bearings have their whole law, and the rotation of the driven body is the last
+   * unknown (doc/fem.md). Newton's method on the springs of the contact points and of the bearings
+   * with a line search on the potential energy; every position is found from the undeformed bodies.
+   * Only the first contact pair is looked at for the first touch.
    */
   class PairEquilibrium
   {
   public:
     /**
      * @p penalties: of the model's contact pairs [N/mm^3]. @p driver_turns: all turns that will be
-     * asked for. Throws InputError where the model is no gear pair.
+     * asked for. Throws InputError where the model is no gear pair, and where its driven body
+     * cannot turn.
      */
     PairEquilibrium(const Model               &model,
                     Compliance                &compliance,
@@ -67,15 +75,15 @@ namespace vfife
 
     /**
      * Where the pair comes to rest when its bodies would have the displacements @p free (3 a point)
-     * if they did not touch and @p torque acts on the driven body [N mm]; starts from the last
-     * equilibrium found by this function. Of the result, turns, displacements, iterations and
-     * residual are set. Throws NumericalError as solve().
+     * if they did not touch and bearings were linear; the forces that bearings have at the
+     * displacements @p known are in @p free and in @p torque, which acts on the driven body [N mm].
+     * Starts from the last equilibrium found by this function. Of the result, turns, displacements,
+     * iterations and residual are set. Throws NumericalError as solve().
      */
-    PairEquilibriumResult press(double driver_turn, const std::vector<double> &free, double torque);
-
-    /** Turn of the driven body beyond its kinematic turn at which the flanks of the spun bodies
-     * touch [rad]. */
-    double find_touch(double driver_turn);
+    PairEquilibriumResult press(double                     driver_turn,
+                                const std::vector<double> &known,
+                                const std::vector<double> &free,
+                                double                     torque);
 
     /** Placement of a body at the last position: at @p x in the axes of time zero, turned. */
     Vector3 place(unsigned int body, const Vector3 &x) const;
@@ -87,28 +95,37 @@ namespace vfife
     struct Tangent;
     struct Iterate;
 
-    void                set_position(double driver_turn);
-    void                set_turn(double turn);
-    RigidMotion         body_motion(unsigned int body) const;
-    void                find_candidates();
-    void                move(Pair &pair, const Eigen::VectorXd &u);
-    Trial               evaluate(const Eigen::VectorXd &u, double turn);
-    Tangent             linearize();
-    double              find_touch(const Eigen::VectorXd &base);
-    Iterate             press_rigid(const Eigen::VectorXd &base, double load);
-    Eigen::VectorXd     at_watched(const std::vector<double> &u) const;
-    Eigen::VectorXd     apply_compliance(const Eigen::VectorXd &force);
-    std::vector<double> spread(const Eigen::VectorXd &force) const;
-    double              load(double load_factor) const;
+    void            set_position(double driver_turn);
+    void            set_turn(double turn);
+    RigidMotion     body_motion(unsigned int body) const;
+    void            find_candidates();
+    void            move(Pair &pair, const Eigen::VectorXd &u);
+    void            add_contact(const Eigen::VectorXd &u, Trial &trial);
+    void            add_bearings(const Eigen::VectorXd &u, Trial &trial) const;
+    Trial           evaluate(const Eigen::VectorXd &u, double turn, bool touching);
+    std::size_t     bearing_row(std::size_t i) const;
+    Tangent         linearize(const Eigen::VectorXd &u, bool touching, bool with_bearings);
+    void            add_springs(Tangent &tangent);
+    double          find_touch(const Eigen::VectorXd &base);
+    Iterate         settle(const Eigen::VectorXd &base, double turn);
+    Iterate         find_unloaded(const Eigen::VectorXd &base);
+    Iterate         press_rigid(const Eigen::VectorXd &base, double load, Iterate guess);
+    Eigen::VectorXd apply_compliance(const Eigen::VectorXd &force);
+    double          load(double load_factor) const;
     void search_line(const Eigen::VectorXd &base, double load, const Iterate &full, Iterate &now);
     void
     balance(const Eigen::VectorXd &base, double load, Iterate &now, PairEquilibriumResult &result);
-    void              report(const Iterate &now, double load_factor, PairEquilibriumResult &result);
+    void              check_reach(const Eigen::VectorXd &u) const;
+    void              report(const Eigen::VectorXd &base,
+                             const Iterate         &now,
+                             double                 load_factor,
+                             PairEquilibriumResult &result);
     [[noreturn]] void fail(const std::string &what, const std::string &history) const;
 
     const Model                       &model_;
     Compliance                        &compliance_;
     std::vector<std::unique_ptr<Pair>> pairs_;
+    std::unique_ptr<BearingSprings>    bearings_;
     std::unique_ptr<Iterate>           pressed_;   ///< where press() has ended
     std::vector<Matrix3>               rotations_; ///< of the bodies since time zero
     double                             driver_turn_ = 0;
@@ -120,6 +137,16 @@ namespace vfife
                        unsigned int                     body,
                        const std::vector<unsigned int> &nodes,
                        const std::vector<double>       &displacements);
+
+  /** How far the driven member of the pair is ahead of its kinematic turn in the drive direction,
+   * at its bore, less what the driver's bore is ahead of its prescribed turn makes of it [rad]:
+   * theta_driven - ratio theta_driver but for their angles at time zero. @p turn: of the driven
+   * body beyond its kinematic turn, about its axis; @p displacements of all points on top of the
+   * turns.
+   */
+  double lead_of_driven(const Discretization      &discretization,
+                        double                     turn,
+                        const std::vector<double> &displacements);
 } // namespace vfife
 
 #endif

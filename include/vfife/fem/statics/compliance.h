@@ -13,9 +13,10 @@ namespace vfife
 {
   /**
    * What all bodies of a model do under forces, in axes that turn with them; factorized once. Hubs
-   * that turn freely are pinned about the axis: the pin carries nothing where loads have no moment
-   * about the axis, and the rotation of such a body is an unknown of whoever asks
-   * (PairEquilibrium).
+   * that turn freely are pinned about the axis, and so is the driven body of a pair that turns in
+   * bearings: the pin carries nothing where loads have no moment about the axis, and the rotation
+   * of such a body is an unknown of whoever asks (PairEquilibrium). Bearings are springs, linear
+   * and in the mean over turns where bodies turn (BearingRing::stiffness_at()).
    *
    * In spin the matrix is the tangent K(u0) - Omega^2 S (+ curvature of the hub) at the state of
    * spin u0 (doc/fem.md). All functions are collective; results are equal on all ranks.
@@ -23,8 +24,8 @@ namespace vfife
   class Compliance
   {
   public:
-    /** Throws InputError where a body can move otherwise than by turning on its hub, NumericalError
-     * where the speed is too high. */
+    /** Throws InputError where a body can move otherwise than by turning on its hub or, the driven
+     * one of a pair, in its bearings; NumericalError where the speed is too high. */
     Compliance(const Model        &model,
                const FemOptions   &options,
                bool                centrifugal,
@@ -50,20 +51,34 @@ namespace vfife
     /** Displacements of all points [mm] under forces given at all points [N]. */
     std::vector<double> solve(const std::vector<double> &forces) const;
 
-    /** Points at which displacements under unit forces are kept (3 rows a point, in this order).
-     * Forgets what is known. */
-    void watch(std::vector<unsigned int> points);
+    /** Whether nothing holds the body's turn about its axis but the pin. */
+    bool turns_freely(unsigned int body) const;
+
+    /** Of bearings and couplings. */
+    const std::vector<BearingRing> &rings() const
+    {
+      return assembly_->rings();
+    }
+
+    /** Points and motions of points at which displacements under unit forces are kept: 3 rows a
+     * point, in this order, behind them those of the motions. Forgets what is known. */
+    void watch(std::vector<unsigned int> points, std::vector<PointMotion> motions = {});
 
     const std::vector<unsigned int> &watched() const
     {
       return watched_;
     }
 
-    /** Solves for unit forces at the @p rows (3 * place in watched() + component) that are not yet
-     * known. */
+    /** Of a field of all points (3 a point) the displacements at the rows. */
+    Eigen::VectorXd at_rows(const std::vector<double> &u) const;
+
+    /** Forces at all points of forces at the rows. */
+    std::vector<double> spread(const Eigen::VectorXd &force) const;
+
+    /** Solves for unit forces at the @p rows that are not yet known. */
     void prepare(const std::vector<unsigned int> &rows);
 
-    /** Displacements at the watched points under a unit force at @p row, which is prepared. */
+    /** Displacements at all rows under a unit force at @p row, which is prepared. */
     Eigen::Ref<const Eigen::VectorXd> column(unsigned int row) const
     {
       return columns_[row];
@@ -84,8 +99,9 @@ namespace vfife
     }
 
   private:
-    void check_motions() const;
-    void factorize(const SparseValues &K);
+    void check_motions();
+    void factorize(SparseValues K);
+    void add_pins(SparseValues &K) const;
 
     const Model                  &model_;
     const Communicator           &communicator_;
@@ -93,7 +109,10 @@ namespace vfife
     std::unique_ptr<Assembly>     assembly_;
     std::unique_ptr<DirectSolver> solver_;
     std::vector<double>           spun_, twisted_;
+    std::vector<unsigned int>     turning_; ///< bodies free to turn
+    std::vector<unsigned int>     pinned_;  ///< of these, whose hub is no constraint
     std::vector<unsigned int>     watched_;
+    std::vector<PointMotion>      motions_; ///< watched as well
     std::vector<Eigen::VectorXd>  columns_; ///< empty: not known
     unsigned int                  n_prepared_ = 0;
   };

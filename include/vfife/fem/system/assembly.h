@@ -75,8 +75,9 @@ namespace vfife
     /** Sums 3 x 3 matrices of points (copies of images included), for each copy. */
     SparseValues point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const;
 
-    /** B^T K B of the bearings' rings, of bodies that turn at these rates [rad/s]. */
-    SparseValues ring_matrix(const std::function<double(unsigned int body)> &rate) const;
+    /** B^T K B of the bearings' rings. */
+    using RingMatrix = std::function<Eigen::Matrix<double, 6, 6>(const BearingRing &)>;
+    SparseValues ring_matrix(const RingMatrix &stiffness) const;
 
     /** 3n x 3n matrices of the n points of each link. */
     SparseValues link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const;

@@ -9,17 +9,28 @@
 
 namespace vfife
 {
+  /** Motions B u of some points of a discretization, and forces B^T f on them. */
+  struct PointMotion
+  {
+    std::vector<unsigned int> points;
+    Eigen::MatrixXd           motion; ///< B, 3 columns a point
+
+    /** B u of a field of all points. */
+    Eigen::VectorXd displacement(const std::vector<double> &u) const;
+    /** Adds B^T @p load to forces at all points. */
+    void add_forces(const Eigen::VectorXd &load, std::vector<double> &forces) const;
+  };
+
   /**
    * The seat of a bearing or coupling for small displacements: B u are the displacement and the
-   * turn of the ring's centre along the fixed frame's axes, B^T K B is its stiffness, -B^T f what
-   * it exerts on the points of an undisplaced ring.
+   * turn of the ring's centre along the fixed frame's axes (6 rows), B^T K B is its stiffness,
+   * -B^T f what it exerts on the points of an undisplaced ring.
    */
-  struct BearingRing
+  struct BearingRing : public PointMotion
   {
-    std::size_t               support = 0; ///< place in list_supports()
-    unsigned int              body    = 0; ///< of the model
-    std::vector<unsigned int> points;
-    Eigen::MatrixXd           motion; ///< B, 6 x 3 n
+    std::size_t  support = 0;               ///< place in list_supports()
+    unsigned int body    = 0;               ///< of the model
+    Vector3      centre  = Vector3::Zero(); ///< undeformed, fixed frame [mm]
     /** In axes that stand still, and its mean over all turns [N/mm, N, N mm]. */
     Eigen::Matrix<double, 6, 6> stiffness, mean_stiffness;
     Eigen::Matrix<double, 6, 1> preload = Eigen::Matrix<double, 6, 1>::Zero(); ///< on the shaft
@@ -29,10 +40,6 @@ namespace vfife
     {
       return rate != 0 ? mean_stiffness : stiffness;
     }
-    /** B u of a field of all points. */
-    Eigen::Matrix<double, 6, 1> displacement(const std::vector<double> &u) const;
-    /** Adds B^T @p load to forces at all points. */
-    void add_forces(const Eigen::Matrix<double, 6, 1> &load, std::vector<double> &forces) const;
   };
 
   /**

@@ -12,6 +12,10 @@ namespace vfife
 
   /** Columns of loaded_teeth.csv: a row a position and tooth pair in contact. */
   Table make_loaded_teeth_table();
+
+  /** Columns of bearings.csv: a row a position and bearing, list_bearing_columns() behind the
+   * position. */
+  Table make_loaded_bearing_table();
 } // namespace vfife
 
 #endif

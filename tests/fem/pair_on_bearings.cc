@@ -1,0 +1,325 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The loaded pair in linear bearings: rigid bodies on springs by hand, balance of forces and
+// moments, coupled modes, a series of stiffness against ideal bores, bearings that differ along x
+// and y.
+#include "../parts.h"
+#include "../tests.h"
+#include "pair_in_bearings.h"
+
+#include <vfife/fem/pair/coupled_modes.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+
+using namespace vfife;
+
+namespace
+{
+  constexpr double load = 8e5; ///< [N mm]
+
+  using Matrix12 = Eigen::Matrix<double, 12, 12>;
+  using Vector12 = Eigen::Matrix<double, 12, 1>;
+  using Matrix6  = Eigen::Matrix<double, 6, 6>;
+
+  Matrix3 cross_matrix(const Vector3 &a)
+  {
+    Matrix3 m;
+    m << 0., -a[2], a[1], a[2], 0., -a[0], -a[1], a[0], 0.;
+    return m;
+  }
+
+  /** Two rigid bodies on springs: of each a way of its axis point and a turn about it, along the
+   * fixed frame, the driver first. */
+  class RigidPair
+  {
+  public:
+    RigidPair(const Model                   &model,
+              const std::vector<Vector3>    &ring_centres,
+              const std::vector<Matrix5>    &stiffness,
+              const double                   driver_turn,
+              const Discretization          &points,
+              const std::vector<ContactTie> &ties)
+      : model_(model)
+    {
+      const Transmission &t = *model.transmission;
+      for (std::size_t b = 0; b < model.bearings.size(); ++b)
+        {
+          // q: x, y, z of the ring's centre, turns about x, y; the way there is d + turn x arm.
+          const Bearing              &bearing = model.bearings[b];
+          const Vector3               arm = ring_centres[b] - model.bodies[bearing.body].axis.point;
+          Eigen::Matrix<double, 5, 6> q   = Eigen::Matrix<double, 5, 6>::Zero();
+          q.block<3, 3>(0, 0)             = bearing.axes.transpose();
+          q.block<3, 3>(0, 3)             = -bearing.axes.transpose() * cross_matrix(arm);
+          q.block<2, 3>(3, 3)             = bearing.axes.leftCols<2>().transpose();
+          stiffness_.block<6, 6>(at(bearing.body), at(bearing.body)) +=
+            q.transpose() * stiffness[b] * q;
+        }
+      for (const Coupling &coupling : model.couplings)
+        {
+          const Vector3 &a = model.bodies[coupling.body].axis.direction;
+          stiffness_.block<3, 3>(at(coupling.body) + 3, at(coupling.body) + 3) +=
+            coupling.stiffness * a * a.transpose();
+        }
+      for (const ContactTie &tie : ties)
+        {
+          Vector12 way = Vector12::Zero();
+          for (const auto &[point, direction] : tie.points)
+            {
+              const unsigned int body  = points.part_of_point(point).body;
+              const Axis        &axis  = model.bodies[body].axis;
+              const double       angle = body == t.driver ? t.driver_sense * driver_turn
+                                                          : t.driven_sense * t.ratio() * driver_turn;
+              const Matrix3      R     = rotation_about(axis.direction, angle);
+              const Vector3      d     = R * direction;
+              way.segment<3>(at(body)) += d;
+              way.segment<3>(at(body) + 3) += (R * (points.points()[point] - axis.point)).cross(d);
+            }
+          stiffness_ += tie.stiffness * way * way.transpose();
+        }
+    }
+
+    /** Under the torque on the driven body. */
+    Vector12 solve() const
+    {
+      Vector12           force  = Vector12::Zero();
+      const unsigned int driven = model_.transmission->driven;
+      force.segment<3>(at(driven) + 3) =
+        model_.torques.front().value * model_.bodies[driven].axis.direction;
+      return stiffness_.fullPivLu().solve(force);
+    }
+
+    /** Turn of a body about its axis. */
+    double turn(const unsigned int body, const Vector12 &x) const
+    {
+      return model_.bodies[body].axis.direction.dot(x.segment<3>(at(body) + 3));
+    }
+
+    double transmission_error(const Vector12 &x) const
+    {
+      const Transmission &t = *model_.transmission;
+      return t.driven_sense * turn(t.driven, x) - t.ratio() * t.driver_sense * turn(t.driver, x);
+    }
+
+    /** Natural frequencies [Hz], ascending. */
+    std::vector<double> frequencies() const
+    {
+      Matrix12 mass = Matrix12::Zero();
+      for (unsigned int b = 0; b < 2; ++b)
+        for (unsigned int i = 0; i < model_.bodies[b].n_nodes(); ++i)
+          {
+            const Body                 &body = model_.bodies[b];
+            Eigen::Matrix<double, 3, 6> way;
+            way << Matrix3::Identity(),
+              -cross_matrix(body.placement(body.node_positions()[i]) - body.axis.point);
+            mass.block<6, 6>(at(b), at(b)) += body.node_masses()[i] * way.transpose() * way;
+          }
+      const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix12> modes(stiffness_, mass);
+      std::vector<double>                                      frequencies;
+      for (unsigned int k = 0; k < 12; ++k)
+        frequencies.push_back(std::sqrt(modes.eigenvalues()[k]) / (2 * pi));
+      return frequencies;
+    }
+
+  private:
+    static unsigned int at(const unsigned int body)
+    {
+      return 6 * body;
+    }
+
+    const Model &model_;
+    Matrix12     stiffness_ = Matrix12::Zero();
+  };
+
+  std::vector<Vector3> ring_centres(const Compliance &compliance)
+  {
+    std::vector<Vector3> centres;
+    for (const BearingRing &ring : compliance.rings())
+      centres.push_back(ring.centre);
+    return centres;
+  }
+
+  /** Moments about the fixed origin of bearings, coupling and load, over the load. */
+  double unbalanced_moment(const Model                 &model,
+                           const Compliance            &compliance,
+                           const PairEquilibriumResult &result,
+                           const double                 factor)
+  {
+    const Transmission &t = *model.transmission;
+    Vector3    sum = factor * model.torques.front().value * model.bodies[t.driven].axis.direction;
+    const auto centres = ring_centres(compliance);
+    for (std::size_t b = 0; b < model.bearings.size(); ++b)
+      {
+        const Matrix3 &axes = model.bearings[b].axes;
+        const Vector5 &on   = result.bearings[b].load;
+        sum += centres[b].cross(axes * on.head<3>()) + axes.leftCols<2>() * on.tail<2>();
+      }
+    const BearingRing &drive = compliance.rings().back();
+    sum -= drive.stiffness.bottomRightCorner<3, 3>() *
+           drive.displacement(result.displacements).tail<3>();
+    return sum.norm() / (factor * load);
+  }
+
+  /** Rigid bodies: all that gives way are bearings, coupling and the contact's springs. */
+  void rigid_bodies(Communicator &world)
+  {
+    Model model = make_held_pair(world, rigid_steel);
+    hang_in_bearings(model,
+                     {linear_bearing(soft_front),
+                      linear_bearing(soft_back),
+                      linear_bearing(soft_back),
+                      linear_bearing(soft_front)},
+                     5e8);
+    const FemOptions fem = lumped_masses();
+    Compliance       compliance(model, fem, false, world);
+    PairEquilibrium  equilibrium(model, compliance, {3e4, 3e4}, {0.});
+    const auto       result = equilibrium.solve(0., 1.);
+    const RigidPair  hand(model,
+                         ring_centres(compliance),
+                         {soft_front, soft_back, soft_back, soft_front},
+                         0.,
+                         compliance.discretization(),
+                         result.ties);
+    const Errors     errors = transmission_errors(compliance.discretization(), result);
+    check_close("slope of the transmission error",
+                errors.slope / hand.transmission_error(hand.solve()),
+                1.,
+                1e-2);
+    check_below("forces of each body", unbalanced(model, result), 1e-6);
+    check_close("contact torque", result.contact_torque, load, 1e-8 * load);
+    check("few iterations", result.iterations <= 8);
+
+    // The driver on its coupling, the driven body on the contact, both in their bearings.
+    const CoupledModes modes =
+      find_coupled_modes(compliance, fem, false, result.ties, result.bearings, 6, world);
+    const std::vector<double> frequencies = hand.frequencies();
+    double                    apart       = 0;
+    for (unsigned int k = 0; k < 6; ++k)
+      apart = largest_of(apart, std::abs(modes.turning[k].frequency / frequencies[k] - 1));
+    check_below("six lowest coupled modes", apart, 1e-2);
+    check("modes are counted", modes.counted);
+    check_close("tangent stiffness of the modes",
+                modes.stiffness * std::abs(hand.turn(model.transmission->driven, hand.solve())) /
+                  load,
+                1.,
+                1e-2);
+  }
+
+  /** Moments are taken about undisplaced axes in the bodies and displaced ones in the balance of
+   * the torque: the smaller displacements are, the less they differ. */
+  void moments(Communicator &world)
+  {
+    Model         model = make_held_pair(world, rigid_steel);
+    const Matrix5 front = 1e4 * soft_front, back = 1e4 * soft_back;
+    hang_in_bearings(
+      model,
+      {linear_bearing(front), linear_bearing(back), linear_bearing(back), linear_bearing(front)},
+      5e12);
+    Compliance      compliance(model, lumped_masses(), false, world);
+    PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+    double          before = 0;
+    for (const double factor : {1., .1})
+      {
+        const double moment =
+          unbalanced_moment(model, compliance, equilibrium.solve(0., factor), factor);
+        if (factor < 1)
+          {
+            check_below("moments", moment, 1e-6);
+            check_close("the less, the less is displaced", before / moment, 10., 1.);
+          }
+        before = moment;
+      }
+  }
+
+  /** Bearings alike that become stiffer; what is left are the bodies. */
+  void stiff_limit(Communicator &world)
+  {
+    double ideal = 0;
+    {
+      const Model     model = make_held_pair(world, rigid_steel);
+      Compliance      compliance(model, lumped_masses(), false, world);
+      PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+      const auto      result = equilibrium.solve(0., 1.);
+      const Errors    errors = transmission_errors(compliance.discretization(), result);
+      ideal                  = errors.loaded - errors.unloaded;
+    }
+    std::vector<double> windup, energy;
+    for (const double stiffness : {1e7, 2e7, 4e7})
+      {
+        Model      model = make_held_pair(world, rigid_steel);
+        const auto law   = linear_bearing(bearing_stiffness(stiffness, stiffness, 1e3 * stiffness));
+        hang_in_bearings(model, {law, law, law, law}, 1e3 * stiffness);
+        Compliance      compliance(model, lumped_masses(), false, world);
+        PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+        const auto      result = equilibrium.solve(0., 1.);
+        const Errors    errors = transmission_errors(compliance.discretization(), result);
+        windup.push_back(errors.loaded - errors.unloaded);
+        // Twice the energy of the bearings over the torque, as a turn. What the coupling is wound
+        // up by turns the driver's bore, and is no error.
+        double sum = 0;
+        for (std::size_t b = 0; b < 4; ++b)
+          sum -= result.bearings[b].load.dot(result.bearings[b].displacement);
+        energy.push_back(sum / load);
+      }
+    const double limit = 2 * windup[2] - windup[1];
+    check_close("what bearings give halves",
+                (windup[0] - windup[1]) / (windup[1] - windup[2]),
+                2.,
+                2e-3);
+    check_close("and is their energy", (windup[2] - windup[1]) / (.5 * energy[1]), 1., 1e-2);
+    // Rigid hubs keep their rings round, in bearings the steel, stiff as it is, does.
+    check_close("stiff ones against ideal bores", limit / ideal, 1., 2e-2);
+  }
+
+  /** A driver whose bearings differ along x and y, at two places a quarter of a turn apart. */
+  void unlike_axes(Communicator &world)
+  {
+    Model   model  = make_held_pair(world, rigid_steel);
+    Matrix5 unlike = bearing_stiffness(1e5, 3e5, 1e8);
+    unlike(1, 1)   = 6e5;
+    unlike(0, 1) = unlike(1, 0) = 5e4;
+    unlike(4, 4)                = 3e8;
+    hang_in_bearings(model,
+                     {linear_bearing(unlike),
+                      linear_bearing(unlike),
+                      linear_bearing(soft_back),
+                      linear_bearing(unlike)},
+                     5e8);
+    for (Body &body : model.bodies)
+      check("its bodies turn", body.rate != 0);
+    Compliance                compliance(model, lumped_masses(), false, world);
+    const std::vector<double> turns = {0., .5 * pi};
+    PairEquilibrium           equilibrium(model, compliance, {3e4, 3e4}, turns);
+    for (const double turn : turns)
+      {
+        const auto      result = equilibrium.solve(turn, 1.);
+        const Errors    errors = transmission_errors(compliance.discretization(), result);
+        const RigidPair hand(model,
+                             ring_centres(compliance),
+                             {unlike, unlike, soft_back, unlike},
+                             turn,
+                             compliance.discretization(),
+                             result.ties);
+        const RigidPair mean(
+          model,
+          ring_centres(compliance),
+          {mean_over_turns(unlike), mean_over_turns(unlike), soft_back, mean_over_turns(unlike)},
+          turn,
+          compliance.discretization(),
+          result.ties);
+        check_close("unlike axes: slope of the transmission error",
+                    errors.slope / hand.transmission_error(hand.solve()),
+                    1.,
+                    1e-2);
+        check("not that of bearings in the mean",
+              std::abs(errors.slope / mean.transmission_error(mean.solve()) - 1) > 3e-2);
+        check_below("unlike axes: forces of each body", unbalanced(model, result), 1e-6);
+        check("unlike axes: few iterations", result.iterations <= 8);
+      }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  run_parts(argc, argv, {rigid_bodies, moments, stiff_limit, unlike_axes});
+}
