@@ -1,0 +1,181 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// A pair on shafts: the equilibrium before a slow run beside the loaded tooth contact analysis,
+// forces of the bearings in balance, runs that go on where they were interrupted, what a housing
+// adds; shafts and bearings that cannot be.
+#include "../parts.h"
+#include "../refusal.h"
+#include "../tests.h"
+#include "quick_pair.h"
+
+#include <vfife/base/types.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace vfife;
+
+namespace
+{
+  /** A bearing on a shaft; @p x: its x direction. */
+  std::string bearing(const std::string &name,
+                      const std::string &ring,
+                      const std::string &x,
+                      const std::string &law)
+  {
+    return "subsection Bearing " + name + "\n" + ring + "set x direction = " + x + "\n" + law +
+           "end\n";
+  }
+
+  std::string ring(const char *from, const char *to)
+  {
+    return std::string("set from = ") + from + "\nset to = " + to + "\n";
+  }
+
+  const std::string tapered     = "set kind = rolling bearing\nset element = roller\n"
+                                  "set number of elements = 20\nset element diameter = 7\n"
+                                  "set element length = 13\nset pitch diameter = 54\n"
+                                  "set contact angle = 14 deg\nset preload = 2500\n"
+                                  "set cage angle = 3 deg\nset working load = 2000, 0, 500 N\n",
+                    cylindrical = "set kind = rolling bearing\nset element = roller\n"
+                                  "set number of elements = 24\nset element diameter = 11\n"
+                                  "set element length = 15\nset pitch diameter = 102\n"
+                                  "set clearance = -0.005\n",
+                    thrust      = "set kind = bearing\nset axial stiffness = 300000\n"
+                                  "set axial damping = 1\n";
+
+  /** The coarse pair overhung and straddled, with entries in the section Gear pair. */
+  std::string pair_on_shafts(const std::string &entries = "")
+  {
+    const std::string across_pinion = "0, 1, 0", across_gear = "1, 0, 0";
+    return coarse_pair("set web = conical\n", coarse_web) + "subsection Gear pair\n" + entries +
+           "subsection Pinion\nsubsection Shaft\n"
+           "set sections = 98 160 40 20, 160 220 36 20\nset axial cell size = 12\n"
+           "set radial cell size = 12\nset bearings = front, rear\n" +
+           bearing("front", ring("140", "155"), across_pinion, tapered + "set holds = +z\n") +
+           bearing("rear", ring("190", "205"), across_pinion, tapered + "set holds = -z\n") +
+           "subsection End\n" + ring("208", "220") +
+           "set torsional stiffness = 1e9\nset torsional damping = 1e4\n"
+           "end\nend\nend\n"
+           "subsection Gear\nsubsection Shaft\n"
+           "set sections = -10 30 80 60, 30 120 100 60\nset axial cell size = 15\n"
+           "set radial cell size = 15\nset bearings = inner, outer, thrust\n" +
+           bearing("inner", ring("-10", "10"), across_gear, cylindrical) +
+           bearing("outer", ring("85", "100"), across_gear, cylindrical) +
+           bearing("thrust", ring("100", "110"), across_gear, thrust) + "subsection End\n" +
+           ring("110", "120") + "end\nend\nend\nend\n";
+  }
+
+  std::string operation(const std::string &speed)
+  {
+    return "subsection Operation\nset speed = " + speed +
+           "\nset torque = 800 N m\nset tooth meshes = 1\nend\n"
+           "subsection Output\nset history every = 20\nset pictures = no\nset verbosity = quiet\n"
+           "end\n";
+  }
+
+  std::string kind(const std::string &name)
+  {
+    return "subsection Study\nset kind = " + name + "\nend\n";
+  }
+
+  std::string write(const std::string &name, const std::string &text)
+  {
+    std::ofstream(name + ".prm") << text;
+    return name + ".prm";
+  }
+
+  /** Rows of a table with a column of bearings, of its first instant or position: of each bearing
+   * the numbers by column. */
+  std::map<std::string, std::map<std::string, double>> first_bearings(const std::string &folder)
+  {
+    const Table table = read_result_table(folder + "/bearings.csv");
+    std::map<std::string, std::map<std::string, double>> rows;
+    const std::vector<std::string>                      &names = table.column("bearing").texts;
+    for (std::size_t i = 0; i < names.size() && rows.count(names[i]) == 0; ++i)
+      for (const Table::Column &column : table.columns())
+        if (!column.is_text)
+          rows[names[i]][column.name] = column.numbers[i];
+    return rows;
+  }
+
+  /** Force of a bearing along the fixed frame: z of a pinion's bearings is x there, x is y. */
+  Vector3 force_of(const std::string &name, const std::map<std::string, double> &row)
+  {
+    const Vector3 f(row.at("force x"), row.at("force y"), row.at("force z"));
+    return name[0] == 'p' ? Vector3(f[2], f[0], f[1]) : f;
+  }
+
+  void check_balance(const std::string &name, const std::string &folder)
+  {
+    Vector3 sum     = Vector3::Zero();
+    double  largest = 0;
+    for (const auto &[bearing, row] : first_bearings(folder))
+      {
+        sum += force_of(bearing, row);
+        largest = std::max(largest, force_of(bearing, row).norm());
+      }
+    check(name + ": five bearings", first_bearings(folder).size() == 5);
+    // Flanks push both members alike, the coupling and the load have moments only.
+    check_below(name + ": sum of all bearings' forces over the largest",
+                sum.norm() / largest,
+                1e-6);
+  }
+
+  void slow(Communicator &world)
+  {
+    // At 60 rpm nothing but the load bends the pair. A run of one step has the state of its start.
+    run_pair(write("slow_loaded",
+                   kind("loaded tooth contact analysis") + pair_on_shafts() + operation("60 rpm") +
+                     "subsection Loaded contact\nset positions = 1\nend\n"),
+             "slow_loaded",
+             world);
+    check_balance("loaded analysis", "slow_loaded");
+    run_pair(write("slow_run",
+                   kind("run") + pair_on_shafts() + operation("60 rpm") +
+                     "subsection Dynamics\nset largest number of steps = 20\nend\n"),
+             "slow_run",
+             world);
+    const auto   loaded = read_columns("slow_loaded/loaded_contact.csv");
+    const auto   run    = read_columns("slow_run/history.csv");
+    const double error  = loaded.at("transmission error")[0];
+    check_close("transmission error of the start over that of the analysis",
+                run.at("dte")[0] / error,
+                1.,
+                0.01);
+    check("shafts let the gear lag more than twice as far", error < -150.);
+    const auto of_run = first_bearings("slow_run"), of_loaded = first_bearings("slow_loaded");
+    double     forces = 0, ways = 0, scale = 0, way_scale = 0;
+    for (const auto &[name, row] : of_loaded)
+      {
+        const auto &other = of_run.at(name);
+        forces = largest_of(forces, (force_of(name, row) - force_of(name, other)).norm());
+        scale  = std::max(scale, force_of(name, row).norm());
+        for (const char *c : {"displacement x", "displacement y", "displacement z"})
+          {
+            ways      = largest_of(ways, std::abs(row.at(c) - other.at(c)));
+            way_scale = std::max(way_scale, std::abs(row.at(c)));
+          }
+      }
+    check_below("forces of the bearings, run less analysis, over the largest",
+                forces / scale,
+                0.01);
+    check_below("their displacements alike", ways / way_scale, 0.01);
+    const auto misalignment = read_columns("slow_run/misalignment.csv");
+    double     largest = 0, difference = 0;
+    for (const char *c : {"offset", "pinion axial shift", "gear axial shift"})
+      {
+        largest    = std::max(largest, std::abs(loaded.at(c)[0]));
+        difference = largest_of(difference, std::abs(loaded.at(c)[0] - misalignment.at(c)[0]));
+      }
+    check_below("misalignment, run less analysis, over its largest", difference / largest, 0.01);
+    check_close("shaft angle, run over analysis",
+                misalignment.at("shaft angle error")[0] / loaded.at("shaft angle error")[0],
+                1.,
+                0.01);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  run_parts<Communicator>(argc, argv, {&slow});
+}
