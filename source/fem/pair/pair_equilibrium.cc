@@ -55,7 +55,15 @@ namespace vfife
       }
     bearings_ =
       std::make_unique<BearingSprings>(model, compliance.rings(), model.transmission->arm);
-    compliance_.watch({points.begin(), points.end()}, bearings_->motions());
+    std::vector<PointMotion> motions = bearings_->motions();
+    Eigen::Index             n_known = 0;
+    for (const StandingMotion &standing : compliance.standing_motions())
+      {
+        motions.push_back(standing);
+        n_known += standing.stiffness.rows();
+      }
+    known_rows_ = Eigen::VectorXd::Zero(n_known);
+    compliance_.watch({points.begin(), points.end()}, std::move(motions));
     const std::vector<unsigned int> &watched = compliance_.watched();
     for (const auto &pair : pairs_)
       for (Surface *surface : {&pair->slave, &pair->master})
@@ -171,6 +179,17 @@ namespace vfife
         trial.force.segment<6>(bearing_row(i)) += response.force;
         trial.energy += response.energy;
         trial.torque += response.torque;
+      }
+    std::size_t row = bearing_row(bearings_->size()), i = 0;
+    for (const StandingMotion &standing : compliance_.standing_motions())
+      {
+        const Eigen::Index    size  = standing.stiffness.rows();
+        const Eigen::VectorXd since = u.segment(row, size) - known_rows_.segment(i, size);
+        const Eigen::VectorXd force = -standing.stiffness * since;
+        trial.force.segment(row, size) += force;
+        trial.energy -= .5 * since.dot(force);
+        row += size;
+        i += size;
       }
   }
 

@@ -116,16 +116,18 @@ namespace vfife
   };
 
   /** Springs of the contact at the watched points, force = B f, f = -stiffness h, and behind them
-   * the rows of the bearings. */
+   * the rows of bearings and bodies that stand. */
   struct PairEquilibrium::Tangent
   {
     std::vector<std::array<std::pair<unsigned int, Vector3>, 8>> springs; ///< place and direction
     Eigen::VectorXd                                              inverse_stiffness; ///< [mm/N]
-    Eigen::VectorXd by_turn;       ///< change of h with the turn of the driven body [mm/rad]
-    std::size_t     first_row = 0; ///< of the bearings
-    std::vector<BearingSprings::Response> bearings; ///< or none, to go by the compliance's own
-    Eigen::PartialPivLU<Eigen::MatrixXd>  system;
-    double                                arm = 1; ///< scale of the turn [mm]
+    Eigen::VectorXd by_turn; ///< change of h with the turn of the driven body [mm/rad]
+    // Of the rows behind the watched points, [N/mm], [N], [N mm]:
+    Eigen::MatrixXd stiffness;      ///< beyond that of the compliance
+    Eigen::VectorXd rows_by_turn;   ///< change of minus their forces with the turn
+    double          turn_twice = 0; ///< change of minus their torque with the turn
+    Eigen::PartialPivLU<Eigen::MatrixXd> system;
+    double                               arm = 1; ///< scale of the turn [mm]
 
     Eigen::VectorXd project(const Eigen::VectorXd &u) const
     {
@@ -138,7 +140,7 @@ namespace vfife
 
     Eigen::Index n_forces() const
     {
-      return springs.size() + 6 * bearings.size();
+      return springs.size() + stiffness.rows();
     }
 
     Eigen::VectorXd spread(const Eigen::VectorXd &f, const std::size_t n) const
@@ -147,26 +149,23 @@ namespace vfife
       for (std::size_t i = 0; i < springs.size(); ++i)
         for (const auto &node : springs[i])
           force.segment<3>(3 * node.first) += f[i] * node.second;
-      force.segment(first_row, 6 * bearings.size()) = f.tail(6 * bearings.size());
+      force.tail(stiffness.rows()) = f.tail(stiffness.rows());
       return force;
     }
 
     /** What displacements @p u at the compliance's rows do: ways along the springs, forces that the
-     * bearings lose, and, last, torque that they lose, over the arm. */
+     * other rows lose, and, last, torque that they lose, over the arm. */
     Eigen::VectorXd respond(const Eigen::VectorXd &u) const
     {
-      Eigen::VectorXd x      = Eigen::VectorXd::Zero(n_forces() + 1);
-      x.head(springs.size()) = project(u);
-      for (std::size_t i = 0; i < bearings.size(); ++i)
-        {
-          const BearingSprings::Vector6 d      = u.segment<6>(first_row + 6 * i);
-          x.segment<6>(springs.size() + 6 * i) = bearings[i].stiffness * d;
-          x[n_forces()] += bearings[i].by_turn.dot(d) / arm;
-        }
+      Eigen::VectorXd x                           = Eigen::VectorXd::Zero(n_forces() + 1);
+      x.head(springs.size())                      = project(u);
+      const auto d                                = u.tail(stiffness.rows());
+      x.segment(springs.size(), stiffness.rows()) = stiffness * d;
+      x[n_forces()]                               = rows_by_turn.dot(d) / arm;
       return x;
     }
 
-    /** Change of the springs' and bearings' forces (first) and of the turn (second) for an
+    /** Change of the springs' and rows' forces (first) and of the turn (second) for an
      * imbalance of displacements and of torque. */
     std::pair<Eigen::VectorXd, double> solve(const Eigen::VectorXd &u, const double torque) const
     {

@@ -31,20 +31,10 @@ namespace vfife
                                                       const bool             with_bearings)
   {
     Tangent tangent;
-    tangent.arm       = model_.transmission->arm;
-    tangent.first_row = bearing_row(0);
+    tangent.arm = model_.transmission->arm;
     if (touching)
       add_springs(tangent);
-    for (std::size_t i = 0; with_bearings && i < bearings_->size(); ++i)
-      {
-        tangent.bearings.push_back(
-          bearings_->evaluate(i, u.segment<6>(bearing_row(i)), rotations_));
-        if (!touching) // the turn is given
-          {
-            tangent.bearings.back().by_turn.setZero();
-            tangent.bearings.back().turn_twice = 0;
-          }
-      }
+    add_rows(u, touching, with_bearings, tangent);
 
     // [D^-1 + B^T A B, -b; b^T, 0], the turn counted as a way at the arm: what the springs give
     // way by themselves and the compliance A of the bodies, and the balance of torques. Of a
@@ -65,13 +55,37 @@ namespace vfife
       }
     else
       matrix(n, n) = 1.;
-    for (std::size_t i = 0; i < tangent.bearings.size(); ++i)
-      {
-        matrix.col(n).segment<6>(n_springs + 6 * i) = -tangent.bearings[i].by_turn / tangent.arm;
-        matrix(n, n) += tangent.bearings[i].turn_twice / (tangent.arm * tangent.arm);
-      }
+    matrix.col(n).segment(n_springs, n - n_springs) = -tangent.rows_by_turn / tangent.arm;
+    matrix(n, n) += tangent.turn_twice / (tangent.arm * tangent.arm);
     tangent.system.compute(matrix);
     return tangent;
+  }
+
+  void PairEquilibrium::add_rows(const Eigen::VectorXd &u,
+                                 const bool             touching,
+                                 const bool             with_bearings,
+                                 Tangent               &tangent) const
+  {
+    const Eigen::Index first = bearing_row(0), n = u.size() - first;
+    tangent.stiffness    = Eigen::MatrixXd::Zero(n, n);
+    tangent.rows_by_turn = Eigen::VectorXd::Zero(n);
+    for (std::size_t i = 0; with_bearings && i < bearings_->size(); ++i)
+      {
+        const auto bearing = bearings_->evaluate(i, u.segment<6>(bearing_row(i)), rotations_);
+        tangent.stiffness.block<6, 6>(6 * i, 6 * i) = bearing.stiffness;
+        if (touching) // otherwise the turn is given
+          {
+            tangent.rows_by_turn.segment<6>(6 * i) = bearing.by_turn;
+            tangent.turn_twice += bearing.turn_twice;
+          }
+      }
+    Eigen::Index row = 6 * bearings_->size();
+    for (const StandingMotion &standing : compliance_.standing_motions())
+      {
+        const Eigen::Index size                       = standing.stiffness.rows();
+        tangent.stiffness.block(row, row, size, size) = standing.stiffness;
+        row += size;
+      }
   }
 
   void PairEquilibrium::add_springs(Tangent &tangent)
@@ -233,6 +247,7 @@ namespace vfife
     for (std::size_t i = 0; i < bearings_->size(); ++i)
       motions.emplace_back(before.segment<6>(bearing_row(i)));
     const double load = torque - bearings_->set_known(motions, rotations_);
+    known_rows_       = before.tail(before.size() - bearing_row(bearings_->size()));
     if (pressed_ != nullptr)
       pressed_->trial = evaluate(base + pressed_->deflection, pressed_->turn, true);
     // The last equilibrium is the start while it still presses, else rigid flanks are pressed anew.
@@ -263,9 +278,11 @@ namespace vfife
           result.teeth.push_back(make_tooth_contact(model_, pair->definition, group));
 
     // Per unit of the load factor the bodies twist further, and the springs answer.
-    const Tangent tangent = linearize(base + now.deflection, true, true);
-    for (const BearingSprings::Response &bearing : tangent.bearings)
-      result.bearings.push_back(bearing.state);
+    const Tangent         tangent = linearize(base + now.deflection, true, true);
+    const Eigen::VectorXd u       = base + now.deflection;
+    for (std::size_t i = 0; i < bearings_->size(); ++i)
+      result.bearings.push_back(
+        bearings_->evaluate(i, u.segment<6>(bearing_row(i)), rotations_).state);
     const auto change = tangent.solve(compliance_.at_rows(compliance_.twisted()), load(1.));
     const Eigen::VectorXd slope = tangent.spread(change.first, now.force.size());
     result.turn_slope           = change.second;

@@ -95,17 +95,19 @@ namespace vfife
     struct Tangent;
     struct Iterate;
 
-    void            set_position(double driver_turn);
-    void            set_turn(double turn);
-    RigidMotion     body_motion(unsigned int body) const;
-    void            find_candidates();
-    void            move(Pair &pair, const Eigen::VectorXd &u);
-    void            add_contact(const Eigen::VectorXd &u, Trial &trial);
-    void            add_bearings(const Eigen::VectorXd &u, Trial &trial) const;
-    Trial           evaluate(const Eigen::VectorXd &u, double turn, bool touching);
-    std::size_t     bearing_row(std::size_t i) const;
-    Tangent         linearize(const Eigen::VectorXd &u, bool touching, bool with_bearings);
-    void            add_springs(Tangent &tangent);
+    void        set_position(double driver_turn);
+    void        set_turn(double turn);
+    RigidMotion body_motion(unsigned int body) const;
+    void        find_candidates();
+    void        move(Pair &pair, const Eigen::VectorXd &u);
+    void        add_contact(const Eigen::VectorXd &u, Trial &trial);
+    void        add_bearings(const Eigen::VectorXd &u, Trial &trial) const;
+    Trial       evaluate(const Eigen::VectorXd &u, double turn, bool touching);
+    std::size_t bearing_row(std::size_t i) const;
+    Tangent     linearize(const Eigen::VectorXd &u, bool touching, bool with_bearings);
+    void        add_springs(Tangent &tangent);
+    void
+    add_rows(const Eigen::VectorXd &u, bool touching, bool with_bearings, Tangent &tangent) const;
     double          find_touch(const Eigen::VectorXd &base);
     Iterate         settle(const Eigen::VectorXd &base, double turn);
     Iterate         find_unloaded(const Eigen::VectorXd &base);
@@ -126,9 +128,10 @@ namespace vfife
     Compliance                        &compliance_;
     std::vector<std::unique_ptr<Pair>> pairs_;
     std::unique_ptr<BearingSprings>    bearings_;
-    std::unique_ptr<Iterate>           pressed_;   ///< where press() has ended
-    std::vector<Matrix3>               rotations_; ///< of the bodies since time zero
-    double                             driver_turn_ = 0;
+    Eigen::VectorXd known_rows_;       ///< of standing motions, whose forces are in what else acts
+    std::unique_ptr<Iterate> pressed_; ///< where press() has ended
+    std::vector<Matrix3>     rotations_; ///< of the bodies since time zero
+    double                   driver_turn_ = 0;
   };
 
   /** Mass-weighted mean rotation of nodes of a body about its axis under a field of small

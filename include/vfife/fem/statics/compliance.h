@@ -4,7 +4,7 @@
 
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/solvers/direct_solver.h>
-#include <vfife/fem/system/assembly.h>
+#include <vfife/fem/statics/standing_motion.h>
 
 #include <memory>
 #include <vector>
@@ -60,6 +60,12 @@ namespace vfife
       return assembly_->rings();
     }
 
+    /** What this stiffness lacks for bodies in bearings that spin, and whoever asks adds. */
+    const std::vector<StandingMotion> &standing_motions() const
+    {
+      return standing_;
+    }
+
     /** Points and motions of points at which displacements under unit forces are kept: 3 rows a
      * point, in this order, behind them those of the motions. Forgets what is known. */
     void watch(std::vector<unsigned int> points, std::vector<PointMotion> motions = {});
@@ -100,7 +106,7 @@ namespace vfife
 
   private:
     void check_motions();
-    void factorize(SparseValues K);
+    void factorize(SparseValues K, unsigned int n_whirls);
     void add_pins(SparseValues &K) const;
 
     const Model                  &model_;
@@ -109,6 +115,7 @@ namespace vfife
     std::unique_ptr<Assembly>     assembly_;
     std::unique_ptr<DirectSolver> solver_;
     std::vector<double>           spun_, twisted_;
+    std::vector<StandingMotion>   standing_;
     std::vector<unsigned int>     turning_; ///< bodies free to turn
     std::vector<unsigned int>     pinned_;  ///< of these, whose hub is no constraint
     std::vector<unsigned int>     watched_;
