@@ -120,6 +120,7 @@ namespace
     add("loaded_contact.csv", loaded, make_loaded_contact_table());
     add("loaded_teeth.csv", loaded, make_loaded_teeth_table());
     add("bearings.csv", loaded, make_loaded_bearing_table());
+    add("misalignment.csv", loaded, make_loaded_misalignment_table());
     add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0)).table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());
     add("reactions.csv", "linear static", make_reaction_table());

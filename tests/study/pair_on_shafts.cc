@@ -5,12 +5,15 @@
 #include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
+#include "child_program.h"
 #include "quick_pair.h"
 
 #include <vfife/base/types.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
-#include <set>
+#include <filesystem>
 
 using namespace vfife;
 
@@ -35,7 +38,7 @@ namespace
                                   "set number of elements = 20\nset element diameter = 7\n"
                                   "set element length = 13\nset pitch diameter = 54\n"
                                   "set contact angle = 14 deg\nset preload = 2500\n"
-                                  "set cage angle = 3 deg\nset working load = 2000, 0, 500 N\n",
+                                  "set cage angle = 3 deg\n",
                     cylindrical = "set kind = rolling bearing\nset element = roller\n"
                                   "set number of elements = 24\nset element diameter = 11\n"
                                   "set element length = 15\nset pitch diameter = 102\n"
@@ -51,8 +54,14 @@ namespace
            "subsection Pinion\nsubsection Shaft\n"
            "set sections = 98 160 40 20, 160 220 36 20\nset axial cell size = 12\n"
            "set radial cell size = 12\nset bearings = front, rear\n" +
-           bearing("front", ring("140", "155"), across_pinion, tapered + "set holds = +z\n") +
-           bearing("rear", ring("190", "205"), across_pinion, tapered + "set holds = -z\n") +
+           bearing("front",
+                   ring("140", "155"),
+                   across_pinion,
+                   tapered + "set holds = +z\nset working load = 4000, 0, 3000 N\n") +
+           bearing("rear",
+                   ring("190", "205"),
+                   across_pinion,
+                   tapered + "set holds = -z\nset working load = 1500, 0, -2000 N\n") +
            "subsection End\n" + ring("208", "220") +
            "set torsional stiffness = 1e9\nset torsional damping = 1e4\n"
            "end\nend\nend\n"
@@ -105,7 +114,7 @@ namespace
     return name[0] == 'p' ? Vector3(f[2], f[0], f[1]) : f;
   }
 
-  void check_balance(const std::string &name, const std::string &folder)
+  void check_balance(const std::string &name, const std::string &folder, const double tolerance)
   {
     Vector3 sum     = Vector3::Zero();
     double  largest = 0;
@@ -118,7 +127,7 @@ namespace
     // Flanks push both members alike, the coupling and the load have moments only.
     check_below(name + ": sum of all bearings' forces over the largest",
                 sum.norm() / largest,
-                1e-6);
+                tolerance);
   }
 
   void slow(Communicator &world)
@@ -129,7 +138,7 @@ namespace
                      "subsection Loaded contact\nset positions = 1\nend\n"),
              "slow_loaded",
              world);
-    check_balance("loaded analysis", "slow_loaded");
+    check_balance("loaded analysis", "slow_loaded", 1e-6);
     run_pair(write("slow_run",
                    kind("run") + pair_on_shafts() + operation("60 rpm") +
                      "subsection Dynamics\nset largest number of steps = 20\nend\n"),
@@ -160,22 +169,91 @@ namespace
                 forces / scale,
                 0.01);
     check_below("their displacements alike", ways / way_scale, 0.01);
-    const auto misalignment = read_columns("slow_run/misalignment.csv");
-    double     largest = 0, difference = 0;
+    const auto misalignment = read_columns("slow_run/misalignment.csv"),
+               of_analysis  = read_columns("slow_loaded/misalignment.csv");
+    double largest = 0, difference = 0;
     for (const char *c : {"offset", "pinion axial shift", "gear axial shift"})
       {
-        largest    = std::max(largest, std::abs(loaded.at(c)[0]));
-        difference = largest_of(difference, std::abs(loaded.at(c)[0] - misalignment.at(c)[0]));
+        largest    = std::max(largest, std::abs(of_analysis.at(c)[0]));
+        difference = largest_of(difference, std::abs(of_analysis.at(c)[0] - misalignment.at(c)[0]));
       }
     check_below("misalignment, run less analysis, over its largest", difference / largest, 0.01);
     check_close("shaft angle, run over analysis",
-                misalignment.at("shaft angle error")[0] / loaded.at("shaft angle error")[0],
+                misalignment.at("shaft angle error")[0] / of_analysis.at("shaft angle error")[0],
                 1.,
                 0.01);
+  }
+
+  /** A run that is interrupted in the start's state and in the middle has the same digits. */
+  void goes_on(Communicator &world)
+  {
+    const std::string steps = "Dynamics/largest number of steps=";
+    const std::string file =
+      write("goes_on", kind("run") + pair_on_shafts() + operation("20000 rpm"));
+    std::filesystem::remove_all("whole");
+    std::filesystem::remove_all("parts");
+    run_pair(file, "whole", world, {steps + "120"});
+    run_pair(file, "parts", world, {steps + "50"});
+    run_pair(file, "parts", world, {steps + "120"}, true);
+    for (const char *name : {"history.csv", "bearings.csv", "misalignment.csv"})
+      {
+        const std::string whole = read_text("whole/" + std::string(name));
+        check(std::string(name) + ": same digits",
+              whole.size() > 100 && whole == read_text("parts/" + std::string(name)));
+      }
+    const auto whole = nlohmann::ordered_json::parse(read_text("whole/summary.json")),
+               parts = nlohmann::ordered_json::parse(read_text("parts/summary.json"));
+    for (const char *section : {"transmission error", "misalignment"})
+      check(std::string(section) + " in the summary: the same",
+            whole.contains(section) && whole.at(section) == parts.at(section));
+    // Of the first sample the bearings have the equilibrium of the whole pair, its inertia
+    // included.
+    check_balance("run at full speed, first sample", "whole", 0.01);
+    double energy_error = 0;
+    for (const double error : read_columns("whole/history.csv").at("energy error"))
+      energy_error = largest_of(energy_error, std::abs(error));
+    check_below("energy error of the run", energy_error, 1e-3);
+  }
+
+  void refused(const std::string &entry, Communicator &world)
+  {
+    print_refusal([&] { run_pair("refused.prm", "refused", world, {entry}); });
+  }
+
+  void refusals(Communicator &world)
+  {
+    write("refused", kind("run") + pair_on_shafts() + operation("20000 rpm"));
+    const std::string shaft = "Gear pair/Pinion/Shaft/", front = shaft + "Bearing front/";
+    refused(front + "from=20", world);
+    refused(front + "to=200", world);
+    refused(front + "to=120", world);
+    refused(front + "from=120", world);
+    refused(shaft + "End/to=230", world);
+    refused(shaft + "sections=", world);
+    refused("Gear pair/Gear/Shaft/Bearing inner/clearance=-0.5", world);
+    refused("Gear pair/Gear/Shaft/Bearing thrust/axial stiffness=0", world);
+    std::ofstream("short.mtx") << "%%MatrixMarket matrix array real general\n1 1\n5\n";
+    refused("Gear pair/Housing/stiffness=short.mtx", world);
+    refused("Gear pair/Housing/stiffness=nowhere.mtx", world);
+    write("refused",
+          kind("run") + coarse_pair("set web = none", "set rim rows = 2") + operation("20000 rpm"));
+    refused("Gear pair/Housing/stiffness=short.mtx", world);
+    write("refused",
+          kind("run") + coarse_pair("set web = none", "set rim rows = 2") +
+            "subsection Gear pair\nsubsection Gear\nsubsection Shaft\n"
+            "set bearings = one\nend\nend\nend\n" +
+            operation("20000 rpm"));
+    refused("Gear pair/Gear/Shaft/Bearing one/radial stiffness=1", world);
+    write("refused",
+          kind("run") + coarse_pair("set web = conical\n", coarse_web) +
+            "subsection Gear pair\nsubsection Gear\nsubsection Shaft\n"
+            "set sections = -10 120 100 60\nend\nend\nend\n" +
+            operation("20000 rpm"));
+    refused("Gear pair/Gear/Shaft/axial cell size=20", world);
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts<Communicator>(argc, argv, {&slow});
+  run_parts<Communicator>(argc, argv, {&slow, &goes_on, &refusals});
 }

@@ -18,6 +18,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/measures/bearing_columns.h>
+#include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
@@ -54,6 +55,7 @@ namespace vfife
         : positions_(make_loaded_contact_table())
         , teeth_(make_loaded_teeth_table())
         , bearings_(make_loaded_bearing_table())
+        , misalignments_(make_loaded_misalignment_table())
       {
         fem_.mass = MassKind::lumped; // as the mass points of a run
       }
@@ -98,6 +100,11 @@ namespace vfife
                                        const std::vector<Stress>   &stresses,
                                        Log                         &log);
 
+      void add_misalignment(const Model                 &model,
+                            const Compliance            &compliance,
+                            double                       position,
+                            const PairEquilibriumResult &result);
+
       void find_modes(const Model                 &model,
                       const Compliance            &compliance,
                       const PairEquilibriumResult &result,
@@ -109,7 +116,7 @@ namespace vfife
       OutputOptions        output_;
       FemOptions           fem_;
       LoadedContactOptions options_;
-      Table                positions_, teeth_, bearings_;
+      Table                positions_, teeth_, bearings_, misalignments_;
     };
   } // namespace
 
@@ -212,6 +219,8 @@ namespace vfife
     write_csv(folder, "loaded_teeth.csv", teeth_);
     if (!model.bearings.empty())
       write_csv(folder, "bearings.csv", bearings_);
+    if (PairMounting::changes(model))
+      write_csv(folder, "misalignment.csv", misalignments_);
     write_tables(folder, "loaded_contact", positions_);
   }
 
@@ -268,6 +277,32 @@ namespace vfife
       }
   }
 
+  void LoadedContactStudy::add_misalignment(const Model                 &model,
+                                            const Compliance            &compliance,
+                                            const double                 position,
+                                            const PairEquilibriumResult &result)
+  {
+    const Transmission                 &t = *model.transmission;
+    const PairMounting                  mounting(model);
+    std::array<std::vector<Vector3>, 2> displacements;
+    std::array<Matrix3, 2>              rotations;
+    for (const Discretization::Part &part : compliance.discretization().parts())
+      {
+        const bool   is_driven = part.body == t.driven;
+        const double turn      = is_driven
+                                   ? t.driven_sense * t.ratio() * result.driver_turn + result.turn
+                                   : t.driver_sense * result.driver_turn;
+        rotations[part.body]   = rotation_about(model.bodies[part.body].axis.direction, turn);
+        for (const unsigned int node : mounting.bore(part.body))
+          displacements[part.body].push_back(Eigen::Map<const Vector3>(
+            result.displacements.data() + 3 * std::size_t(part.first_point + node)));
+      }
+    std::vector<Table::Cell> row =
+      list_mounting_columns().cells_of(mounting.measure(displacements, rotations));
+    row.insert(row.begin(), position);
+    misalignments_.add_row(row);
+  }
+
   void LoadedContactStudy::add_position(const Model                 &model,
                                         const Compliance            &compliance,
                                         const double                 position,
@@ -316,6 +351,8 @@ namespace vfife
         row.insert(row.begin(), position);
         bearings_.add_row(row);
       }
+    if (PairMounting::changes(model))
+      add_misalignment(model, compliance, position, result);
     // Where teeth break: the largest stress of either fillet, and of the web's faces.
     const std::vector<const char *> fillets = {node_set::concave_fillet, node_set::convex_fillet};
     const Body &driver = model.bodies[t.driver], &driven = model.bodies[t.driven];

@@ -41,6 +41,14 @@ namespace vfife
     return table;
   }
 
+  Table make_loaded_misalignment_table()
+  {
+    Table table;
+    table.add_column(column::position, "tooth meshes");
+    list_mounting_columns().add_to(table);
+    return table;
+  }
+
   Table make_loaded_bearing_table()
   {
     Table table;

@@ -16,6 +16,9 @@ namespace vfife
   /** Columns of bearings.csv: a row a position and bearing, list_bearing_columns() behind the
    * position. */
   Table make_loaded_bearing_table();
+
+  /** Columns of misalignment.csv of a loaded tooth contact analysis. */
+  Table make_loaded_misalignment_table();
 } // namespace vfife
 
 #endif
