@@ -185,6 +185,29 @@ namespace
     check_below("it is the turn about the axis", off / largest, 1e-6);
   }
 
+  /** Bearings so soft that flanks would leave what was looked at for contact. */
+  void too_soft(Communicator &world)
+  {
+    Model      model = make_held_pair(world, rigid_steel);
+    const auto law   = linear_bearing(2e-2 * soft_front);
+    hang_in_bearings(model, {law, law, law, law}, 5e8);
+    Compliance      compliance(model, lumped_masses(), false, world);
+    PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+    std::string     message;
+    try
+      {
+        equilibrium.solve(0., 1.);
+      }
+    catch (const NumericalError &error)
+      {
+        message = error.what();
+      }
+    const bool told = message.find("bearings let the flanks move by ") != std::string::npos;
+    check("too soft bearings are told", told);
+    if (!told)
+      std::cout << message << std::endl;
+  }
+
   void refusals(Communicator &world)
   {
     const auto law = linear_bearing(soft_front);
@@ -231,5 +254,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {columns, free_motion, rolling, preloads, pin, refusals});
+  run_parts(argc, argv, {columns, free_motion, rolling, preloads, pin, too_soft, refusals});
 }

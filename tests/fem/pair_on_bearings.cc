@@ -341,6 +341,20 @@ namespace
         check("not that of bearings in the mean",
               std::abs(errors.slope / mean.transmission_error(mean.solve()) - 1) > 3e-2);
         check_below("unlike axes: forces of each body", unbalanced(model, result), 1e-6);
+        // About the axis of the driven body: a bearing that is displaced and pushes askew turns it.
+        const Transmission &t     = *model.transmission;
+        double              moved = 0;
+        for (std::size_t b = 0; b < model.bearings.size(); ++b)
+          if (model.bearings[b].body == t.driven)
+            {
+              const Vector5 &q = result.bearings[b].displacement, &f = result.bearings[b].load;
+              moved += q[0] * f[1] - q[1] * f[0] + q[3] * f[4] - q[4] * f[3];
+            }
+        check("bearings have a torque", std::abs(moved) > 1e-6 * load);
+        check_close("unlike axes: torques on the driven body",
+                    (t.driven_sense * result.contact_torque + moved) / -model.torques.front().value,
+                    1.,
+                    1e-8);
         check("unlike axes: few iterations", result.iterations <= 8);
       }
   }

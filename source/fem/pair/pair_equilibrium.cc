@@ -294,12 +294,12 @@ namespace vfife
     fail("the undeformed flanks cannot carry the torque", "");
   }
 
-  void PairEquilibrium::check_reach(const Eigen::VectorXd &u) const
+  std::string PairEquilibrium::find_excess(const Eigen::VectorXd &u) const
   {
     // Pairs of teeth are looked for where undeformed bodies have them. What bearings move them by
     // is the mean over a flank's nodes.
     if (bearings_->size() == 0)
-      return;
+      return "";
     for (const auto &pair : pairs_)
       {
         Vector3 apart = Vector3::Zero();
@@ -319,9 +319,10 @@ namespace vfife
                  << " mm against each other, farther than contact is looked for ("
                  << pair->contact.depth_limit() << " mm, Contact/depth limit); stiffer bearings or "
                  << "a smaller torque";
-            fail(text.str(), "");
+            return text.str();
           }
       }
+    return "";
   }
 
   void PairEquilibrium::fail(const std::string &what, const std::string &history) const

@@ -176,7 +176,11 @@ namespace vfife
           return;
         if (result.iterations >= largest_iterations || !now.presses() ||
             !std::isfinite(result.residual))
-          fail("Newton's method does not converge", history.str());
+          {
+            const std::string excess = find_excess(base + now.deflection);
+            fail("Newton's method does not converge" + (excess.empty() ? "" : "; " + excess),
+                 history.str());
+          }
 
         // Springs answer with y = D (B^T dv + b dpsi), dv = A F~ - v, F~ = F - B y; b^T y = M + T
         // balances the torque. Eliminating dv gives the system of linearize(). The first step goes
@@ -191,6 +195,13 @@ namespace vfife
         full.turn       = now.turn + change.second;
         search_line(base, load, full, now);
       }
+  }
+
+  void PairEquilibrium::check_reach(const Eigen::VectorXd &u) const
+  {
+    const std::string excess = find_excess(u);
+    if (!excess.empty())
+      fail(excess, "");
   }
 
   PairEquilibrium::Iterate PairEquilibrium::settle(const Eigen::VectorXd &base, const double turn)

@@ -117,6 +117,8 @@ namespace vfife
     void search_line(const Eigen::VectorXd &base, double load, const Iterate &full, Iterate &now);
     void
     balance(const Eigen::VectorXd &base, double load, Iterate &now, PairEquilibriumResult &result);
+    /** Says by how much bearings let the flanks leave what was looked at; empty: they do not. */
+    std::string       find_excess(const Eigen::VectorXd &u) const;
     void              check_reach(const Eigen::VectorXd &u) const;
     void              report(const Eigen::VectorXd &base,
                              const Iterate         &now,
