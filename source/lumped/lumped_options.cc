@@ -171,6 +171,12 @@ namespace vfife
                    "Out of the gear into the pinion, fixed frame; for supports" + from);
     declare_vector(prm, "contact point", contact_point, "mm", "Fixed frame; with a contact normal");
     declare_names(prm, "supports", support_names, "A subsection \"Support NAME\" for each");
+    declare_switch(
+      prm,
+      "bearings",
+      in_bearings,
+      "Whether members on shafts move rigidly in their bearings: where the stiffness of "
+      "the mesh is that of ideal bores");
   }
 
   void LumpedOptions::declare(dealii::ParameterHandler &prm, const ParameterFile &file)

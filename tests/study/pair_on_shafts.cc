@@ -10,6 +10,8 @@
 
 #include <vfife/base/types.h>
 
+#include <Eigen/Core>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -130,58 +132,92 @@ namespace
                 tolerance);
   }
 
-  void slow(Communicator &world)
+  /** The equilibrium of the loaded analysis of a pair, and that before a run of the same file, at a
+   * speed at which nothing but the load bends it. */
+  void slow(const std::string &name, const std::string &entries, Communicator &world)
   {
-    // At 60 rpm nothing but the load bends the pair. A run of one step has the state of its start.
-    run_pair(write("slow_loaded",
-                   kind("loaded tooth contact analysis") + pair_on_shafts() + operation("60 rpm") +
+    const std::string pair     = pair_on_shafts(entries) + operation("60 rpm"),
+                      analysis = name + "_loaded", of_run = name + "_run";
+    run_pair(write(analysis,
+                   kind("loaded tooth contact analysis") + pair +
                      "subsection Loaded contact\nset positions = 1\nend\n"),
-             "slow_loaded",
+             analysis,
              world);
-    check_balance("loaded analysis", "slow_loaded", 1e-6);
-    run_pair(write("slow_run",
-                   kind("run") + pair_on_shafts() + operation("60 rpm") +
+    check_balance(name + ": loaded analysis", analysis, 1e-6);
+    run_pair(write(of_run,
+                   kind("run") + pair +
                      "subsection Dynamics\nset largest number of steps = 20\nend\n"),
-             "slow_run",
+             of_run,
              world);
-    const auto   loaded = read_columns("slow_loaded/loaded_contact.csv");
-    const auto   run    = read_columns("slow_run/history.csv");
-    const double error  = loaded.at("transmission error")[0];
-    check_close("transmission error of the start over that of the analysis",
-                run.at("dte")[0] / error,
+    const double error = read_columns(analysis + "/loaded_contact.csv").at("transmission error")[0];
+    check_close(name + ": transmission error of the start over that of the analysis",
+                read_columns(of_run + "/history.csv").at("dte")[0] / error,
                 1.,
                 0.01);
-    check("shafts let the gear lag more than twice as far", error < -150.);
-    const auto of_run = first_bearings("slow_run"), of_loaded = first_bearings("slow_loaded");
+    check(name + ": shafts let the gear lag more than twice as far", error < -150.);
+    const auto run = first_bearings(of_run), loaded = first_bearings(analysis);
     double     forces = 0, ways = 0, scale = 0, way_scale = 0;
-    for (const auto &[name, row] : of_loaded)
+    for (const auto &[bearing, row] : loaded)
       {
-        const auto &other = of_run.at(name);
-        forces = largest_of(forces, (force_of(name, row) - force_of(name, other)).norm());
-        scale  = std::max(scale, force_of(name, row).norm());
+        const auto &other = run.at(bearing);
+        forces = largest_of(forces, (force_of(bearing, row) - force_of(bearing, other)).norm());
+        scale  = std::max(scale, force_of(bearing, row).norm());
         for (const char *c : {"displacement x", "displacement y", "displacement z"})
           {
             ways      = largest_of(ways, std::abs(row.at(c) - other.at(c)));
             way_scale = std::max(way_scale, std::abs(row.at(c)));
           }
       }
-    check_below("forces of the bearings, run less analysis, over the largest",
+    check_below(name + ": forces of the bearings, run less analysis, over the largest",
                 forces / scale,
                 0.01);
-    check_below("their displacements alike", ways / way_scale, 0.01);
-    const auto misalignment = read_columns("slow_run/misalignment.csv"),
-               of_analysis  = read_columns("slow_loaded/misalignment.csv");
+    check_below(name + ": their displacements alike", ways / way_scale, 0.01);
+    const auto misalignment = read_columns(of_run + "/misalignment.csv"),
+               of_analysis  = read_columns(analysis + "/misalignment.csv");
     double largest = 0, difference = 0;
     for (const char *c : {"offset", "pinion axial shift", "gear axial shift"})
       {
         largest    = std::max(largest, std::abs(of_analysis.at(c)[0]));
         difference = largest_of(difference, std::abs(of_analysis.at(c)[0] - misalignment.at(c)[0]));
       }
-    check_below("misalignment, run less analysis, over its largest", difference / largest, 0.01);
-    check_close("shaft angle, run over analysis",
+    check_below(name + ": misalignment, run less analysis, over its largest",
+                difference / largest,
+                0.01);
+    check_close(name + ": shaft angle, run over analysis",
                 misalignment.at("shaft angle error")[0] / of_analysis.at("shaft angle error")[0],
                 1.,
                 0.01);
+  }
+
+  void rigid_housing(Communicator &world)
+  {
+    slow("rigid_housing", "", world);
+  }
+
+  void housing(Communicator &world)
+  {
+    // Springs of each seat to the ground, and one of all of them: the box stands on a soft foot.
+    std::ofstream file("housing.mtx");
+    file << "%%MatrixMarket matrix array real general\n30 30\n";
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(30, 30);
+    for (unsigned int s = 0; s < 5; ++s)
+      {
+        K.block<3, 3>(6 * s, 6 * s)         = 4e5 * Matrix3::Identity();
+        K.block<3, 3>(6 * s + 3, 6 * s + 3) = 1e9 * Matrix3::Identity();
+        for (unsigned int t = 0; t < 5; ++t)
+          K.block<3, 3>(6 * s, 6 * t) -= 6e4 * Matrix3::Identity();
+      }
+    for (unsigned int i = 0; i < 900; ++i)
+      file << K(i % 30, i / 30) << "\n";
+    file.close();
+    slow("housing", "subsection Housing\nset stiffness = housing.mtx\nend\n", world);
+    const auto ways = [](const std::string &name) {
+      double sum = 0;
+      for (const auto &bearing : first_bearings(name + "_loaded"))
+        sum += bearing.second.at("radial displacement");
+      return sum;
+    };
+    check("a housing lets the shafts move further", ways("housing") > 3 * ways("rigid_housing"));
   }
 
   /** A run that is interrupted in the start's state and in the middle has the same digits. */
@@ -235,6 +271,8 @@ namespace
     std::ofstream("short.mtx") << "%%MatrixMarket matrix array real general\n1 1\n5\n";
     refused("Gear pair/Housing/stiffness=short.mtx", world);
     refused("Gear pair/Housing/stiffness=nowhere.mtx", world);
+    write("refused", kind("linear static") + pair_on_shafts() + operation("60 rpm"));
+    refused("Gear pair/Housing/stiffness=housing.mtx", world);
     write("refused",
           kind("run") + coarse_pair("set web = none", "set rim rows = 2") + operation("20000 rpm"));
     refused("Gear pair/Housing/stiffness=short.mtx", world);
@@ -255,5 +293,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts<Communicator>(argc, argv, {&slow, &goes_on, &refusals});
+  run_parts<Communicator>(argc, argv, {&rigid_housing, &housing, &goes_on, &refusals});
 }

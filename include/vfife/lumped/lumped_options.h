@@ -71,6 +71,7 @@ namespace vfife
     Vector3                  contact_point  = Vector3::Zero(); ///< [mm]
     std::vector<std::string> support_names;
     std::vector<SupportOptions> supports;
+    bool in_bearings = false; ///< members on shafts move on their bearings, beside the supports
 
     /** Declares section Lumped; the names of supports are read from @p file. */
     void declare(dealii::ParameterHandler &prm, const ParameterFile &file);

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
 #include <vfife/dynamics/loads/bearing_loads.h>
+#include <vfife/model/constraints/supports.h>
 #include <vfife/model/load_shares.h>
 
 #include <Eigen/Eigenvalues>
@@ -41,11 +42,10 @@ namespace vfife
                              const Partition    &partition,
                              const Communicator &communicator)
     : communicator_(communicator)
+    , system_(make_bearing_system(model))
   {
-    std::vector<BearingSystem::Seat> laws;
     for (const Bearing &bearing : model.bearings)
       {
-        laws.push_back({bearing.axes, bearing.law});
         seats_.emplace_back(partition,
                             model.bodies[bearing.body],
                             bearing.nodes,
@@ -53,9 +53,6 @@ namespace vfife
                             "bearing \"" + bearing.name + "\"");
         seats_.back().bearing = &bearing;
       }
-    system_ = BearingSystem(std::move(laws));
-    if (model.housing.size() > 0)
-      system_.set_housing(model.housing);
     for (const Coupling &coupling : model.couplings)
       {
         const Body &body = model.bodies[coupling.body];

@@ -7,6 +7,7 @@
 #include <vfife/fem/system/spin_state.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
+#include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,7 @@ namespace vfife
     , whole_(model, {body}, FemElement::incompatible_modes)
     , describer_(whole_, whole_.parts()[0])
   {
+    require_rigid_housing(model);
     for (const double rate : options.rates())
       if (model.bodies[body].floats && rate != 0 && !options.coriolis)
         throw InputError("Fem/coriolis",

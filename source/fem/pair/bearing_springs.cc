@@ -27,6 +27,7 @@ namespace vfife
   BearingSprings::BearingSprings(const Model                    &model,
                                  const std::vector<BearingRing> &rings,
                                  const double                    arm)
+    : system_(make_bearing_system(model))
   {
     const std::size_t first = first_bearing(model);
     for (const BearingRing &ring : rings)
@@ -35,11 +36,11 @@ namespace vfife
           continue; // A coupling is linear, and the same in all axes that turn about its own.
         const Body &body = model.bodies[ring.body];
         Spring      spring;
-        spring.bearing          = &model.bearings[ring.support - first];
+        spring.body             = ring.body;
         spring.motion           = ring;
         spring.axis             = body.axis.direction;
         spring.is_driven        = model.transmission && ring.body == model.transmission->driven;
-        spring.reading          = ShaftSeat(spring.bearing->axes).reading();
+        spring.reading          = ShaftSeat(model.bearings[ring.support - first].axes).reading();
         const Vector3 from_axis = ring.centre - body.axis.point;
         spring.eccentricity     = from_axis - from_axis.dot(spring.axis) * spring.axis;
         // Ways at the arm instead of turns.
@@ -60,60 +61,74 @@ namespace vfife
     return motions;
   }
 
-  BearingSprings::Response BearingSprings::evaluate(const std::size_t           i,
-                                                    const Vector6              &d,
+  BearingSprings::Response BearingSprings::evaluate(const Eigen::VectorXd      &d,
                                                     const std::vector<Matrix3> &rotations) const
   {
-    const Spring  &s = springs_[i];
-    const Matrix3 &R = rotations[s.bearing->body];
-    // 1. Displacements in the bearing's axes: of a ring beside the axis those of its centre, which
-    // the turn takes along.
-    Vector6 place = turned(R, d);
-    place.head<3>() += R * s.eccentricity;
-    Vector6 moved = place;
-    moved.head<3>() -= s.eccentricity;
+    const std::size_t n = springs_.size();
+    // 1. Displacements in the bearings' axes, and their change with the motions, q = Q d, Q = P R,
+    // and with the turn, which takes the place along: q' = P [a]x (place).
+    std::vector<Vector5> displacements;
+    Eigen::MatrixXd      Q      = Eigen::MatrixXd::Zero(5 * n, 6 * n);
+    Eigen::MatrixXd      Q_once = Q;
+    Eigen::VectorXd      once = Eigen::VectorXd::Zero(5 * n), twice = once;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const Spring  &s = springs_[i];
+        const Matrix3 &R = rotations[s.body];
+        // Of a ring beside the axis those of its centre, which the turn takes along.
+        Vector6 place = turned(R, d.segment<6>(6 * i));
+        place.head<3>() += R * s.eccentricity;
+        Vector6 moved = place;
+        moved.head<3>() -= s.eccentricity;
+        displacements.emplace_back(s.reading * moved);
+        Q.block<5, 3>(5 * i, 6 * i)     = s.reading.leftCols<3>() * R;
+        Q.block<5, 3>(5 * i, 6 * i + 3) = s.reading.rightCols<3>() * R;
+        if (!s.is_driven)
+          continue;
+        const Matrix3 spin                   = cross_matrix(s.axis);
+        once.segment<5>(5 * i)               = s.reading * turned(spin, place);
+        twice.segment<5>(5 * i)              = s.reading * turned(spin * spin, place);
+        Q_once.block<5, 3>(5 * i, 6 * i)     = s.reading.leftCols<3>() * spin * R;
+        Q_once.block<5, 3>(5 * i, 6 * i + 3) = s.reading.rightCols<3>() * spin * R;
+      }
+
+    // 2. The bearings, in their housing, and what K0 has of them.
+    const BearingSystem::Response system = system_.evaluate(displacements);
+    Eigen::VectorXd               loads(5 * n);
+    for (std::size_t i = 0; i < n; ++i)
+      loads.segment<5>(5 * i) = system.loads[i];
     Response r;
-    r.state.displacement       = s.reading * moved;
-    const BearingResponse law  = s.bearing->law->evaluate(r.state.displacement);
-    r.state.load               = law.load;
-    const Vector6 since        = d - s.motion_known;
-    const Vector6 linear_force = s.linear * since;
-
-    // 2. Derivatives with d: q = Q d, Q = P R.
-    Eigen::Matrix<double, 5, 6> Q;
-    Q << s.reading.leftCols<3>() * R, s.reading.rightCols<3>() * R;
-    r.energy    = law.energy - .5 * since.dot(linear_force) + s.force_known.dot(d);
-    r.force     = Q.transpose() * law.load + linear_force - s.force_known;
-    r.stiffness = Q.transpose() * law.stiffness * Q - s.linear;
-    if (!s.is_driven)
-      return r;
-
-    // 3. Derivatives with the turn, which takes the place along: q' = P [a]x (place).
-    const Matrix3               spin   = cross_matrix(s.axis);
-    const Vector5               once   = s.reading * turned(spin, place);
-    const Vector5               twice  = s.reading * turned(spin * spin, place);
-    const Vector5               change = law.stiffness * once;
-    Eigen::Matrix<double, 5, 6> Q_once;
-    Q_once << s.reading.leftCols<3>() * spin * R, s.reading.rightCols<3>() * spin * R;
-    r.torque     = law.load.dot(once);
-    r.by_turn    = Q.transpose() * change - Q_once.transpose() * law.load;
-    r.turn_twice = once.dot(change) - law.load.dot(twice);
+    r.energy                     = system.energy;
+    r.force                      = Q.transpose() * loads;
+    r.stiffness                  = Q.transpose() * system.stiffness * Q;
+    const Eigen::VectorXd change = system.stiffness * once;
+    r.torque                     = loads.dot(once);
+    r.by_turn                    = Q.transpose() * change - Q_once.transpose() * loads;
+    r.turn_twice                 = once.dot(change) - loads.dot(twice);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const Spring &s            = springs_[i];
+        const Vector6 own          = d.segment<6>(6 * i);
+        const Vector6 since        = own - s.motion_known;
+        const Vector6 linear_force = s.linear * since;
+        r.energy += s.force_known.dot(own) - .5 * since.dot(linear_force);
+        r.force.segment<6>(6 * i) += linear_force - s.force_known;
+        r.stiffness.block<6, 6>(6 * i, 6 * i) -= s.linear;
+        r.states.push_back({displacements[i], system.loads[i]});
+      }
     return r;
   }
 
-  double BearingSprings::set_known(const std::vector<Vector6> &d,
-                                   const std::vector<Matrix3> &rotations)
+  double BearingSprings::set_known(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations)
   {
-    double torque = 0;
     for (std::size_t i = 0; i < springs_.size(); ++i)
       {
-        Spring &spring      = springs_[i];
-        spring.force_known  = Vector6::Zero();
-        spring.motion_known = d[i];
-        const Response here = evaluate(i, d[i], rotations);
-        spring.force_known  = here.force;
-        torque += here.torque;
+        springs_[i].force_known  = Vector6::Zero();
+        springs_[i].motion_known = d.segment<6>(6 * i);
       }
-    return torque;
+    const Response here = evaluate(d, rotations);
+    for (std::size_t i = 0; i < springs_.size(); ++i)
+      springs_[i].force_known = here.force.segment<6>(6 * i);
+    return here.torque;
   }
 } // namespace vfife

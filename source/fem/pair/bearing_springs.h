@@ -2,6 +2,7 @@
 #ifndef vfife_fem_pair_bearing_springs_h
 #define vfife_fem_pair_bearing_springs_h
 
+#include <vfife/bearing/bearing_system.h>
 #include <vfife/fem/system/bearing_rings.h>
 
 #include <vector>
@@ -38,40 +39,42 @@ namespace vfife
       return springs_.size();
     }
 
+    /** Of all springs, six rows each in their order. */
     struct Response
     {
-      Vector6 force     = Vector6::Zero(); ///< minus the slope of the energy with d [N]
-      Matrix6 stiffness = Matrix6::Zero(); ///< its second derivative [N/mm]
-      double  energy    = 0;               ///< [mJ]
-      // Of the driven body alone:
-      double    torque     = 0;               ///< minus the slope with psi [N mm]
-      Vector6   by_turn    = Vector6::Zero(); ///< second derivative with d and psi [N]
-      double    turn_twice = 0;               ///< second derivative with psi [N mm]
-      SeatState state;                        ///< of the bearing itself
+      Eigen::VectorXd force;      ///< minus the slope of the energy with d [N]
+      Eigen::MatrixXd stiffness;  ///< its second derivative [N/mm]; a housing couples the springs
+      double          energy = 0; ///< [mJ]
+      double          torque = 0; ///< minus the slope with psi [N mm]
+      Eigen::VectorXd by_turn;    ///< second derivative with d and psi [N]
+      double          turn_twice = 0; ///< second derivative with psi [N mm]
+      std::vector<SeatState> states;  ///< of the bearings themselves
     };
 
-    /** Spring @p i at the motion @p d of its ring when its body has turned by @p rotations. */
-    Response evaluate(std::size_t i, const Vector6 &d, const std::vector<Matrix3> &rotations) const;
+    /** At the motions @p d of the rings, six rows each, when the bodies have turned by @p
+     * rotations. */
+    Response evaluate(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations) const;
 
     /** Takes the state at the motions @p d as known, its forces being in what else acts; returns
      * the torque that the bearings have there on the driven body about its axis [N mm]. */
-    double set_known(const std::vector<Vector6> &d, const std::vector<Matrix3> &rotations);
+    double set_known(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations);
 
   private:
     struct Spring
     {
-      const Bearing *bearing;
-      PointMotion    motion; ///< turns as ways at the arm
-      Vector3        axis;   ///< of the body
-      bool           is_driven;
-      Vector3        eccentricity;         ///< of the undeformed ring's centre from the axis [mm]
-      Matrix6        linear;               ///< K0
+      unsigned int body;
+      PointMotion  motion; ///< turns as ways at the arm
+      Vector3      axis;   ///< of the body
+      bool         is_driven;
+      Vector3      eccentricity;           ///< of the undeformed ring's centre from the axis [mm]
+      Matrix6      linear;                 ///< K0
       Eigen::Matrix<double, 5, 6> reading; ///< P
       // What is known:
       Vector6 motion_known = Vector6::Zero(), force_known = Vector6::Zero();
     };
 
     std::vector<Spring> springs_; ///< in the order of Model::bearings
+    BearingSystem       system_;
   };
 } // namespace vfife
 

@@ -54,14 +54,19 @@ namespace vfife
      * that K has for them. */
     SparseValues make_bearings(const Assembly &assembly, const std::vector<SeatState> &bearings)
     {
-      const Model      &model = assembly.discretization().model();
-      const std::size_t first = first_bearing(model);
+      const Model         &model = assembly.discretization().model();
+      const std::size_t    first = first_bearing(model);
+      std::vector<Vector5> displacements;
+      for (const SeatState &bearing : bearings)
+        displacements.push_back(bearing.displacement);
+      // A housing couples the seats: what each has by itself is kept.
+      const Eigen::MatrixXd tangents = make_bearing_system(model).evaluate(displacements).stiffness;
       return assembly.ring_matrix([&](const BearingRing &ring) -> Eigen::Matrix<double, 6, 6> {
         if (ring.support >= first + bearings.size()) // couplings
           return Eigen::Matrix<double, 6, 6>::Zero();
         const std::size_t b       = ring.support - first;
         const Bearing    &bearing = model.bearings[b];
-        const Matrix5     tangent = bearing.law->evaluate(bearings[b].displacement).stiffness;
+        const Matrix5     tangent = tangents.block<5, 5>(5 * b, 5 * b);
         const double      rate    = model.bodies[ring.body].rate;
         return ShaftSeat(bearing.axes)
                  .in_space(rate != 0 ? mean_over_turns(tangent) : tangent, 0.) -

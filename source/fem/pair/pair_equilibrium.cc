@@ -128,6 +128,11 @@ namespace vfife
     return 3 * compliance_.watched().size() + 6 * i;
   }
 
+  Eigen::VectorXd PairEquilibrium::bearing_rows(const Eigen::VectorXd &u) const
+  {
+    return u.segment(bearing_row(0), 6 * bearings_->size());
+  }
+
   Eigen::VectorXd PairEquilibrium::apply_compliance(const Eigen::VectorXd &force)
   {
     // Forces are zero but at the few nodes under pressure and bearings: only their columns of A are
@@ -173,10 +178,10 @@ namespace vfife
 
   void PairEquilibrium::add_bearings(const Eigen::VectorXd &u, Trial &trial) const
   {
-    for (std::size_t i = 0; i < bearings_->size(); ++i)
+    if (bearings_->size() > 0)
       {
-        const auto response = bearings_->evaluate(i, u.segment<6>(bearing_row(i)), rotations_);
-        trial.force.segment<6>(bearing_row(i)) += response.force;
+        const auto response = bearings_->evaluate(bearing_rows(u), rotations_);
+        trial.force.segment(bearing_row(0), response.force.size()) += response.force;
         trial.energy += response.energy;
         trial.torque += response.torque;
       }

@@ -69,14 +69,15 @@ namespace vfife
     const Eigen::Index first = bearing_row(0), n = u.size() - first;
     tangent.stiffness    = Eigen::MatrixXd::Zero(n, n);
     tangent.rows_by_turn = Eigen::VectorXd::Zero(n);
-    for (std::size_t i = 0; with_bearings && i < bearings_->size(); ++i)
+    if (with_bearings && bearings_->size() > 0)
       {
-        const auto bearing = bearings_->evaluate(i, u.segment<6>(bearing_row(i)), rotations_);
-        tangent.stiffness.block<6, 6>(6 * i, 6 * i) = bearing.stiffness;
+        const auto         bearings = bearings_->evaluate(bearing_rows(u), rotations_);
+        const Eigen::Index size     = bearings.force.size();
+        tangent.stiffness.topLeftCorner(size, size) = bearings.stiffness;
         if (touching) // otherwise the turn is given
           {
-            tangent.rows_by_turn.segment<6>(6 * i) = bearing.by_turn;
-            tangent.turn_twice += bearing.turn_twice;
+            tangent.rows_by_turn.head(size) = bearings.by_turn;
+            tangent.turn_twice += bearings.turn_twice;
           }
       }
     Eigen::Index row = 6 * bearings_->size();
@@ -254,10 +255,7 @@ namespace vfife
     const Eigen::VectorXd base = compliance_.at_rows(free), before = compliance_.at_rows(known);
     if (pressed_ != nullptr)
       set_turn(pressed_->turn);
-    std::vector<BearingSprings::Vector6> motions;
-    for (std::size_t i = 0; i < bearings_->size(); ++i)
-      motions.emplace_back(before.segment<6>(bearing_row(i)));
-    const double load = torque - bearings_->set_known(motions, rotations_);
+    const double load = torque - bearings_->set_known(bearing_rows(before), rotations_);
     known_rows_       = before.tail(before.size() - bearing_row(bearings_->size()));
     if (pressed_ != nullptr)
       pressed_->trial = evaluate(base + pressed_->deflection, pressed_->turn, true);
@@ -291,9 +289,7 @@ namespace vfife
     // Per unit of the load factor the bodies twist further, and the springs answer.
     const Tangent         tangent = linearize(base + now.deflection, true, true);
     const Eigen::VectorXd u       = base + now.deflection;
-    for (std::size_t i = 0; i < bearings_->size(); ++i)
-      result.bearings.push_back(
-        bearings_->evaluate(i, u.segment<6>(bearing_row(i)), rotations_).state);
+    result.bearings               = bearings_->evaluate(bearing_rows(u), rotations_).states;
     const auto change = tangent.solve(compliance_.at_rows(compliance_.twisted()), load(1.));
     const Eigen::VectorXd slope = tangent.spread(change.first, now.force.size());
     result.turn_slope           = change.second;

@@ -7,6 +7,7 @@
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/torque_forces.h>
+#include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,7 @@ namespace vfife
     , discretization_(model, bodies, options.element)
     , rotation_(rotation)
   {
+    require_rigid_housing(model);
     for (const Discretization::Part &part : discretization_.parts())
       {
         const bool has_hub =

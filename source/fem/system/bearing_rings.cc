@@ -57,18 +57,23 @@ namespace vfife
 
   std::vector<BearingRing> find_bearing_rings(const Discretization &discretization)
   {
-    std::vector<BearingRing> rings;
-    const Model             &model     = discretization.model();
-    const std::size_t        bearings  = first_bearing(model);
-    const std::size_t        couplings = bearings + model.bearings.size();
+    std::vector<BearingRing>   rings;
+    const Model               &model     = discretization.model();
+    const std::size_t          bearings  = first_bearing(model);
+    const std::size_t          couplings = bearings + model.bearings.size();
+    const std::vector<Matrix5> own       = model.housing.size() > 0
+                                             ? make_bearing_system(model).own_stiffness()
+                                             : std::vector<Matrix5>();
     for (const Bearing &bearing : model.bearings)
       if (const auto *part = discretization.find_part(bearing.body))
         {
           rings.push_back(
             make_ring(discretization, *part, bearing.nodes, "bearing \"" + bearing.name + "\""));
-          BearingRing          &ring     = rings.back();
-          const BearingResponse response = bearing.law->linearized();
-          const ShaftSeat       seat(bearing.axes);
+          BearingRing    &ring     = rings.back();
+          BearingResponse response = bearing.law->linearized();
+          if (!own.empty())
+            response.stiffness = own[&bearing - model.bearings.data()];
+          const ShaftSeat seat(bearing.axes);
           ring.support        = bearings + (&bearing - model.bearings.data());
           ring.stiffness      = seat.in_space(response.stiffness, 0.);
           ring.mean_stiffness = seat.in_space(mean_over_turns(response.stiffness), 0.);

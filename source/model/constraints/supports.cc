@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/model/constraints/supports.h>
 
@@ -17,6 +18,25 @@ namespace vfife
     for (const Coupling &coupling : model.couplings)
       supports.push_back({coupling.name, coupling.body});
     return supports;
+  }
+
+  BearingSystem make_bearing_system(const Model &model)
+  {
+    std::vector<BearingSystem::Seat> seats;
+    for (const Bearing &bearing : model.bearings)
+      seats.push_back({bearing.axes, bearing.law});
+    BearingSystem system(std::move(seats));
+    if (model.housing.size() > 0)
+      system.set_housing(model.housing);
+    return system;
+  }
+
+  void require_rigid_housing(const Model &model)
+  {
+    if (model.housing.size() > 0)
+      throw InputError("Gear pair/Housing/stiffness",
+                       "couples the bearings of all bodies, which runs and loaded tooth contact "
+                       "analysis take; studies of one body by itself need a rigid housing");
   }
 
   std::size_t first_bearing(const Model &model)

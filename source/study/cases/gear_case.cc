@@ -39,6 +39,13 @@ namespace vfife
                                 : std::vector<ShaftSection>();
   }
 
+  GearBodyOptions GearCase::Member::with_levels() const
+  {
+    GearBodyOptions options = body;
+    options.shaft.levels    = supports.levels();
+    return options;
+  }
+
   GearCase::GearCase()
   {
     members_[0].name = "Pinion";
@@ -133,14 +140,14 @@ namespace vfife
     const GearPairOptions completed = pair_.completed();
     members_[0].body.check("Gear pair/Pinion", completed.pinion.blank);
     members_[1].body.check("Gear pair/Gear", completed.gear.blank);
+    for (const Member &member : members_)
+      member.supports.check(member.shaft_section(), member.shaft_sections());
     if (members_[0].body.shaft.present() || members_[1].body.shaft.present())
       {
         const GearPair pair(pair_);
-        check_gear_shaft(members_[0].shaft_section(), pair.pinion(), members_[0].body);
-        check_gear_shaft(members_[1].shaft_section(), pair.gear(), members_[1].body);
+        check_gear_shaft(members_[0].shaft_section(), pair.pinion(), members_[0].with_levels());
+        check_gear_shaft(members_[1].shaft_section(), pair.gear(), members_[1].with_levels());
       }
-    for (const Member &member : members_)
-      member.supports.check(member.shaft_section(), member.shaft_sections());
     for (const Material &m : materials_)
       m.check("Material " + m.name);
   }

@@ -110,13 +110,10 @@ namespace vfife
   Body GearCase::make_body(const GearPair &pair, const unsigned int body) const
   {
     // Seats begin and end where the mesh has levels.
-    const Member   &member  = members_[body];
-    GearBodyOptions options = member.body;
-    options.shaft.levels    = member.supports.levels();
     const GearMember &teeth = body == 0 ? pair.pinion() : pair.gear();
     return {body == 0 ? "pinion" : "gear",
-            make_gear_body(teeth, options),
-            material(member.material)};
+            make_gear_body(teeth, members_[body].with_levels()),
+            material(members_[body].material)};
   }
 
   void GearCase::add_housing(Model &model) const

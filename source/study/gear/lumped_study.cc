@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
@@ -11,6 +12,7 @@
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/gear_case.h>
+#include <vfife/study/gear/bearing_supports.h>
 #include <vfife/study/gear/lumped_study.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -185,7 +187,8 @@ namespace vfife
   LumpedPair LumpedStudy::make_pair(Log &log) const
   {
     // What the file gives wins over what the pair would have given.
-    LumpedOptions filled = options_;
+    LumpedOptions              filled = options_;
+    std::vector<LumpedSupport> bearings;
     if (has_pair_)
       {
         // What the section leaves open is taken of the bodies' meshes and the pair: zeros, a
@@ -209,8 +212,14 @@ namespace vfife
             filled.contact_normal = t.contact_normal;
             filled.contact_point  = t.contact_point;
           }
+        if (filled.in_bearings)
+          bearings = find_bearing_supports(model);
       }
-    return filled.make_pair(operation().torque);
+    if (filled.in_bearings && bearings.empty())
+      throw InputError("Lumped/bearings", "no member of the pair is on a shaft in bearings");
+    LumpedPair pair = filled.make_pair(operation().torque);
+    pair.supports.insert(pair.supports.end(), bearings.begin(), bearings.end());
+    return pair;
   }
 
   void LumpedStudy::run(OutputFolder &folder, Log &log)

@@ -104,8 +104,10 @@ namespace vfife
     void        add_bearings(const Eigen::VectorXd &u, Trial &trial) const;
     Trial       evaluate(const Eigen::VectorXd &u, double turn, bool touching);
     std::size_t bearing_row(std::size_t i) const;
-    Tangent     linearize(const Eigen::VectorXd &u, bool touching, bool with_bearings);
-    void        add_springs(Tangent &tangent);
+    /** Those of all bearings of displacements at all rows. */
+    Eigen::VectorXd bearing_rows(const Eigen::VectorXd &u) const;
+    Tangent         linearize(const Eigen::VectorXd &u, bool touching, bool with_bearings);
+    void            add_springs(Tangent &tangent);
     void
     add_rows(const Eigen::VectorXd &u, bool touching, bool with_bearings, Tangent &tangent) const;
     double          find_touch(const Eigen::VectorXd &base);

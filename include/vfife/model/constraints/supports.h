@@ -2,6 +2,7 @@
 #ifndef vfife_model_constraints_supports_h
 #define vfife_model_constraints_supports_h
 
+#include <vfife/bearing/bearing_system.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
@@ -22,6 +23,13 @@ namespace vfife
   /** The constraints of a model, its springs to the ground, its bearings and its couplings:
    * Measurements::reactions has their order. */
   std::vector<Support> list_supports(const Model &model);
+
+  /** All bearings of a model, in its order, in its housing. */
+  BearingSystem make_bearing_system(const Model &model);
+
+  /** For solvers of a body by itself: throws InputError where a housing couples its bearings with
+   * others. */
+  void require_rigid_housing(const Model &model);
 
   /** Place of the first bearing in list_supports(); couplings follow the bearings. */
   std::size_t first_bearing(const Model &model);

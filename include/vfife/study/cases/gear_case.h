@@ -66,6 +66,8 @@ namespace vfife
       /** Its section Gear pair/NAME/Shaft. */
       std::string               shaft_section() const;
       std::vector<ShaftSection> shaft_sections() const;
+      /** The body with levels of the mesh where seats begin and end. */
+      GearBodyOptions with_levels() const;
     };
     const Material &material(const std::string &name) const;
     /** E* of both members [MPa]. */
