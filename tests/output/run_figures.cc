@@ -57,7 +57,13 @@ namespace
                                   {"teeth and rest", {-40.25, "arcsec"}},
                                   {"web windup", {-20.5, "arcsec"}},
                                   {"rim tilt and shift", {-18.75, "arcsec"}},
-                                  {"centrifugal shift", {-9., "arcsec"}}};
+                                  {"centrifugal shift", {-9., "arcsec"}},
+                                  {"bearings", {-32., "arcsec"}},
+                                  {"shaft bending", {-94., "arcsec"}}};
+    summary.misalignment       = {{"offset", {148., "um"}},
+                                  {"pinion axial shift", {15., "um"}},
+                                  {"gear axial shift", {-72., "um"}},
+                                  {"shaft angle error", {1.8, "arcmin"}}};
     SteadyPart part;
     part.found             = true;
     part.start_time        = .004;
@@ -139,6 +145,12 @@ namespace
                                                     {"web windup", {-20.5, "arcsec"}},
                                                     {"rim tilt and shift", {-18.75, "arcsec"}},
                                                     {"centrifugal shift", {-9., "arcsec"}},
+                                                    {"bearings", {-32., "arcsec"}},
+                                                    {"shaft bending", {-94., "arcsec"}},
+                                                    {"offset", {148., "um"}},
+                                                    {"pinion axial shift", {15., "um"}},
+                                                    {"gear axial shift", {-72., "um"}},
+                                                    {"shaft angle error", {1.8, "arcmin"}},
                                                     {"swing frequency", {1412, "Hz"}}};
     const RunFigures                    run      = read_run_figures(folder.path());
     check("it has finished", run.status == "finished" && run.failure.empty());

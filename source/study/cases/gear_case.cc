@@ -17,6 +17,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
+#include <optional>
 
 namespace vfife
 {
@@ -133,6 +134,26 @@ namespace vfife
     return GearPair(pair_);
   }
 
+  void GearCase::check_shafts() const
+  {
+    std::optional<GearPair> pair;
+    if (members_[0].body.shaft.present() || members_[1].body.shaft.present())
+      pair.emplace(pair_);
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        // The shaft by itself, then what sits on it, then the cells that end there.
+        const Member     &member  = members_[b];
+        const std::string section = member.shaft_section();
+        const auto        check   = [&](const GearBodyOptions &body) {
+          if (pair)
+            check_gear_shaft(section, b == 0 ? pair->pinion() : pair->gear(), body);
+        };
+        check(member.body);
+        member.supports.check(section, member.shaft_sections());
+        check(member.with_levels());
+      }
+  }
+
   void GearCase::check_bodies() const
   {
     pair_.check("Gear pair");
@@ -140,14 +161,7 @@ namespace vfife
     const GearPairOptions completed = pair_.completed();
     members_[0].body.check("Gear pair/Pinion", completed.pinion.blank);
     members_[1].body.check("Gear pair/Gear", completed.gear.blank);
-    for (const Member &member : members_)
-      member.supports.check(member.shaft_section(), member.shaft_sections());
-    if (members_[0].body.shaft.present() || members_[1].body.shaft.present())
-      {
-        const GearPair pair(pair_);
-        check_gear_shaft(members_[0].shaft_section(), pair.pinion(), members_[0].with_levels());
-        check_gear_shaft(members_[1].shaft_section(), pair.gear(), members_[1].with_levels());
-      }
+    check_shafts();
     for (const Material &m : materials_)
       m.check("Material " + m.name);
   }

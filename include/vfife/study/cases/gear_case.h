@@ -69,6 +69,8 @@ namespace vfife
       /** The body with levels of the mesh where seats begin and end. */
       GearBodyOptions with_levels() const;
     };
+    /** Throws InputError for shafts that do not go with their bodies or with what holds them. */
+    void            check_shafts() const;
     const Material &material(const std::string &name) const;
     /** E* of both members [MPa]. */
     double       pair_modulus() const;
