@@ -226,6 +226,11 @@ namespace vfife
     return linearized_;
   }
 
+  double RollingBearing::curve_range() const
+  {
+    return 2e-3 * data_.diameter;
+  }
+
   Matrix5 RollingBearing::stiffness_bound() const
   {
     // Every element at the largest depth, in its own direction and as if it carried along both.

@@ -101,6 +101,7 @@ namespace
     tables.push_back({"probes.csv", "gear pair", ProbeWriter(folder, 1).table()});
     tables.push_back({"rim.csv", "gear pair", RimWriter(folder, pair, 1).table()});
     tables.push_back({"bearings.csv", "run", BearingWriter(folder, 1).table()});
+    tables.push_back({"bearing_curves.csv", "pair or model in bearings", make_bearing_curves({})});
     Table misalignment;
     misalignment.add_column(column::time, "s");
     list_mounting_columns().add_to(misalignment);

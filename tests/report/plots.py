@@ -13,11 +13,13 @@ import numpy as np
 
 from vfife_report.command import main
 from vfife_report.data.fields import Fields, read_last_fields
+from vfife_report.data.run_folder import RunFolder
 from vfife_report.data.table import Table
 from vfife_report.measures.periodicity import compute_mesh_average
 from vfife_report.measures.spectrum import compute_spectrum
 from vfife_report.pictures.canvas import Camera, Canvas
 from vfife_report.pictures.hexahedra import Section, find_axis, find_outer_faces
+from vfife_report.plots.bearings import draw_bearing_curves, draw_bearings, draw_misalignment
 from vfife_report.plots.meridian import draw_meridians, read_parts
 
 
@@ -136,6 +138,47 @@ class Meridians(unittest.TestCase):
             colours = [patch.get_facecolor() for patch in axes.patches]
             self.assertEqual(colours[1], colours[2])
             self.assertNotEqual(colours[0], colours[1])
+
+
+class Bearings(unittest.TestCase):
+    def write(self, folder, first, rows):
+        """Two bearings at each of the places of @p first, and a misalignment."""
+        columns = ["force x [N]", "force y [N]", "force z [N]", "displacement x [um]", "radial force [N]",
+                   "radial displacement [um]"]
+        lines = [",".join([first, "bearing", *columns])]
+        for k in range(rows):
+            for name, force in (("pinion front", 900), ("gear inner", 400)):
+                lines.append(f"{k},{name},{force},0,{-force / 2},1,{force},{force / 100}")
+        (folder / "bearings.csv").write_text("\n".join([*lines, ""]))
+        (folder / "misalignment.csv").write_text("\n".join(
+            [f"{first},offset [um],pinion axial shift [um],gear axial shift [um],shaft angle error [arcmin]",
+             *(f"{k},{100 + k},10,-70,2" for k in range(rows)), ""]))
+        (folder / "bearing_curves.csv").write_text("\n".join(
+            ["bearing,direction,displacement [um],force [N],stiffness [N/um]",
+             *(f"pinion front,{d},{x},{100 * x},100" for d in ("radial", "axial") for x in (-2, 0, 2)), ""]))
+
+    def test_of_run_and_analysis(self):
+        for first, factor, label in (("time [s]", 1e3, "time [ms]"),
+                                     ("position [tooth meshes]", 1, "position [tooth meshes]")):
+            with tempfile.TemporaryDirectory() as name:
+                self.write(Path(name), first, 4)
+                run = RunFolder(name)
+                forces, axial, ways = draw_bearings(run).axes
+                self.assertEqual([line.get_label() for line in forces.lines], ["pinion front", "gear inner"])
+                self.assertTrue(np.all(forces.lines[0].get_ydata() == 900))
+                self.assertTrue(np.all(axial.lines[1].get_ydata() == -200))
+                self.assertTrue(np.all(ways.lines[0].get_ydata() == 9))
+                self.assertTrue(np.all(ways.lines[0].get_xdata() == factor * np.arange(4)))
+                self.assertEqual(ways.get_xlabel(), label)
+                shifts, angle = draw_misalignment(run).axes
+                self.assertEqual(list(shifts.lines[0].get_ydata()), [100, 101, 102, 103])
+                self.assertEqual(list(angle.lines[0].get_ydata()), [2] * 4)
+                radial, _ = draw_bearing_curves(run).axes
+                self.assertEqual(list(radial.lines[0].get_ydata()), [-0.2, 0, 0.2])
+                main([name])
+                page = (Path(name) / "report.html").read_text()
+                for word in ("pinion front", "bearing_curves", "misalignment"):
+                    self.assertIn(word, page)
 
 
 class WholeRun(unittest.TestCase):

@@ -45,6 +45,13 @@ namespace vfife
       return linearized().stiffness;
     }
 
+    /** Ways up to which a curve of loads over displacements is worth a look [mm]; 0: it is a
+     * straight line. */
+    virtual double curve_range() const
+    {
+      return 0.;
+    }
+
     /** -d load / d rate of the displacements, symmetric [N s/mm, N s, N mm s]. */
     const Matrix5 &damping() const
     {

@@ -4,10 +4,10 @@
 #include <vfife/fem/statics/compliance.h>
 #include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/torque_forces.h>
+#include <vfife/fem/system/turn_pins.h>
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 namespace vfife
 {
@@ -18,25 +18,6 @@ namespace vfife
       std::vector<unsigned int> bodies(model.bodies.size());
       std::iota(bodies.begin(), bodies.end(), 0u);
       return bodies;
-    }
-
-    /** Whether a rigid motion of a body is nothing but a turn about its axis. */
-    bool is_turn(const Discretization       &discretization,
-                 const Discretization::Part &part,
-                 const std::vector<double>  &motion)
-    {
-      // What is left of it without its part along the turn a x (X - c).
-      const Axis &axis  = discretization.model().bodies[part.body].axis;
-      double      whole = 0, along = 0, turn = 0;
-      for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
-        {
-          const Eigen::Map<const Vector3> u(motion.data() + 3 * std::size_t(p));
-          const Vector3 way = axis.direction.cross(discretization.points()[p] - axis.point);
-          whole += u.squaredNorm();
-          along += u.dot(way);
-          turn += way.squaredNorm();
-        }
-      return whole - along * along / turn < 1e-8 * whole;
     }
 
     /** Right sides solved for at once. */
@@ -116,33 +97,9 @@ namespace vfife
     return std::find(turning_.begin(), turning_.end(), body) != turning_.end();
   }
 
-  void Compliance::add_pins(SparseValues &K) const
-  {
-    if (pinned_.empty())
-      return;
-    // A torsional spring on the mean turn of the body's first bearing, whose points are coupled
-    // anyway; as stiff as the mean entry of the matrix at the ring's radius.
-    const double           stiffness = assembly_->mean_diagonal(K);
-    std::set<unsigned int> done;
-    K = add_scaled(std::move(K), 1., assembly_->ring_matrix([&](const BearingRing &ring) {
-      Eigen::Matrix<double, 6, 6> pin = Eigen::Matrix<double, 6, 6>::Zero();
-      if (std::find(pinned_.begin(), pinned_.end(), ring.body) == pinned_.end() ||
-          !done.insert(ring.body).second)
-        return pin;
-      const Axis &axis   = model_.bodies[ring.body].axis;
-      double      square = 0;
-      for (const unsigned int p : ring.points)
-        square += axis.direction.cross(discretization_.points()[p] - axis.point).squaredNorm() /
-                  ring.points.size();
-      pin.bottomRightCorner<3, 3>() =
-        stiffness * square * axis.direction * axis.direction.transpose();
-      return pin;
-    }));
-  }
-
   void Compliance::factorize(SparseValues K, const unsigned int n_whirls)
   {
-    add_pins(K);
+    K = add_turn_pins(*assembly_, pinned_, std::move(K));
     solver_.reset(); // its memory first
     solver_ = std::make_unique<DirectSolver>(assembly_->pattern(), K, communicator_);
     if (solver_->n_negative() > n_whirls || solver_->n_zero() > 0)

@@ -7,6 +7,7 @@
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/torque_forces.h>
+#include <vfife/fem/system/turn_pins.h>
 #include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
@@ -86,8 +87,16 @@ namespace vfife
                                 constraint.kind == ConstraintKind::rigid_hub);
                       });
         // Of a hub that is pinned or held, the rotation about the axis is not missing.
-        const std::size_t n       = find_free_motions(discretization_, part).size();
-        const std::size_t allowed = has_hub && rotation != HubRotation::free ? 1 : 0;
+        const auto        motions = find_free_motions(discretization_, part);
+        const std::size_t n       = motions.size();
+        std::size_t       allowed = has_hub && rotation != HubRotation::free ? 1 : 0;
+        // Nor of a shaft in its bearings.
+        if (!has_hub && n == 1 && rotation == HubRotation::pinned &&
+            model.bodies[part.body].floats && is_turn(discretization_, part, motions.front()))
+          {
+            pinned_.push_back(part.body);
+            allowed = 1;
+          }
         if (n > allowed)
           throw InputError("body \"" + model.bodies[part.body].name() +
                            "\": " + std::to_string(n - allowed) +
@@ -203,7 +212,8 @@ namespace vfife
                                     SparseValues          K,
                                     unsigned int         &n_iterations) const
   {
-    const Assembly                      &assembly = matrices.assembly();
+    const Assembly &assembly = matrices.assembly();
+    K                        = add_turn_pins(assembly, pinned_, std::move(K));
     std::function<bool(OwnedVector & q)> solve; // tells whether K is known to be positive
     if (options_.linear_solver == LinearSolverKind::direct)
       {

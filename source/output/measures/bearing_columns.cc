@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
+#include <vfife/model/load.h>
 #include <vfife/output/measures/bearing_columns.h>
 
 namespace vfife
@@ -35,6 +36,32 @@ namespace vfife
       return 1e3 * of.state.displacement.head<2>().norm();
     });
     return columns;
+  }
+
+  Table make_bearing_curves(const std::vector<Bearing> &bearings)
+  {
+    /** Points on either side of the undisplaced bearing. */
+    constexpr int n = 20;
+    Table         table;
+    table.add_text_column(column::bearing);
+    table.add_text_column(column::direction);
+    table.add_column(column::displacement, "um");
+    table.add_column(column::force, "N");
+    table.add_column("stiffness", "N/um");
+    for (const Bearing &bearing : bearings)
+      if (const double range = bearing.law->curve_range(); range > 0)
+        for (const unsigned int c : {0u, 2u})
+          for (int i = -n; i <= n; ++i)
+            {
+              const double          way      = range * i / n;
+              const BearingResponse response = bearing.law->evaluate(way * Vector5::Unit(c));
+              table.add_row({bearing.name,
+                             c == 0 ? "radial" : "axial",
+                             1e3 * way,
+                             -response.load[c],
+                             1e-3 * response.stiffness(c, c)});
+            }
+    return table;
   }
 
   SampleColumns<Mounting> list_mounting_columns()

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/bearing_writer.h>
 
 namespace vfife
@@ -14,6 +15,13 @@ namespace vfife
   {
     for (std::size_t b = 0; b < model.bearings.size(); ++b)
       add_row(state, {model.bearings[b].name, state.measured.bearings.at(b)});
+  }
+
+  void write_bearing_curves(const OutputFolder &folder, const std::vector<Bearing> &bearings)
+  {
+    const Table curves = make_bearing_curves(bearings);
+    if (curves.n_rows() > 0)
+      write_csv(folder, "bearing_curves.csv", curves);
   }
 
   MisalignmentWriter::MisalignmentWriter(const OutputFolder &folder,

@@ -4,15 +4,15 @@ from functools import partial
 
 from .data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
 from .data.fields import read_last_fields
-from .data.needs import (has_axis, has_file, has_history, has_pair, has_pairs, has_pairs_with,
-                         has_pattern, has_probes, has_rim, has_rim_over_meshes, has_speeds,
+from .data.needs import (has_axis, has_bearings, has_file, has_history, has_misalignment, has_pair,
+                         has_pairs, has_pairs_with, has_pattern, has_probes, has_rim, has_rim_over_meshes, has_speeds,
                          has_tooth_mesh, has_tooth_pressures)
 from .data.study import Study
 from .pictures.bodies import draw_bodies
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
 from .pictures.scene import Scene, is_in_mesh
 from .pictures.teeth_in_mesh import draw_teeth_in_mesh
-from .plots import campbell, comparisons, histories, lumped, rim, spectra, tooth_contact
+from .plots import bearings, campbell, comparisons, histories, lumped, rim, spectra, tooth_contact
 from .plots.curves import draw_curves
 from .plots.loaded_contact import draw_loaded_contact
 from .plots.plot_row import PlotRow, draw_rows
@@ -52,6 +52,13 @@ RUN_PLOTS = (
             "Spectra of these waves by direction of travel.", "Motion of the rim"),
     PlotRow("energies.svg", (has_history,), histories.draw_energies,
             "Energy error and energies.", "Energy and damping"),
+    PlotRow("bearings.svg", (has_bearings,), bearings.draw_bearings,
+            "Forces of the bearings on their shafts and displacements of their seats.", "Bearings"),
+    PlotRow("misalignment.svg", (has_misalignment,), bearings.draw_misalignment,
+            "How the members of the pair stand to each other, less the undeformed pair: signs of mounting "
+            "errors.", "Bearings"),
+    PlotRow("bearing_curves.svg", (has_file("bearing_curves.csv"),), bearings.draw_bearing_curves,
+            "Laws of the rolling bearings: load over displacement from the state without load.", "Bearings"),
 )
 
 # Of the scene of a run's last fields.

@@ -17,8 +17,8 @@
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
-#include <vfife/output/measures/bearing_columns.h>
 #include <vfife/output/measures/pair_mounting.h>
+#include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
@@ -218,7 +218,10 @@ namespace vfife
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
     if (!model.bearings.empty())
-      write_csv(folder, "bearings.csv", bearings_);
+      {
+        write_csv(folder, "bearings.csv", bearings_);
+        write_bearing_curves(folder, model.bearings);
+      }
     if (PairMounting::changes(model))
       write_csv(folder, "misalignment.csv", misalignments_);
     write_tables(folder, "loaded_contact", positions_);

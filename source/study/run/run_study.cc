@@ -211,7 +211,10 @@ namespace vfife
     else if (!model.contacts.empty())
       stepping.add<ContactWidthWatch>(model, history_steps, log);
     if (!model.bearings.empty())
-      stepping.add<BearingWriter>(history_steps);
+      {
+        stepping.add<BearingWriter>(history_steps);
+        write_bearing_curves(folder, model.bearings);
+      }
     stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
     summary.contradictions = report_contradictions(
       model, stepped, stepped.expect_run_time(stepping.state(), end_time / dt), log);

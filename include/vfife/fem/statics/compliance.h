@@ -107,7 +107,6 @@ namespace vfife
   private:
     void check_motions();
     void factorize(SparseValues K, unsigned int n_whirls);
-    void add_pins(SparseValues &K) const;
 
     const Model                  &model_;
     const Communicator           &communicator_;

@@ -84,11 +84,12 @@ namespace vfife
     LinearSolve
     prepare(const SystemMatrices &matrices, SparseValues K, unsigned int &n_iterations) const;
 
-    const Model        &model_;
-    FemOptions          options_;
-    const Communicator &communicator_;
-    Discretization      discretization_;
-    HubRotation         rotation_;
+    const Model              &model_;
+    FemOptions                options_;
+    const Communicator       &communicator_;
+    Discretization            discretization_;
+    HubRotation               rotation_;
+    std::vector<unsigned int> pinned_; ///< shafts that turn freely in their bearings
   };
 
   /**

@@ -7,9 +7,12 @@
 #include <vfife/output/measures/mounting.h>
 
 #include <string>
+#include <vector>
 
 namespace vfife
 {
+  struct Bearing;
+
   /** One bearing at one instant or position. */
   struct BearingSample
   {
@@ -20,6 +23,10 @@ namespace vfife
   /** Name, load on the shaft, displacement of its seat: columns of bearings.csv after the time or
    * the position. */
   SampleColumns<BearingSample> list_bearing_columns();
+
+  /** Load over displacement, radial (along x) and axial, of each bearing of the model whose law is no
+   * straight line: rows of bearing_curves.csv. */
+  Table make_bearing_curves(const std::vector<Bearing> &bearings);
 
   /** The four numbers of a misalignment: columns of misalignment.csv after the time, and of
    * loaded_contact.csv. */

@@ -18,6 +18,9 @@ namespace vfife
     void add_rows(const Model &model, const State &state) override;
   };
 
+  /** bearing_curves.csv, where any bearing's law is no straight line. */
+  void write_bearing_curves(const OutputFolder &folder, const std::vector<Bearing> &bearings);
+
   /** misalignment.csv: how the members of a gear pair stand to each other, one line a sample. */
   class MisalignmentWriter : public SampledTable<Mounting>
   {

@@ -37,6 +37,14 @@ def has_rim_over_meshes(run):
     return has_rim(run) and bool(run.samples_per_mesh())
 
 
+def has_bearings(run):
+    return run.bearings is not None
+
+
+def has_misalignment(run):
+    return run.misalignment is not None
+
+
 def has_file(name):
     """That the folder has this file."""
     def need(run):

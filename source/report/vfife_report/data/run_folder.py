@@ -22,7 +22,11 @@ class RunFolder:
         self.probes = read_table(self.path / "probes.csv")
         self.pattern = read_table(self.path / "pattern.csv")
         self.rim = read_table(self.path / "rim.csv")
-        for table in (self.history, self.teeth, self.probes, self.rim):
+        self.bearings = read_table(self.path / "bearings.csv")
+        self.misalignment = read_table(self.path / "misalignment.csv")
+        # Loaded tooth contact analyses have the last two over positions.
+        timed = [table for table in (self.bearings, self.misalignment) if table is not None and "time" in table]
+        for table in (self.history, self.teeth, self.probes, self.rim, *timed):
             if table is not None:
                 table.check_times()
         summary = self.path / "summary.json"

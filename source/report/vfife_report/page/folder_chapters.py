@@ -4,8 +4,9 @@ natural frequencies, lumped model."""
 from ..data.files import read_json
 from ..data.shapes import LUMPED
 from ..measures.ledger import HEADER, list_ledger_rows, read_ledger
+from ..plots.bearings import list_bearings
 from .chapter import Chapter
-from .parts import Cells, Paragraph
+from .parts import Cells, Paragraph, list_values
 
 
 def tell_ledger(run, plots):
@@ -36,9 +37,21 @@ def tell_lumped_model(run, plots):
                  for mode in results["modes"]], "Natural frequencies about the loaded state.")
 
 
+def tell_bearings(run, plots):
+    yield from plots
+    yield Cells(["misalignment at the start", "value", "unit"], list_values(run.summary.get("misalignment", {})))
+    if run.bearings is None:
+        return
+    shown = ("radial force", "force z", "radial displacement")
+    yield Cells(["bearing, means"] + [run.bearings.label(name) for name in shown],
+                [[bearing] + [float(run.bearings[name][run.bearings["bearing"] == bearing].mean()) for name in shown]
+                 for bearing in list_bearings(run.bearings)])
+
+
 LEDGER = Chapter("Comparison ledger", tell_ledger)
 TABLE_CHAPTERS = (
     Chapter("Unloaded tooth contact"),
     Chapter("Loaded tooth contact by finite elements"),
+    Chapter("Bearings", tell_bearings),
     Chapter("Natural frequencies"),
     Chapter("Lumped model", tell_lumped_model))

@@ -73,3 +73,8 @@ class Picture:
     def address(self):
         code = base64.b64encode(self.path.read_bytes()).decode()
         return f"data:{MEDIA[self.path.suffix]};base64,{code}"
+
+
+def list_values(values):
+    """Rows of the summary's numbers with units."""
+    return [[name, one["value"], one["unit"]] for name, one in values.items()]

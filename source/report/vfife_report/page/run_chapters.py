@@ -11,13 +11,8 @@ from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resol
 from ..measures.sidebands import SIDEBANDS_HEADER, list_sidebands
 from ..measures.waves import list_wave_lines
 from .chapter import Chapter
-from .parts import Cells, Paragraph
+from .parts import Cells, Paragraph, list_values
 from .words import list_case_rows, list_sentences
-
-
-def list_values(values):
-    """Rows of the summary's numbers with units."""
-    return [[name, one["value"], one["unit"]] for name, one in values.items()]
 
 
 def tell_case(run, plots):

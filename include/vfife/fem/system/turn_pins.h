@@ -1,0 +1,25 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_system_turn_pins_h
+#define vfife_fem_system_turn_pins_h
+
+#include <vfife/fem/system/assembly.h>
+
+#include <vector>
+
+namespace vfife
+{
+  /** Whether a rigid motion of a body (3 numbers a point) is nothing but a turn about its axis. */
+  bool is_turn(const Discretization       &discretization,
+               const Discretization::Part &part,
+               const std::vector<double>  &motion);
+
+  /**
+   * K with a torsional spring on the first bearing of each of @p bodies, which turn freely in
+   * their bearings: it carries nothing where loads have no moment about the axis, so that its
+   * stiffness (the mean entry of K at the ring's radius) does not matter. Collective.
+   */
+  SparseValues
+  add_turn_pins(const Assembly &assembly, const std::vector<unsigned int> &bodies, SparseValues K);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,52 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/fem/system/system_matrices.h>
+#include <vfife/fem/system/turn_pins.h>
+
+#include <algorithm>
+#include <set>
+
+namespace vfife
+{
+  bool is_turn(const Discretization       &discretization,
+               const Discretization::Part &part,
+               const std::vector<double>  &motion)
+  {
+    // What is left of it without its part along the turn a x (X - c).
+    const Axis &axis  = discretization.model().bodies[part.body].axis;
+    double      whole = 0, along = 0, turn = 0;
+    for (unsigned int p = part.first_point; p < part.first_point + part.n_points; ++p)
+      {
+        const Eigen::Map<const Vector3> u(motion.data() + 3 * std::size_t(p));
+        const Vector3 way = axis.direction.cross(discretization.points()[p] - axis.point);
+        whole += u.squaredNorm();
+        along += u.dot(way);
+        turn += way.squaredNorm();
+      }
+    return whole - along * along / turn < 1e-8 * whole;
+  }
+
+  SparseValues
+  add_turn_pins(const Assembly &assembly, const std::vector<unsigned int> &bodies, SparseValues K)
+  {
+    if (bodies.empty())
+      return K;
+    const Discretization  &d         = assembly.discretization();
+    const double           stiffness = assembly.mean_diagonal(K);
+    std::set<unsigned int> done;
+    // The points of a ring are coupled anyway.
+    return add_scaled(std::move(K), 1., assembly.ring_matrix([&](const BearingRing &ring) {
+      Eigen::Matrix<double, 6, 6> pin = Eigen::Matrix<double, 6, 6>::Zero();
+      if (std::find(bodies.begin(), bodies.end(), ring.body) == bodies.end() ||
+          !done.insert(ring.body).second)
+        return pin;
+      const Axis &axis   = d.model().bodies[ring.body].axis;
+      double      square = 0;
+      for (const unsigned int p : ring.points)
+        square +=
+          axis.direction.cross(d.points()[p] - axis.point).squaredNorm() / ring.points.size();
+      pin.bottomRightCorner<3, 3>() =
+        stiffness * square * axis.direction * axis.direction.transpose();
+      return pin;
+    }));
+  }
+} // namespace vfife
