@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/mesh/shaft_sections.h>
 
@@ -63,6 +64,25 @@ namespace vfife
     if (sections.empty())
       throw InputError(entry, "is missing; a section is FROM TO OUTER [INNER]");
     return sections;
+  }
+
+  void declare_cell_sizes(dealii::ParameterHandler &prm,
+                          double                   &axial,
+                          double                   &radial,
+                          const std::string        &where)
+  {
+    declare_quantity(prm,
+                     "axial cell size",
+                     axial,
+                     "mm",
+                     "Largest length of a cell along the axis" + where,
+                     Range::positive());
+    declare_quantity(prm,
+                     "radial cell size",
+                     radial,
+                     "mm",
+                     "Largest length of a cell across the axis",
+                     Range::positive());
   }
 
   std::string name_of_section(const std::string &text, const std::size_t k)

@@ -40,6 +40,15 @@ namespace vfife
     return shares;
   }
 
+  std::vector<Vector3> find_undeformed_places(const Body                      &body,
+                                              const std::vector<unsigned int> &nodes)
+  {
+    std::vector<Vector3> places;
+    for (const unsigned int node : nodes)
+      places.push_back(body.placement(body.node_positions()[node]));
+    return places;
+  }
+
   std::vector<double> compute_torque_shares(const Torque &torque, const Body &body)
   {
     std::vector<double> shares;

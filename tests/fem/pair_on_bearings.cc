@@ -160,8 +160,8 @@ namespace
     return sum.norm() / (factor * load);
   }
 
-  /** Rigid bodies: all that gives way are bearings, coupling and the contact's springs. */
-  void rigid_bodies(Communicator &world)
+  /** Bodies far stiffer than their bearings and the coupling. */
+  Model make_softly_held(Communicator &world)
   {
     Model model = make_held_pair(world, rigid_steel);
     hang_in_bearings(model,
@@ -170,7 +170,14 @@ namespace
                       linear_bearing(soft_back),
                       linear_bearing(soft_front)},
                      5e8);
-    const FemOptions fem = lumped_masses();
+    return model;
+  }
+
+  /** Rigid bodies: all that gives way are bearings, coupling and the contact's springs. */
+  void rigid_bodies(Communicator &world)
+  {
+    Model            model = make_softly_held(world);
+    const FemOptions fem   = lumped_masses();
     Compliance       compliance(model, fem, false, world);
     PairEquilibrium  equilibrium(model, compliance, {3e4, 3e4}, {0.});
     const auto       result = equilibrium.solve(0., 1.);
@@ -210,13 +217,7 @@ namespace
    * by 2 % and do not balance the contact. */
   void spinning_bodies(Communicator &world)
   {
-    Model model = make_held_pair(world, rigid_steel);
-    hang_in_bearings(model,
-                     {linear_bearing(soft_front),
-                      linear_bearing(soft_back),
-                      linear_bearing(soft_back),
-                      linear_bearing(soft_front)},
-                     5e8);
+    Model model = make_softly_held(world);
     for (Body &body : model.bodies)
       body.rate *= 2;
     std::vector<double> slopes;

@@ -67,6 +67,12 @@ namespace vfife
      * the undeformed places: (A I; A J^-1 [r]x). */
     Eigen::Matrix<double, 6, 3> derivative(std::size_t i, const Motion &at_rest) const;
 
+    /** Of the undeformed places [mm]. */
+    const Vector3 &centre() const
+    {
+      return centre_;
+    }
+
     std::size_t size() const
     {
       return shares_.size();

@@ -6,6 +6,11 @@
 #include <string>
 #include <vector>
 
+namespace dealii
+{
+  class ParameterHandler;
+}
+
 namespace vfife
 {
   /** A rectangle of the meridian plane, solid where the inner diameter is zero [mm]. */
@@ -21,6 +26,13 @@ namespace vfife
    * that cross, and a text without any.
    */
   std::vector<ShaftSection> parse_shaft_sections(const std::string &text, const std::string &entry);
+
+  /** Declares the entries "axial cell size" and "radial cell size" [mm] of what is meshed by
+   * sections; @p where: along the axis, in words. Bound by address. */
+  void declare_cell_sizes(dealii::ParameterHandler &prm,
+                          double                   &axial,
+                          double                   &radial,
+                          const std::string        &where = "");
 
   /** Section @p k of the list as messages name it: its number and its text. */
   std::string name_of_section(const std::string &text, std::size_t k);

@@ -21,6 +21,10 @@ namespace vfife
    * face. */
   std::vector<double> compute_area_shares(const Body &body, const std::vector<unsigned int> &nodes);
 
+  /** Where nodes of a body are in the fixed frame at time zero [mm]. */
+  std::vector<Vector3> find_undeformed_places(const Body                      &body,
+                                              const std::vector<unsigned int> &nodes);
+
   /**
    * The forces along the tangents of their circles with which nodes exert a unit torque about the
    * body's axis [1/mm]: A_i/sum A_j r_j, r the distance from the axis in the undeformed body. A

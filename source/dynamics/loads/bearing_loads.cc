@@ -26,16 +26,6 @@ namespace vfife
                            of_G.eigenvectors().transpose();
       return Eigen::SelfAdjointEigenSolver<Matrix6>(root * K * root).eigenvalues().maxCoeff();
     }
-
-    /** Undeformed, fixed frame. */
-    std::vector<Vector3> places_of(const Body &body, const std::vector<unsigned int> &nodes)
-    {
-      std::vector<Vector3> places;
-      for (const unsigned int node : nodes)
-        places.push_back(body.placement(body.node_positions()[node]));
-      return places;
-    }
-
   } // namespace
 
   BearingLoads::BearingLoads(const Model        &model,
@@ -91,7 +81,7 @@ namespace vfife
                            const std::string               &owner)
     : body(&of_body)
     , seat(axes)
-    , set(compute_area_shares(of_body, of_nodes), places_of(of_body, of_nodes), owner)
+    , set(compute_area_shares(of_body, of_nodes), find_undeformed_places(of_body, of_nodes), owner)
     , all_nodes(of_nodes)
   {
     for (std::size_t i = 0; i < of_nodes.size(); ++i)

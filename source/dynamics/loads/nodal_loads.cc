@@ -34,12 +34,9 @@ namespace vfife
           }
         // 2. A moment needs the places of the whole set, a pressure acts on faces, which move.
         if (load.kind == LoadKind::moment)
-          {
-            std::vector<Vector3> places;
-            for (const unsigned int node : load.nodes)
-              places.push_back(body.placement(body.node_positions()[node]));
-            group.motion.emplace(weights, places, "load \"" + load.name + "\"");
-          }
+          group.motion.emplace(weights,
+                               find_undeformed_places(body, load.nodes),
+                               "load \"" + load.name + "\"");
         if (load.kind == LoadKind::pressure)
           {
             add_faces(load, group);

@@ -55,18 +55,7 @@ namespace vfife
                  "Sections of a hollow shaft of one piece with the body, along its axis from the "
                  "apex and separated by commas: FROM TO OUTER INNER, places and diameters in mm; "
                  "one goes through the hub and fills its bore; empty: no shaft");
-    declare_quantity(prm,
-                     "axial cell size",
-                     axial_cell_size,
-                     "mm",
-                     "Largest length of a cell along the axis, beyond the hub",
-                     Range::positive());
-    declare_quantity(prm,
-                     "radial cell size",
-                     radial_cell_size,
-                     "mm",
-                     "Largest length of a cell across the axis",
-                     Range::positive());
+    declare_cell_sizes(prm, axial_cell_size, radial_cell_size, ", beyond the hub");
   }
 
   bool GearShaftOptions::present() const

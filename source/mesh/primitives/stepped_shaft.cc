@@ -161,18 +161,7 @@ namespace vfife
                     "Cells around the axis, a multiple of 8 where a section is solid",
                     8,
                     4096);
-    declare_quantity(prm,
-                     "axial cell size",
-                     axial_cell_size,
-                     "mm",
-                     "Largest length of a cell along the axis",
-                     Range::positive());
-    declare_quantity(prm,
-                     "radial cell size",
-                     radial_cell_size,
-                     "mm",
-                     "Largest length of a cell across the axis",
-                     Range::positive());
+    declare_cell_sizes(prm, axial_cell_size, radial_cell_size);
   }
 
   std::vector<ShaftSection> SteppedShaftOptions::sections(const std::string &section) const

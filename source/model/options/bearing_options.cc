@@ -2,7 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/bearing/shaft_seat.h>
-#include <vfife/model/body.h>
+#include <vfife/model/model.h>
 #include <vfife/model/options/bearing_options.h>
 
 #include <Eigen/Eigenvalues>
@@ -235,6 +235,39 @@ namespace vfife
       {
         throw InputError(section + "/" + error.entry(), error.what());
       }
+  }
+
+  void AnyBearingOptions::declare(const bool rolls, dealii::ParameterHandler &prm)
+  {
+    if (rolls)
+      rolling.declare(prm);
+    else
+      linear.declare(prm);
+  }
+
+  void AnyBearingOptions::check(const bool rolls, const std::string &section) const
+  {
+    if (rolls)
+      rolling.make_law(section);
+    else
+      linear.check(section);
+  }
+
+  void AnyBearingOptions::add_to(Model                    &model,
+                                 const bool                rolls,
+                                 const std::string        &name,
+                                 const unsigned int        b,
+                                 std::vector<unsigned int> nodes,
+                                 const std::string        &section) const
+  {
+    // What holds the axis gives way: the body's rigid motion is no longer the turn alone.
+    Body &body  = model.bodies[b];
+    body.floats = true;
+    model.bearings.push_back({name,
+                              b,
+                              std::move(nodes),
+                              (rolls ? rolling.seat : linear.seat).make_axes(body.axis, section),
+                              rolls ? rolling.make_law(section) : linear.make_law(section)});
   }
 
   void CouplingOptions::declare(dealii::ParameterHandler &prm)

@@ -82,10 +82,8 @@ namespace vfife
     if (kind == SupportKind::spring)
       declare_vector(
         prm, "stiffness", stiffness, "N/mm", "Stiffness of all nodes together along x, y, z");
-    if (kind == SupportKind::bearing)
-      bearing.declare(prm);
-    if (kind == SupportKind::rolling_bearing)
-      rolling.declare(prm);
+    if (is_bearing())
+      bearing.declare(kind == SupportKind::rolling_bearing, prm);
     if (kind == SupportKind::coupling)
       coupling.declare(prm);
   }
@@ -94,10 +92,8 @@ namespace vfife
   {
     if (kind == SupportKind::spring && !(stiffness.minCoeff() >= 0))
       throw InputError(section + "/stiffness", "must not be negative");
-    if (kind == SupportKind::bearing)
-      bearing.check(section);
-    if (kind == SupportKind::rolling_bearing)
-      rolling.make_law(section);
+    if (is_bearing())
+      bearing.check(kind == SupportKind::rolling_bearing, section);
     if (kind != SupportKind::displacement)
       return;
     if (directions.empty())
@@ -128,32 +124,28 @@ namespace vfife
                            "): add it, or leave the displacement along it at 0");
   }
 
+  bool ConstraintOptions::is_bearing() const
+  {
+    return kind == SupportKind::bearing || kind == SupportKind::rolling_bearing;
+  }
+
   void ConstraintOptions::add_seat(Model                    &model,
                                    const std::string        &name,
                                    const unsigned int        b,
                                    std::vector<unsigned int> nodes,
                                    const std::string        &section) const
   {
-    Body &body = model.bodies[b];
+    const Body &body = model.bodies[b];
     if (!body.turns_on_axis)
       throw InputError(section + "/body",
                        "body \"" + body.name() +
                          "\" has no axis of rotation: set bearing = yes "
                          "in its section, with axis point, axis direction and speed");
     if (kind == SupportKind::coupling)
-      {
-        model.couplings.push_back(
-          {name, b, std::move(nodes), coupling.stiffness, coupling.damping});
-        return;
-      }
-    // What holds the axis gives way: the body's rigid motion is no longer the turn alone.
-    body.floats      = true;
-    const bool rolls = kind == SupportKind::rolling_bearing;
-    model.bearings.push_back({name,
-                              b,
-                              std::move(nodes),
-                              (rolls ? rolling.seat : bearing.seat).make_axes(body.axis, section),
-                              rolls ? rolling.make_law(section) : bearing.make_law(section)});
+      model.couplings.push_back({name, b, std::move(nodes), coupling.stiffness, coupling.damping});
+    else
+      bearing.add_to(
+        model, kind == SupportKind::rolling_bearing, name, b, std::move(nodes), section);
   }
 
   void
@@ -174,8 +166,7 @@ namespace vfife
         return;
       }
 
-    if (kind == SupportKind::bearing || kind == SupportKind::rolling_bearing ||
-        kind == SupportKind::coupling)
+    if (is_bearing() || kind == SupportKind::coupling)
       {
         add_seat(model, name, body, nodes, section);
         return;

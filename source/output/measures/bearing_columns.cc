@@ -66,14 +66,12 @@ namespace vfife
 
   SampleColumns<Mounting> list_mounting_columns()
   {
-    using Of = const Mounting &;
     SampleColumns<Mounting> columns;
-    columns.add(column::offset, "um", [](Of of) { return 1e3 * of.offset; });
-    columns.add(column::pinion_axial_shift, "um", [](Of of) { return 1e3 * of.pinion_shift; });
-    columns.add(column::gear_axial_shift, "um", [](Of of) { return 1e3 * of.gear_shift; });
-    columns.add(column::shaft_angle_error, "arcmin", [](Of of) {
-      return of.shaft_angle / arcminute;
-    });
+    const auto              names = list_numbers(Mounting());
+    for (std::size_t k = 0; k < names.size(); ++k)
+      columns.add(names[k].name, names[k].unit, [k](const Mounting &of) {
+        return list_numbers(of)[k].value;
+      });
     return columns;
   }
 } // namespace vfife

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/output/measures/mounting.h>
 
 #include <cmath>
@@ -12,6 +13,14 @@ namespace vfife
             pinion_shift - other.pinion_shift,
             gear_shift - other.gear_shift,
             shaft_angle - other.shaft_angle};
+  }
+
+  std::array<MountingNumber, 4> list_numbers(const Mounting &m)
+  {
+    return {{{column::offset, "um", 1e3 * m.offset},
+             {column::pinion_axial_shift, "um", 1e3 * m.pinion_shift},
+             {column::gear_axial_shift, "um", 1e3 * m.gear_shift},
+             {column::shaft_angle_error, "arcmin", m.shaft_angle / (60 * arcsecond)}}};
   }
 
   Mounting find_mounting(const MountedMember &pinion, const MountedMember &gear)

@@ -15,20 +15,9 @@ namespace vfife
         Member     &member = members_[b];
         // The body frame has its origin in the apex and z along the axis, to the back.
         member.undeformed = {body.placement.translation, body.placement.rotation.col(2)};
-        member.bore       = b == t.driver ? t.driver_bore : t.driven_bore;
-        if (member.bore.empty())
-          continue;
-        std::vector<double> shares;
-        double              sum = 0;
-        for (const unsigned int node : member.bore)
-          {
-            member.places.push_back(body.placement(body.node_positions()[node]));
-            shares.push_back(body.node_masses()[node]);
-            member.centre += shares.back() * member.places.back();
-            sum += shares.back();
-          }
-        member.centre /= sum;
-        member.set.emplace(shares, member.places, "bore of the " + body.name());
+        const auto &bore  = b == t.driver ? t.driver_bore : t.driven_bore;
+        if (!bore.empty())
+          member.bore.emplace(body, bore, "bore of the " + body.name());
       }
     undeformed_ = find_mounting(members_[0].undeformed, members_[1].undeformed);
   }
@@ -38,61 +27,44 @@ namespace vfife
     return model.transmission && (model.bodies[0].floats || model.bodies[1].floats);
   }
 
-  const std::vector<unsigned int> &PairMounting::bore(const unsigned int body) const
+  std::vector<unsigned int> PairMounting::bore(const unsigned int body) const
   {
-    return members_[body].bore;
+    return members_[body].bore ? members_[body].bore->nodes() : std::vector<unsigned int>();
   }
 
-  MountedMember PairMounting::move(const Member &member, const MeanMotion::Motion &motion)
-  {
-    // The apex lies on the axis: the turn of the body leaves it where it is.
-    return {member.centre + motion.displacement +
-              motion.rotation * (member.undeformed.apex - member.centre),
-            motion.rotation * member.undeformed.direction};
-  }
-
-  Mounting PairMounting::measure(const State &state, const Communicator &communicator) const
+  template <typename MotionOf>
+  Mounting PairMounting::measure_change(const MotionOf &motion_of) const
   {
     std::array<MountedMember, 2> now;
     for (unsigned int b = 0; b < 2; ++b)
       {
-        const Member &member = members_[b];
-        now[b]               = member.undeformed;
-        if (!member.set)
+        now[b] = members_[b].undeformed;
+        if (!members_[b].bore)
           continue;
-        std::vector<double> sums = MeanMotion::make_sums();
-        for (std::size_t i = 0; i < member.bore.size(); ++i)
-          {
-            const std::uint32_t local =
-              state.partition->find_owned(model_.bodies[b].first_node + member.bore[i]);
-            if (local != Partition::absent)
-              member.set->add(i, state.node_position(local), Vector3::Zero(), sums);
-          }
-        communicator.sum(sums);
-        now[b] = move(member, member.set->solve(sums));
+        const BodyRing          &bore   = *members_[b].bore;
+        const MeanMotion::Motion motion = motion_of(b, bore);
+        // The apex lies on the axis: the turn of the body leaves it where it is.
+        now[b].apex = bore.centre() + motion.displacement +
+                      motion.rotation * (members_[b].undeformed.apex - bore.centre());
+        now[b].direction = motion.rotation * members_[b].undeformed.direction;
       }
     return find_mounting(now[0], now[1]) - undeformed_;
+  }
+
+  Mounting PairMounting::measure(const State &state, const Communicator &communicator) const
+  {
+    return measure_change(
+      [&](const unsigned int, const BodyRing &bore) { return bore.measure(state, communicator); });
   }
 
   Mounting PairMounting::measure(const std::array<std::vector<Vector3>, 2> &displacements,
                                  const std::array<Matrix3, 2>              &rotations) const
   {
-    std::array<MountedMember, 2> now;
-    for (unsigned int b = 0; b < 2; ++b)
-      {
-        const Member &member = members_[b];
-        now[b]               = member.undeformed;
-        if (!member.set)
-          continue;
-        const Vector3      &point = model_.bodies[b].axis.point;
-        std::vector<double> sums  = MeanMotion::make_sums();
-        for (std::size_t i = 0; i < member.bore.size(); ++i)
-          member.set->add(i,
-                          point + rotations[b] * (member.places[i] + displacements[b][i] - point),
-                          Vector3::Zero(),
-                          sums);
-        now[b] = move(member, member.set->solve(sums));
-      }
-    return find_mounting(now[0], now[1]) - undeformed_;
+    return measure_change([&](const unsigned int b, const BodyRing &bore) {
+      const Vector3 &point = model_.bodies[b].axis.point;
+      return bore.measure([&](const std::size_t i) {
+        return Vector3(point + rotations[b] * (bore.places()[i] + displacements[b][i] - point));
+      });
+    });
   }
 } // namespace vfife

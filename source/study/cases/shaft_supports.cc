@@ -126,10 +126,7 @@ namespace vfife
         const Subsection subsection(prm, "Bearing " + name);
         seat.declare_kind(prm);
         seat.ring.declare(prm, "The bearing's seat");
-        if (seat.rolls)
-          seat.rolling.declare(prm);
-        else
-          seat.linear.declare(prm);
+        seat.law.declare(seat.rolls, prm);
       }
     const Subsection subsection(prm, "End");
     end_.declare(prm, "The ring at which the machine drives or loads the shaft");
@@ -156,10 +153,7 @@ namespace vfife
       {
         const std::string where = section_of(section, name);
         find_section(seat.ring, sections, where);
-        if (seat.rolls)
-          seat.rolling.make_law(where);
-        else
-          seat.linear.check(where);
+        seat.law.check(seat.rolls, where);
       }
     find_section(end_, sections, section + "/End");
   }
@@ -178,18 +172,16 @@ namespace vfife
                                    const std::string               &section,
                                    const std::vector<ShaftSection> &sections) const
   {
-    Body &body  = model.bodies[b];
-    body.floats = true;
     for (const auto &[name, seat] : seats_)
       {
-        const std::string  where = section_of(section, name);
-        const SeatOptions &axes  = seat.rolls ? seat.rolling.seat : seat.linear.seat;
-        model.bearings.push_back(
-          {body.name() + " " + name,
-           b,
-           find_nodes(body, seat.ring, sections, where),
-           axes.make_axes(body.axis, where),
-           seat.rolls ? seat.rolling.make_law(where) : seat.linear.make_law(where)});
+        const Body       &body  = model.bodies[b];
+        const std::string where = section_of(section, name);
+        seat.law.add_to(model,
+                        seat.rolls,
+                        body.name() + " " + name,
+                        b,
+                        find_nodes(body, seat.ring, sections, where),
+                        where);
       }
   }
 

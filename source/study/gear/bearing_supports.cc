@@ -3,6 +3,7 @@
 #include <vfife/bearing/shaft_seat.h>
 #include <vfife/model/constraints/supports.h>
 #include <vfife/model/load_shares.h>
+#include <vfife/output/measures/body_ring.h>
 #include <vfife/study/gear/bearing_supports.h>
 
 #include <Eigen/Eigenvalues>
@@ -57,20 +58,6 @@ namespace vfife
         return motion;
       }
     };
-
-    /** Where the mean motion of a bearing's ring is read. */
-    Vector3 find_centre(const Body &body, const Bearing &bearing)
-    {
-      const std::vector<double> shares = compute_area_shares(body, bearing.nodes);
-      Vector3                   centre = Vector3::Zero();
-      double                    sum    = 0;
-      for (std::size_t i = 0; i < shares.size(); ++i)
-        {
-          centre += shares[i] * body.placement(body.node_positions()[bearing.nodes[i]]);
-          sum += shares[i];
-        }
-      return centre / sum;
-    }
   } // namespace
 
   std::vector<LumpedSupport> find_bearing_supports(const Model &model)
@@ -92,7 +79,11 @@ namespace vfife
             {
               const Bearing  &bearing = model.bearings[s];
               const ShaftSeat seat(bearing.axes);
-              const Matrix6x5 D = member.motion_at(find_centre(body, bearing)) * scale.asDiagonal();
+              const BodyRing  ring(body,
+                                  bearing.nodes,
+                                  compute_area_shares(body, bearing.nodes),
+                                  "bearing \"" + bearing.name + "\"");
+              const Matrix6x5 D = member.motion_at(ring.centre()) * scale.asDiagonal();
               K += D.transpose() * seat.in_space(own[s], 0.) * D;
               C += D.transpose() * seat.in_space(bearing.law->damping(), 0.) * D;
             }

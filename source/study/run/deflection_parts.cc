@@ -99,51 +99,15 @@ namespace vfife
     const Body &body = model_.bodies[b];
     if (!body.floats)
       return;
-    const auto make_ring = [&](const std::vector<unsigned int> &nodes,
-                               const std::vector<double>       &shares,
-                               const std::string               &owner) {
-      std::vector<Vector3> places;
-      Vector3              centre = Vector3::Zero();
-      double               sum    = 0;
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        {
-          places.push_back(body.placement(body.node_positions()[nodes[i]]));
-          centre += shares[i] * places.back();
-          sum += shares[i];
-        }
-      return Ring{nodes,
-                  MeanMotion(shares, places, owner),
-                  centre / sum,
-                  Eigen::Matrix<double, 6, 6>::Zero()};
-    };
-    std::vector<double> masses;
-    for (const unsigned int node : bore)
-      masses.push_back(body.node_masses()[node]);
-    members_[b].bore = make_ring(bore, masses, "bore of the " + body.name());
+    members_[b].bore.emplace(body, bore, "bore of the " + body.name());
     for (const Bearing &bearing : model_.bearings)
       if (bearing.body == b)
-        {
-          members_[b].seats.push_back(make_ring(bearing.nodes,
-                                                compute_area_shares(body, bearing.nodes),
-                                                "bearing \"" + bearing.name + "\""));
-          members_[b].seats.back().stiffness =
-            ShaftSeat(bearing.axes).in_space(bearing.law->linearized().stiffness, 0.);
-        }
-  }
-
-  MeanMotion::Motion
-  DeflectionProbe::measure_ring(const State &state, const unsigned int b, const Ring &ring) const
-  {
-    std::vector<double> sums = MeanMotion::make_sums();
-    for (std::size_t i = 0; i < ring.nodes.size(); ++i)
-      {
-        const std::uint32_t local =
-          state.partition->find_owned(model_.bodies[b].first_node + ring.nodes[i]);
-        if (local != Partition::absent)
-          ring.set.add(i, state.node_position(local), Vector3::Zero(), sums);
-      }
-    communicator_.sum(sums);
-    return ring.set.solve(sums);
+        members_[b].seats.push_back(
+          {BodyRing(body,
+                    bearing.nodes,
+                    compute_area_shares(body, bearing.nodes),
+                    "bearing \"" + bearing.name + "\""),
+           ShaftSeat(bearing.axes).in_space(bearing.law->linearized().stiffness, 0.)});
   }
 
   void DeflectionProbe::measure_supports(const State &state, Shape &shape) const
@@ -166,18 +130,18 @@ namespace vfife
           return Vector3(axis.cross(motion.rotation * axis));
         };
         // 1. The bore.
-        const MeanMotion::Motion motion = measure_ring(state, b, *member.bore);
-        const double             hub = lead(member.bore->centre, motion.displacement, tilt(motion));
+        const MeanMotion::Motion motion = member.bore->measure(state, communicator_);
+        const double hub = lead(member.bore->centre(), motion.displacement, tilt(motion));
         shape.hub += hub;
         shape.driven_hub += b == t.driven ? hub : 0.;
         // 2. The rigid motion (u at the bore's centre, turn) that fits the seats' best, in the
         // energy of the bearings: sum D^T K D (u, turn) = sum D^T K q.
         Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
         Vector6                     right  = Vector6::Zero();
-        for (const Ring &seat : member.seats)
+        for (const Seat &seat : member.seats)
           {
-            const MeanMotion::Motion    at_seat = measure_ring(state, b, seat);
-            const Vector3               r       = seat.centre - member.bore->centre;
+            const MeanMotion::Motion    at_seat = seat.ring.measure(state, communicator_);
+            const Vector3               r       = seat.ring.centre() - member.bore->centre();
             Eigen::Matrix<double, 6, 6> D       = Eigen::Matrix<double, 6, 6>::Identity();
             for (unsigned int c = 0; c < 3; ++c)
               D.block<3, 1>(0, 3 + c) = Vector3::Unit(c).cross(r);
@@ -188,7 +152,7 @@ namespace vfife
           }
         // Nothing holds the turn about the axis.
         const Vector6 rigid = matrix.completeOrthogonalDecomposition().solve(right);
-        shape.bearings += lead(member.bore->centre, rigid.head<3>(), rigid.tail<3>());
+        shape.bearings += lead(member.bore->centre(), rigid.head<3>(), rigid.tail<3>());
       }
   }
 

@@ -166,20 +166,16 @@ namespace vfife
               " arcsec are the contact's penalty springs");
     if (PairMounting::changes(model_))
       {
-        const Mounting &m = preload_.misalignment;
+        std::ostringstream misalignment;
+        for (const MountingNumber &one : list_numbers(preload_.misalignment))
+          misalignment << (misalignment.tellp() > 0 ? ", " : "") << one.name << " " << one.value
+                       << " " << one.unit;
         log_.line("of the whole, bearings ",
                   preload_.supports.bearings / arcsecond,
                   " and bending of the shafts ",
                   preload_.supports.bending / arcsecond,
-                  " arcsec; misalignment under load: offset ",
-                  1e3 * m.offset,
-                  " um, pinion axial ",
-                  1e3 * m.pinion_shift,
-                  " um, gear axial ",
-                  1e3 * m.gear_shift,
-                  " um, shaft angle ",
-                  m.shaft_angle / (60 * arcsecond),
-                  " arcmin");
+                  " arcsec; misalignment under load: ",
+                  misalignment.str());
       }
     log_.line("the driven member swings at about ",
               preload_.swing.frequency(),

@@ -39,12 +39,8 @@ namespace vfife
             {error_part::bearings, {preload.supports.bearings / arcsecond, "arcsec"}});
           summary.transmission_error.push_back(
             {error_part::shaft_bending, {preload.supports.bending / arcsecond, "arcsec"}});
-          const Mounting &m    = preload.misalignment;
-          summary.misalignment = {{column::offset, {1e3 * m.offset, "um"}},
-                                  {column::pinion_axial_shift, {1e3 * m.pinion_shift, "um"}},
-                                  {column::gear_axial_shift, {1e3 * m.gear_shift, "um"}},
-                                  {column::shaft_angle_error,
-                                   {m.shaft_angle / (60 * arcsecond), "arcmin"}}};
+          for (const MountingNumber &one : list_numbers(preload.misalignment))
+            summary.misalignment.push_back({one.name, {one.value, one.unit}});
         }
       const Swing &swing = preload.swing;
       summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});

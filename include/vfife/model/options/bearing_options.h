@@ -8,10 +8,12 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vfife
 {
   struct Axis;
+  struct Model;
 
   /** Damping and axes of any bearing. */
   struct SeatOptions
@@ -54,6 +56,27 @@ namespace vfife
 
     void                              declare(dealii::ParameterHandler &prm);
     std::shared_ptr<const BearingLaw> make_law(const std::string &section) const;
+  };
+
+  /** Entries of a bearing of either kind. */
+  struct AnyBearingOptions
+  {
+    BearingOptions        linear;
+    RollingBearingOptions rolling;
+
+    /** Those of the kind that it is. */
+    void declare(bool rolls, dealii::ParameterHandler &prm);
+    /** Throws InputError (entries under @p section). */
+    void check(bool rolls, const std::string &section) const;
+
+    /** Adds the bearing to a model, its body floating from then on; throws InputError as check(),
+     * and for axes that are none. */
+    void add_to(Model                    &model,
+                bool                      rolls,
+                const std::string        &name,
+                unsigned int              body,
+                std::vector<unsigned int> nodes,
+                const std::string        &section) const;
   };
 
   /** Entries of a coupling that drives a shaft. */

@@ -33,8 +33,7 @@ namespace vfife
     double                   angle        = 0;               ///< about the axis [rad]
     Vector3                  stiffness    = Vector3::Zero(); ///< of springs [N/mm]
     ParameterHistory         history;
-    BearingOptions           bearing;
-    RollingBearingOptions    rolling;
+    AnyBearingOptions        bearing;
     CouplingOptions          coupling;
 
     void declare_kind(dealii::ParameterHandler &prm);
@@ -45,6 +44,7 @@ namespace vfife
     void add_to(Model &model, const std::string &name, const std::string &section) const;
 
   private:
+    bool is_bearing() const;
     void add_seat(Model                    &model,
                   const std::string        &name,
                   unsigned int              body,

@@ -24,12 +24,12 @@ namespace vfife
    * the position. */
   SampleColumns<BearingSample> list_bearing_columns();
 
-  /** Load over displacement, radial (along x) and axial, of each bearing of the model whose law is no
-   * straight line: rows of bearing_curves.csv. */
+  /** Load over displacement, radial (along x) and axial, of each bearing of the model whose law is
+   * no straight line: rows of bearing_curves.csv. */
   Table make_bearing_curves(const std::vector<Bearing> &bearings);
 
-  /** The four numbers of a misalignment: columns of misalignment.csv after the time, and of
-   * loaded_contact.csv. */
+  /** The four numbers of a misalignment: columns of misalignment.csv after the time or the
+   * position. */
   SampleColumns<Mounting> list_mounting_columns();
 } // namespace vfife
 

@@ -4,6 +4,9 @@
 
 #include <vfife/base/types.h>
 
+#include <array>
+#include <string>
+
 namespace vfife
 {
   /** Where a member of a gear pair stands: its apex [mm] and the unit vector of its axis from the
@@ -28,6 +31,16 @@ namespace vfife
 
     Mounting operator-(const Mounting &other) const;
   };
+
+  /** One of the four, as users read it. */
+  struct MountingNumber
+  {
+    std::string name, unit; ///< of its column
+    double      value;
+  };
+
+  /** E, P, G in um, Sigma in arcmin. */
+  std::array<MountingNumber, 4> list_numbers(const Mounting &mounting);
 
   /** Throws NumericalError for parallel axes. */
   Mounting find_mounting(const MountedMember &pinion, const MountedMember &gear);

@@ -2,8 +2,8 @@
 #ifndef vfife_output_measures_pair_mounting_h
 #define vfife_output_measures_pair_mounting_h
 
-#include <vfife/bearing/mean_motion.h>
 #include <vfife/model/model.h>
+#include <vfife/output/measures/body_ring.h>
 #include <vfife/output/measures/mounting.h>
 
 #include <array>
@@ -38,18 +38,17 @@ namespace vfife
                      const std::array<Matrix3, 2>              &rotations) const;
 
     /** Nodes of a body's bore whose displacements are asked for; empty: it does not move. */
-    const std::vector<unsigned int> &bore(unsigned int body) const;
+    std::vector<unsigned int> bore(unsigned int body) const;
 
   private:
     struct Member
     {
-      MountedMember             undeformed;
-      Vector3                   centre = Vector3::Zero(); ///< of the bore
-      std::vector<unsigned int> bore;                     ///< nodes of the body
-      std::vector<Vector3>      places;                   ///< undeformed, fixed frame
-      std::optional<MeanMotion> set;
+      MountedMember           undeformed;
+      std::optional<BodyRing> bore; ///< none: it turns as prescribed
     };
-    static MountedMember move(const Member &member, const MeanMotion::Motion &motion);
+    /** Where motion_of(body, its bore) has taken the members, less the undeformed pair. */
+    template <typename MotionOf>
+    Mounting measure_change(const MotionOf &motion_of) const;
 
     const Model          &model_;
     std::array<Member, 2> members_;

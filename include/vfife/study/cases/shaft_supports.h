@@ -63,10 +63,9 @@ namespace vfife
   private:
     struct Seat
     {
-      bool                  rolls = false;
-      ShaftRing             ring;
-      BearingOptions        linear;
-      RollingBearingOptions rolling;
+      bool              rolls = false;
+      ShaftRing         ring;
+      AnyBearingOptions law;
 
       void declare_kind(dealii::ParameterHandler &prm);
     };

@@ -2,10 +2,10 @@
 #ifndef vfife_study_run_deflection_parts_h
 #define vfife_study_run_deflection_parts_h
 
-#include <vfife/bearing/mean_motion.h>
 #include <vfife/bearing/shaft_seat.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
+#include <vfife/output/measures/body_ring.h>
 
 #include <array>
 #include <optional>
@@ -92,24 +92,21 @@ namespace vfife
       double bearings   = 0; ///< of that, what the displacements in the bearings make
       double driven_hub = 0; ///< of hub, the driven member's
     };
-    /** A ring of nodes whose mean motion counts: a bore, or the seat of a bearing. */
-    struct Ring
+    /** Of a bearing. */
+    struct Seat
     {
-      std::vector<unsigned int>   nodes;
-      MeanMotion                  set;
-      Vector3                     centre = Vector3::Zero(); ///< undeformed
-      Eigen::Matrix<double, 6, 6> stiffness;                ///< of a bearing, fixed frame
+      BodyRing                    ring;
+      Eigen::Matrix<double, 6, 6> stiffness; ///< fixed frame
     };
     struct Member
     {
-      std::optional<Ring> bore;
-      std::vector<Ring>   seats;
+      std::optional<BodyRing> bore;
+      std::vector<Seat>       seats;
     };
 
-    void               add_member(unsigned int body, const std::vector<unsigned int> &bore);
-    Shape              measure(State &state) const;
-    MeanMotion::Motion measure_ring(const State &state, unsigned int body, const Ring &ring) const;
-    void               measure_supports(const State &state, Shape &shape) const;
+    void  add_member(unsigned int body, const std::vector<unsigned int> &bore);
+    Shape measure(State &state) const;
+    void  measure_supports(const State &state, Shape &shape) const;
     Vector3
     flank_displacement(const State &state, unsigned int body, const std::string &surface) const;
     void fit_rim(const State &state, Shape &shape) const;
