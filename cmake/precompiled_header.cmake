@@ -2,7 +2,7 @@
 # deal.II's triangulation takes 4 s to parse in each file. Folders that see meshes get it precompiled
 # (once 15 s); the pure ones (gear, element, contact) and the light ones do not pay for loading it.
 
-set(folders_with_meshes mesh model fem study)
+set(folders_with_meshes mesh model fem reduced study)
 
 target_precompile_headers(
   vfife

@@ -51,8 +51,8 @@ namespace vfife
 
   unsigned int ModalSolver::largest_number(const unsigned int n_unknowns)
   {
-    // The Krylov space has 2 (n + guards + 10) vectors.
-    const unsigned int half = n_unknowns / 2;
+    // The Krylov space has 2 (n + guards + 10) vectors, and one more so that pairs stay together.
+    const unsigned int half = (std::max(n_unknowns, 1u) - 1) / 2;
     return half - std::min(half, n_guards + 10);
   }
 

@@ -15,8 +15,12 @@ namespace vfife
     const Body               &body   = discretization.model().bodies[torque.body];
     const std::vector<double> shares = compute_torque_shares(torque, body);
     // F_i = T A_i t_i / sum_j A_j r_j, the constant traction of explicit dynamics
+    // Of a sector its own nodes, which take what they take of the whole torque.
+    const unsigned int n_own = part.n_points - discretization.images().size();
     for (std::size_t i = 0; i < torque.nodes.size(); ++i)
       {
+        if (torque.nodes[i] >= n_own)
+          continue;
         const Vector3 tangent =
           body.axis.direction
             .cross(body.placement(body.node_positions()[torque.nodes[i]]) - body.axis.point)

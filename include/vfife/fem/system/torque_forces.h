@@ -9,7 +9,8 @@
 namespace vfife
 {
   /** Adds @p value [N mm] of a torque as tangential forces of constant traction, F_i = T A_i t_i /
-   * sum A_j r_j, to forces at all points (3 a point) of the discretization. */
+   * sum A_j r_j, to forces at all points (3 a point) of the discretization; of a sector what its
+   * own nodes take of the torque. */
   void add_torque_forces(const Torque               &torque,
                          const Discretization       &discretization,
                          const Discretization::Part &part,

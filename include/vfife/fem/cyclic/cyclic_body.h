@@ -1,0 +1,123 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_cyclic_cyclic_body_h
+#define vfife_fem_cyclic_cyclic_body_h
+
+#include <vfife/base/process/communicator.h>
+#include <vfife/fem/modes/rotating_body.h>
+
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /** A part of a linear reading: weight . u at a point of sector 0, of the displacements that the
+   * point's copy has @p sector sectors further on, turned back (weight: fixed frame). */
+  struct SectorTerm
+  {
+    unsigned int point  = 0;
+    unsigned int sector = 0;
+    Vector3      weight = Vector3::Zero();
+  };
+  /** The sum of its terms. */
+  using SectorRow = std::vector<SectorTerm>;
+
+  /** What a row reads of displacements that are the same in all sectors (3 a point of sector 0). */
+  double read_row(const SectorRow &row, const std::vector<double> &u);
+
+  /**
+   * A body of equal sectors that are all held alike, about its state of steady spin: what its
+   * harmonics (CyclicHarmonic) have in common. A hub that turns freely leaves a rigid turn, from
+   * which everything else is parted: fields are M-orthogonal to it. One sector is little work, and
+   * each rank does it by itself: ranks share harmonics.
+   */
+  class CyclicBody
+  {
+  public:
+    /**
+     * Throws InputError where sectors are no turned copies of each other, are not held or driven
+     * alike, or the body can move otherwise than by turning on its hub, and for bearings, couplings
+     * and loads; NumericalError where the body is not stable at @p rate [rad/s].
+     */
+    CyclicBody(const Model &model, unsigned int body, const FemOptions &options, double rate);
+
+    const Body           &body() const;
+    const Discretization &sector() const
+    {
+      return rotating_.discretization();
+    }
+    const FemOptions &options() const
+    {
+      return options_;
+    }
+    /** This rank alone. */
+    const Communicator &communicator() const
+    {
+      return alone_;
+    }
+    unsigned int n_sectors() const;
+    double       rate() const
+    {
+      return rate_;
+    }
+
+    /** Displacements of the sector's points in the state of spin, as K is taken about them [mm]. */
+    const std::vector<double> &equilibrium() const
+    {
+      return equilibrium_;
+    }
+    /** The same at another rate [rad/s]. */
+    std::vector<double> find_equilibrium(double rate) const;
+    /** The state of spin without its rigid turn [mm]. */
+    const std::vector<double> &spin() const
+    {
+      return spin_;
+    }
+
+    /** Whether the hub turns freely about the axis. */
+    bool turns() const
+    {
+      return turns_;
+    }
+    /** What hubs do in harmonics of vibrations. */
+    HubRotation rotation() const
+    {
+      return options_.hold_hubs ? HubRotation::held : HubRotation::free;
+    }
+    /** Displacements of the sector's points in a small turn of the spun body, per angle [mm]. */
+    const std::vector<double> &turn() const
+    {
+      return turn_;
+    }
+    /** Of the whole body [t mm^2]. */
+    double turn_inertia() const
+    {
+      return turn_inertia_;
+    }
+
+    /** Forces at the sector's points of a unit torque on the body, the traction of the model's
+     * torque; zero where it has none [1/mm]. */
+    const std::vector<double> &torque() const
+    {
+      return torque_;
+    }
+
+    /** Reads nodes of the body (whole numbering) along directions in axes of its frame. */
+    SectorRow make_row(const std::vector<std::pair<unsigned int, Vector3>> &weights) const;
+
+  private:
+    void find_turn();
+    void find_torque();
+
+    const Model        &model_;
+    unsigned int        body_;
+    FemOptions          options_;
+    Communicator        alone_;
+    RotatingBody        rotating_;
+    double              rate_;
+    std::vector<double> equilibrium_, spin_, turn_, torque_;
+    bool                turns_        = false;
+    double              turn_inertia_ = 0;
+  };
+} // namespace vfife
+
+#endif

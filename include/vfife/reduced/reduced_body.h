@@ -1,0 +1,119 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_reduced_reduced_body_h
+#define vfife_reduced_reduced_body_h
+
+#include <vfife/base/types.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  class ByteStream;
+
+  /** A linear reading of a body's displacements, of sector 0; sector k reads the same of itself,
+   * turned. */
+  struct SectorReading
+  {
+    std::string name;
+    /** Nodes of the body, in its whole numbering and of any sector (of sector 1 or the last one
+     * where the elements of a border take part), with what multiplies their displacements: in
+     * axes of the body frame. */
+    std::vector<std::pair<unsigned int, Vector3>> weights;
+    /** Value in the state of spin, where it is not that of the weights, as of a stress. */
+    std::optional<double> offset;
+  };
+
+  /**
+   * A body of N equal sectors as few numbers: its modes below a cut-off, by harmonics h, and the
+   * static flexibility that is left without them, between the nodes of one sector that forces act
+   * on and its rows (doc/reduced.md). Small motions in axes that turn with the body, on top of its
+   * state of steady spin.
+   *
+   * Sector k has the displacements u_k = Re(R^k z c exp(i h k alpha)) of a mode, R the turn by one
+   * sector about compute_sector_axis(), z the shape and c the complex coordinate of the mode (real
+   * for h = 0 and N/2). Coordinates are such that the kinetic energy is |c'|^2/2. Forces f_k on
+   * sector k, turned back by k sectors, give the modal force g = sum_k exp(-i h k alpha) z^H f_k,
+   * and c'' + 2 Omega G c' + lambda c = g. Beside that sector k + d has the displacements
+   * residual[d + reach] f_k, in its own axes, turned back by k + d sectors.
+   */
+  struct ReducedBody
+  {
+    /** The modes with h nodal diameters. */
+    struct Harmonic
+    {
+      unsigned int     number = 0;  ///< h = 0 ... N/2
+      Eigen::VectorXd  eigenvalues; ///< lambda, of K(u_s) - Omega^2 S + hub curvature [1/s^2]
+      Eigen::MatrixXcd coriolis;    ///< of a unit rate, skew-Hermitian [-]
+      /** d(Phi^H K Phi)/d(Omega^2) of the same matrix, Hermitian [-]: the secant between the rate
+       * and (sqrt(2) - 1) times that. */
+      Eigen::MatrixXcd spin_stiffness;
+      Eigen::MatrixXcd shapes; ///< the rows of sector 0, a column a mode [t^-1/2]
+      Eigen::VectorXcd torque; ///< modal forces of a unit torque about the axis; empty for h > 0
+
+      unsigned int n_modes() const
+      {
+        return eigenvalues.size();
+      }
+    };
+
+    unsigned int n_sectors    = 0;
+    double       sector_angle = 0; ///< alpha = 2 pi/N, + about compute_sector_axis() [rad]
+    double       rate   = 0; ///< at which the state of spin was taken, about Body::axis [rad/s]
+    double       cutoff = 0; ///< modes below are kept [rad/s]
+
+    /** Nodes of sector 0 that forces act on; rows 3 i + c: displacement of node i along axis c of
+     * the body frame. */
+    std::vector<unsigned int>  touch_nodes;
+    std::vector<SectorReading> readings; ///< rows 3 n_touch + i
+
+    std::vector<Harmonic> harmonics; ///< those with a mode, ascending
+
+    /** Residuals are kept for the sectors from -reach to +reach of the loaded one. */
+    unsigned int reach = 0;
+    /** [d + reach]: the rows of sector d under unit forces along the body frame's axes at the touch
+     * nodes of sector 0, less what the modes do statically [mm/N]. Where both ends are the same
+     * sector (2 reach = N), the first one is zero. */
+    std::vector<Eigen::MatrixXd> residual;
+    /** Sum over all sectors of what a reading is under unit forces at the touch nodes of sector 0,
+     * less what the modes do statically; a row a reading. */
+    Eigen::MatrixXd summed_residual;
+    /** Largest entry at touch rows of sectors that are not kept over the largest of those kept,
+     * among at most 32 touch nodes. */
+    double          residual_left = 0;
+    Eigen::VectorXd torque_residual; ///< rows under a unit torque, less the modes' part [1/N]
+    /** Rows in the state of spin: what the weights read of it (a hub that turns freely: without its
+     * turn), or SectorReading::offset. */
+    Eigen::VectorXd spin;
+
+    /** The hub turns freely: the rigid turn of the spun body by a small angle theta [rad] about
+     * Body::axis is a coordinate of its own, from which all displacements above are free: theta' is
+     * the angular momentum about the axis over turn_inertia, but for what Coriolis forces add:
+     * turn_inertia theta'' + 2 Omega Re(turn_coriolis . c') = moment about the axis, and the modes
+     * of h = 0 get g + 2 Omega turn_coriolis theta'. */
+    bool            turns        = false;
+    double          turn_inertia = 0; ///< about the axis, of the spun body [t mm^2]
+    Eigen::VectorXd turn_coriolis;    ///< of the modes of h = 0 and a unit rate [t^1/2 mm]
+
+    unsigned int n_unknowns = 0;     ///< of the largest system solved
+    bool         counted    = false; ///< factorizations count as many modes below the cut-off
+    double       memory     = 0;     ///< of the largest factors [MB]
+
+    unsigned int n_rows() const
+    {
+      return 3 * touch_nodes.size() + readings.size();
+    }
+    unsigned int n_modes() const; ///< complex ones count once
+    /** Number of the reading of that name, or -1. */
+    int find_reading(const std::string &name) const;
+    /** Residual of the rows of a sector under forces on another one; nullptr: not kept. */
+    const Eigen::MatrixXd *find_residual(unsigned int sector, unsigned int loaded) const;
+  };
+
+  /** Passes the modes of a harmonic. */
+  void serialize(ReducedBody::Harmonic &harmonic, ByteStream &stream);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,206 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/fem/cyclic/cyclic_body.h>
+#include <vfife/fem/system/torque_forces.h>
+#include <vfife/fem/system/turn_pins.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
+#include <vfife/model/constraints/held_direction.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    FemOptions of_sectors(FemOptions options)
+    {
+      options.cyclic_symmetry = true;
+      // What is static in a turning body needs no Coriolis forces.
+      options.coriolis     = true;
+      options.eigen_solver = EigenSolverKind::shift_invert;
+      return options;
+    }
+
+    /** Throws InputError for what no sector can have by itself. */
+    const Model &require_own_supports(const Model &model, const unsigned int b)
+    {
+      const std::string name    = "body \"" + model.bodies[b].name() + "\": ";
+      const auto        of_body = [b](const auto &entry) { return entry.body == b; };
+      const auto        refuse  = [&](const auto &entries, const std::string &what) {
+        const auto found = std::find_if(entries.begin(), entries.end(), of_body);
+        if (found != entries.end())
+          throw InputError(name + what + " \"" + found->name +
+                           "\" acts on it, and harmonics of one sector know hubs and nodes held "
+                                   "alike in all sectors only");
+      };
+      refuse(model.bearings, "bearing");
+      refuse(model.couplings, "coupling");
+      refuse(model.loads, "load");
+      return model;
+    }
+
+    /** Throws InputError where not all copies of a node in the sectors are among @p nodes. */
+    std::vector<bool> require_all_copies(const Body                      &body,
+                                         const std::vector<unsigned int> &nodes,
+                                         const std::string               &what)
+    {
+      const unsigned int per_sector = body.n_nodes() / body.mesh().n_sectors;
+      std::vector<bool>  inside(body.n_nodes(), false);
+      for (const unsigned int node : nodes)
+        inside[node] = true;
+      for (const unsigned int node : nodes)
+        if (!inside[(node + per_sector) % body.n_nodes()])
+          throw InputError("body \"" + body.name() + "\": " + what +
+                           " is not alike in all sectors: it has node " + std::to_string(node) +
+                           " without its copy in the next one");
+      return inside;
+    }
+
+    /** Throws InputError where a constraint holds sectors differently. */
+    void require_alike(const Constraint &constraint, const Body &body)
+    {
+      const std::string what = "constraint \"" + constraint.name + "\"";
+      require_all_copies(body, constraint.nodes, what);
+      const unsigned int per_sector = body.n_nodes() / body.mesh().n_sectors;
+      const Matrix3      turn =
+        rotation_about(compute_sector_axis(body).direction, 2. * pi / body.mesh().n_sectors);
+      for (const unsigned int node : constraint.nodes)
+        {
+          const auto held = [&](const unsigned int i) {
+            return compute_held_projector(constraint,
+                                          body,
+                                          body.placement(body.node_positions()[i]));
+          };
+          if ((held((node + per_sector) % body.n_nodes()) - turn * held(node) * turn.transpose())
+                .norm() > 1e-6)
+            throw InputError("body \"" + body.name() + "\": " + what +
+                             " does not hold all sectors alike: the directions it holds do not "
+                             "turn from one to the next");
+        }
+    }
+
+    /** Whether nothing holds the body's turn about its axis. Throws InputError where it can move
+     * otherwise. */
+    bool turns_freely(const Model &model, const unsigned int b)
+    {
+      const Discretization whole(model, {b}, FemElement::incompatible_modes);
+      const auto           motions = find_free_motions(whole, whole.parts()[0]);
+      if (motions.empty())
+        return false;
+      const bool hub =
+        std::any_of(model.constraints.begin(), model.constraints.end(), [b](const Constraint &c) {
+          return c.body == b &&
+                 (c.kind == ConstraintKind::free_rotation || c.kind == ConstraintKind::rigid_hub);
+        });
+      if (motions.size() > 1 || !hub || !is_turn(whole, whole.parts()[0], motions.front()))
+        throw InputError("body \"" + model.bodies[b].name() +
+                         "\" can move rigidly otherwise than by turning on its hub, so forces on "
+                         "it have no static answer; hold more of its nodes");
+      return true;
+    }
+  } // namespace
+
+  double read_row(const SectorRow &row, const std::vector<double> &u)
+  {
+    double value = 0;
+    for (const SectorTerm &term : row)
+      value += term.weight.dot(Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(term.point)));
+    return value;
+  }
+
+  CyclicBody::CyclicBody(const Model       &model,
+                         const unsigned int body,
+                         const FemOptions  &options,
+                         const double       rate)
+    : model_(model)
+    , body_(body)
+    , options_(of_sectors(options))
+    , alone_(MPI_COMM_SELF)
+    , rotating_(require_own_supports(model, body), body, options_, alone_)
+    , rate_(rate)
+  {
+    for (const Constraint &constraint : model.constraints)
+      if (constraint.body == body)
+        require_alike(constraint, model.bodies[body]);
+    turns_       = !options_.hold_hubs && turns_freely(model, body);
+    equilibrium_ = find_equilibrium(rate);
+    find_turn();
+    find_torque();
+  }
+
+  const Body &CyclicBody::body() const
+  {
+    return model_.bodies[body_];
+  }
+
+  unsigned int CyclicBody::n_sectors() const
+  {
+    return body().mesh().n_sectors;
+  }
+
+  std::vector<double> CyclicBody::find_equilibrium(const double rate) const
+  {
+    return rate != 0 ? rotating_.find_equilibrium(rate)
+                     : std::vector<double>(3 * std::size_t(sector().n_points()), 0.);
+  }
+
+  void CyclicBody::find_turn()
+  {
+    spin_ = equilibrium_;
+    turn_.assign(spin_.size(), 0.);
+    if (!turns_)
+      return;
+    // The turn of the spun body: it costs nothing, K r = 0, where the turn of the undeformed one
+    // would have a stiffness of Omega^2 m times the strain of the spin.
+    Unknowns::Options unknowns;
+    unknowns.rotation = HubRotation::free;
+    const Assembly       assembly(sector(), unknowns, alone_);
+    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
+    const Axis          &axis = body().axis;
+    for (std::size_t p = 0; p < sector().n_points(); ++p)
+      Eigen::Map<Vector3>(turn_.data() + 3 * p) = axis.direction.cross(
+        sector().points()[p] + Eigen::Map<const Vector3>(spin_.data() + 3 * p) - axis.point);
+    const OwnedVector q        = assembly.restrict_field(turn_);
+    turn_                      = assembly.expand(q);
+    const OwnedVector momentum = matrices.apply_mass(turn_);
+    const double      inertia  = assembly.dot(momentum, q);
+    turn_inertia_              = n_sectors() * inertia;
+    // The pinned hub has left a turn in the state of spin where sectors have no mirror plane.
+    const double angle = assembly.dot(momentum, assembly.restrict_field(spin_)) / inertia;
+    spin_              = add_scaled(std::move(spin_), -angle, turn_);
+  }
+
+  void CyclicBody::find_torque()
+  {
+    torque_.assign(spin_.size(), 0.);
+    bool has_one = false;
+    for (const Torque &torque : model_.torques)
+      if (torque.body == body_)
+        {
+          if (has_one)
+            throw InputError("body \"" + body().name() + "\": torque \"" + torque.name +
+                             "\" is its second one, and harmonics of one sector know one only");
+          has_one = true;
+          require_all_copies(body(), torque.nodes, "torque \"" + torque.name + "\"");
+          add_torque_forces(torque, sector(), sector().parts()[0], 1., torque_);
+        }
+  }
+
+  SectorRow CyclicBody::make_row(const std::vector<std::pair<unsigned int, Vector3>> &weights) const
+  {
+    // Sector s moves by R^s u exp(i h s alpha): what w reads of it, R^-s w reads of u.
+    const unsigned int per_sector = body().n_nodes() / n_sectors();
+    const Vector3      axis       = compute_sector_axis(body()).direction;
+    SectorRow          row;
+    for (const auto &[node, weight] : weights)
+      {
+        const unsigned int s = node / per_sector;
+        row.push_back({node % per_sector,
+                       s,
+                       rotation_about(axis, -(s * sector().sector_angle())) *
+                         (body().placement.rotation * weight)});
+      }
+    return row;
+  }
+} // namespace vfife

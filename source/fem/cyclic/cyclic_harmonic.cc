@@ -1,0 +1,257 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "phasor_rows.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/fem/cyclic/cyclic_harmonic.h>
+#include <vfife/fem/solvers/direct_solver.h>
+#include <vfife/fem/solvers/sparse_matrix.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+// A phasor z = a + i b of a sector is the vector (a, b) of two copies of its points; i z is (-b,
+// a). Matrices of the two copies commute with that, and x^T A y = Re(z^H A w) of the phasors of x
+// and y.
+namespace vfife
+{
+  namespace
+  {
+    Unknowns::Options options_of(const unsigned int harmonic, const HubRotation rotation)
+    {
+      Unknowns::Options options;
+      options.harmonic = harmonic;
+      options.rotation = rotation;
+      return options;
+    }
+
+    Eigen::Map<const Eigen::VectorXd> as_vector(const OwnedVector &x)
+    {
+      return {x.data(), static_cast<Eigen::Index>(x.size())};
+    }
+
+    Eigen::MatrixXd as_matrix(const std::vector<OwnedVector> &vectors)
+    {
+      Eigen::MatrixXd X(vectors.empty() ? 0 : vectors.front().size(), vectors.size());
+      for (std::size_t k = 0; k < vectors.size(); ++k)
+        X.col(k) = as_vector(vectors[k]);
+      return X;
+    }
+
+    /** The unknowns of -i z. */
+    OwnedVector turn_back_by_quarter(const Assembly &assembly, const OwnedVector &q)
+    {
+      const std::vector<double> u = assembly.expand(q);
+      const std::size_t         n = u.size() / 2;
+      std::vector<double>       turned(u.begin() + n, u.end());
+      for (std::size_t i = 0; i < n; ++i)
+        turned.push_back(-u[i]);
+      return assembly.restrict_field(turned);
+    }
+
+    /** Phasors z_j^H A z_l of a real basis. */
+    class PhasorProducts
+    {
+    public:
+      PhasorProducts(const Assembly &assembly, const std::vector<OwnedVector> &vectors)
+        : assembly_(assembly)
+        , vectors_(vectors)
+      {
+        if (assembly.unknowns().n_copies() == 2)
+          for (const OwnedVector &x : vectors)
+            turned_.push_back(turn_back_by_quarter(assembly, x));
+      }
+
+      Eigen::MatrixXcd of(const SparseValues &A) const
+      {
+        const SparseMatrix matrix(assembly_, A);
+        Eigen::MatrixXcd   products = matrix.project(vectors_, vectors_).cast<Complex>();
+        if (!turned_.empty())
+          // Im(z^H A w) = Re(z^H A (-i w))
+          products += Complex(0., 1.) * matrix.project(vectors_, turned_);
+        return products;
+      }
+
+    private:
+      const Assembly                 &assembly_;
+      const std::vector<OwnedVector> &vectors_;
+      std::vector<OwnedVector>        turned_;
+    };
+
+    Eigen::MatrixXcd hermitian_part(const Eigen::MatrixXcd &A)
+    {
+      return .5 * (A + A.adjoint());
+    }
+  } // namespace
+
+  CyclicHarmonic::CyclicHarmonic(const CyclicBody &body, const unsigned int number)
+    : body_(body)
+    , number_(number)
+    , assembly_(body.sector(), options_of(number, body.rotation()), body.communicator())
+    , matrices_(assembly_, body.options().mass, body.options().strain)
+    , K_(body.rate() != 0
+           ? matrices_.spinning_stiffness(body.equilibrium(), constant_rate(body.rate()))
+           : matrices_.stiffness())
+    , M_(matrices_.mass())
+  {
+    if (number == 0 && body.turns())
+      pinned_ = std::make_unique<Assembly>(body.sector(),
+                                           options_of(0, HubRotation::pinned),
+                                           body.communicator());
+  }
+
+  CyclicHarmonic::~CyclicHarmonic() = default;
+
+  double CyclicHarmonic::scale() const
+  {
+    // All sectors together: the mean of cos^2 over them is one half, where they are not alike.
+    const unsigned int n = body_.n_sectors();
+    return std::sqrt((assembly_.unknowns().n_copies() == 2 ? 2. : 1.) / n);
+  }
+
+  unsigned int CyclicHarmonic::count_modes(double &limit)
+  {
+    // A double value of the two copies at the cut-off itself may be cut in two by round-off.
+    unsigned int n_below = 0;
+    for (unsigned int attempt = 0; attempt < 3; ++attempt)
+      {
+        const DirectSolver count(assembly_.pattern(),
+                                 add_scaled(K_, -limit, M_),
+                                 body_.communicator());
+        n_below = count.n_negative();
+        memory_ = std::max(memory_, count.memory());
+        if (n_below % assembly_.unknowns().n_copies() == 0)
+          break;
+        limit *= 1. + 1e-7;
+      }
+    return n_below;
+  }
+
+  CyclicModes CyclicHarmonic::find_modes(const double cutoff)
+  {
+    double             limit     = cutoff * cutoff;
+    const unsigned int n_below   = count_modes(limit);
+    const bool         with_turn = pinned_ != nullptr;
+    if (n_below <= (with_turn ? 1u : 0u))
+      return {};
+    const unsigned int most = ModalSolver::largest_number(assembly_.unknowns().n());
+    if (n_below > most)
+      throw InputError("body \"" + body_.body().name() + "\": its mesh has " +
+                       std::to_string(n_below) + " modes of " + std::to_string(number_) +
+                       " nodal diameters below the cut-off, too many for its " +
+                       std::to_string(assembly_.unknowns().n()) +
+                       " unknowns; lower the cut-off or refine the mesh");
+
+    // As many of them as there are; where the search has missed one, more.
+    FemOptions options  = body_.options();
+    options.count_modes = false;
+    for (unsigned int attempt = 0; attempt < 3; ++attempt)
+      {
+        options.n_modes = std::min(most, n_below + 4 * attempt);
+        const ModalSolver solver(assembly_, options);
+        // Round-off leaves the hub's turn this much, as in RotatingBody.
+        ModalResult found =
+          solver.solve(K_, M_, with_turn ? -1e-3 * body_.rate() * body_.rate() : 0.);
+        memory_ = std::max(memory_, found.memory);
+        std::vector<double> eigenvalues;
+        for (const Mode &mode : found.modes)
+          if (mode.eigenvalue < limit)
+            eigenvalues.push_back(mode.eigenvalue);
+        if (eigenvalues.size() != n_below)
+          continue;
+        found.vectors.resize(n_below);
+
+        // Phasors of them, each mode once.
+        if (with_turn)
+          return without_turn(std::move(found.vectors), eigenvalues);
+        if (assembly_.unknowns().n_copies() == 2)
+          return make_complex(found.vectors);
+        return {Eigen::Map<Eigen::VectorXd>(eigenvalues.data(), n_below),
+                std::move(found.vectors),
+                scale() * Eigen::MatrixXcd::Identity(n_below, n_below)};
+      }
+    throw NumericalError("body \"" + body_.body().name() + "\": the modes found with " +
+                         std::to_string(number_) +
+                         " nodal diameters are not as many as a factorization counts");
+  }
+
+  CyclicModes CyclicHarmonic::make_complex(const std::vector<OwnedVector> &vectors) const
+  {
+    // Each eigenvalue of the two copies is double, of z and i z, and the solver gives any two
+    // vectors of their plane, or any four where two modes have one frequency. As phasors they span
+    // half as many dimensions: the Hermitian products of all of them have the eigenvalues 2 and 0.
+    const PhasorProducts   products(assembly_, vectors);
+    const Eigen::MatrixXcd H = hermitian_part(products.of(M_)), K = hermitian_part(products.of(K_));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> planes(H);
+    const int                                             n      = vectors.size() / 2;
+    const Eigen::VectorXd                                &values = planes.eigenvalues();
+    const double defect = std::max(values.head(n).cwiseAbs().maxCoeff(),
+                                   (values.tail(n).array() - 2.).abs().maxCoeff());
+    if (!(defect < 1e-6))
+      throw NumericalError("body \"" + body_.body().name() + "\": modes with " +
+                           std::to_string(number_) + " nodal diameters do not come in pairs");
+    const Eigen::MatrixXcd basis =
+      planes.eigenvectors().rightCols(n) * values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> modes(
+      hermitian_part(basis.adjoint() * K * basis));
+    return {modes.eigenvalues(), vectors, scale() * basis * modes.eigenvectors()};
+  }
+
+  CyclicModes CyclicHarmonic::without_turn(std::vector<OwnedVector>   vectors,
+                                           const std::vector<double> &eigenvalues) const
+  {
+    const OwnedVector turn     = assembly_.restrict_field(body_.turn()),
+                      momentum = matrices_.apply_mass(body_.turn());
+    const double inertia       = assembly_.dot(momentum, turn);
+    CyclicModes  modes;
+    double       of_turn = 0;
+    for (std::size_t k = 0; k < vectors.size(); ++k)
+      {
+        const double part = assembly_.dot(momentum, vectors[k]);
+        if (part * part > .5 * inertia)
+          {
+            of_turn += part * part / inertia;
+            continue;
+          }
+        modes.eigenvalues.conservativeResize(modes.eigenvalues.size() + 1);
+        modes.eigenvalues.tail<1>()[0] = eigenvalues[k];
+        modes.vectors.push_back(add_scaled(std::move(vectors[k]), -part / inertia, turn));
+      }
+    if (!(std::abs(of_turn - 1.) < 1e-6))
+      throw NumericalError("body \"" + body_.body().name() +
+                           "\": the turn of its hub is none of its modes");
+    const int n       = modes.vectors.size();
+    modes.combination = scale() * Eigen::MatrixXcd::Identity(n, n);
+    return modes;
+  }
+
+  Eigen::MatrixXcd CyclicHarmonic::project(const CyclicModes &modes, const SparseValues &A) const
+  {
+    return modes.combination.adjoint() * PhasorProducts(assembly_, modes.vectors).of(A) *
+           modes.combination / (scale() * scale());
+  }
+
+  SparseValues CyclicHarmonic::coriolis() const
+  {
+    return matrices_.gyroscopic(constant_rate(1.));
+  }
+
+  SparseValues CyclicHarmonic::spin_stiffness(const std::vector<double> &equilibrium,
+                                              const double               rate) const
+  {
+    const double factor = 1. / (rate * rate - body_.rate() * body_.rate());
+    SparseValues change =
+      add_scaled(matrices_.spinning_stiffness(equilibrium, constant_rate(rate)), -1., K_);
+    for (double &value : change)
+      value *= factor;
+    return change;
+  }
+
+  Eigen::MatrixXcd CyclicHarmonic::read(const CyclicModes            &modes,
+                                        const std::vector<SectorRow> &rows) const
+  {
+    return make_phasor_rows(assembly_, number_, rows) * as_matrix(modes.vectors).cast<Complex>() *
+           modes.combination;
+  }
+} // namespace vfife

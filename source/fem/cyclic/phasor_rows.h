@@ -1,0 +1,29 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_cyclic_phasor_rows_h
+#define vfife_fem_cyclic_phasor_rows_h
+
+#include <vfife/fem/cyclic/cyclic_body.h>
+
+#include <Eigen/SparseCore>
+
+#include <complex>
+
+namespace vfife
+{
+  using Complex    = std::complex<double>;
+  using PhasorRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
+
+  /** What the rows read of a harmonic's unknowns: phasors. The real part, transposed, are unit
+   * forces along the rows, the same in all sectors but for the phase. */
+  PhasorRows make_phasor_rows(const Assembly               &assembly,
+                              unsigned int                  harmonic,
+                              const std::vector<SectorRow> &rows);
+
+  /** The same rate for whatever body. */
+  inline SystemMatrices::Rate constant_rate(const double rate)
+  {
+    return [rate](unsigned int) { return rate; };
+  }
+} // namespace vfife
+
+#endif

@@ -1,0 +1,69 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// A body reduced on two ranks is that of one.
+#include "../parts.h"
+#include "../refusal.h"
+#include "../tests.h"
+#include "whole_body.h"
+
+#include <vfife/reduced/body_reduction.h>
+
+using namespace vfife;
+
+namespace
+{
+  void share(const Communicator &world)
+  {
+    const Model        model = make_wheel(ConstraintKind::rigid_hub, 3000.);
+    const auto         nodes = first_sector(model.bodies[0]);
+    const Communicator alone(MPI_COMM_SELF);
+    const ReducedBody  one = reduce_body(model, 0, nodes, {}, {}, {4e5, 3}, 3000., alone),
+                      two  = reduce_body(model, 0, nodes, {}, {}, {4e5, 3}, 3000., world);
+    bool same = one.harmonics.size() == two.harmonics.size() && one.n_unknowns == two.n_unknowns &&
+                one.memory == two.memory && one.torque_residual == two.torque_residual &&
+                one.turn_coriolis == two.turn_coriolis && one.spin == two.spin;
+    for (std::size_t i = 0; same && i < one.harmonics.size(); ++i)
+      same = one.harmonics[i].number == two.harmonics[i].number &&
+             one.harmonics[i].eigenvalues == two.harmonics[i].eigenvalues &&
+             one.harmonics[i].coriolis == two.harmonics[i].coriolis &&
+             one.harmonics[i].spin_stiffness == two.harmonics[i].spin_stiffness &&
+             one.harmonics[i].shapes == two.harmonics[i].shapes &&
+             one.harmonics[i].torque == two.harmonics[i].torque;
+    same         = world.all(same);
+    double worst = 0;
+    bool   equal = true;
+    for (std::size_t d = 0; d < one.residual.size(); ++d)
+      {
+        worst =
+          largest_of(worst, (one.residual[d] - two.residual[d]).norm() / one.residual[3].norm());
+        // All ranks have the same bytes.
+        double sum = two.residual[d].sum();
+        equal      = equal && world.max(sum) == sum;
+      }
+    worst = world.max(worst);
+    equal = world.all(equal && world.max(two.residual_left) == two.residual_left);
+    std::string message;
+    try
+      {
+        // Harmonics of one of the ranks have too many modes.
+        reduce_body(model, 0, nodes, {}, {}, {4.7e6, 3}, 3000., world);
+      }
+    catch (const InputError &error)
+      {
+        message = error.what();
+      }
+    const bool refused = world.all(!message.empty());
+    if (world.is_root())
+      {
+        check("modes of two ranks", same);
+        // Sums over the harmonics have another order.
+        check_below("residuals of two ranks", worst, 1e-13);
+        check("all ranks have the same", equal);
+        check("all ranks refuse", refused);
+      }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  run_parts(argc, argv, {share});
+}
