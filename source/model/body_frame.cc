@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 
 #include <algorithm>
@@ -26,6 +27,11 @@ namespace vfife
   Axis compute_sector_axis(const Body &body)
   {
     return {body.placement.translation, body.placement.rotation.col(2)};
+  }
+
+  unsigned int nodes_per_sector(const Body &body)
+  {
+    return body.n_nodes() / body.mesh().n_sectors;
   }
 
   bool turns_about_sector_axis(const Body &body)

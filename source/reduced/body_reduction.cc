@@ -5,7 +5,6 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/fem/cyclic/cyclic_harmonic.h>
-#include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/reduced/body_reduction.h>
 
@@ -23,7 +22,7 @@ namespace vfife
                      const std::vector<SectorReading> &readings)
     {
       const std::string  name       = "body \"" + body.name() + "\": ";
-      const unsigned int per_sector = body.n_nodes() / body.mesh().n_sectors;
+      const unsigned int per_sector = nodes_per_sector(body);
       for (const unsigned int node : touch_nodes)
         if (node >= per_sector)
           throw InputError(name + "node " + std::to_string(node) +

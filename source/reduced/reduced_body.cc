@@ -13,23 +13,6 @@ namespace vfife
     return n;
   }
 
-  int ReducedBody::find_reading(const std::string &name) const
-  {
-    for (std::size_t i = 0; i < readings.size(); ++i)
-      if (readings[i].name == name)
-        return i;
-    return -1;
-  }
-
-  const Eigen::MatrixXd *ReducedBody::find_residual(const unsigned int sector,
-                                                    const unsigned int loaded) const
-  {
-    const int N = n_sectors;
-    int       d = (static_cast<int>(sector) - static_cast<int>(loaded) + N) % N;
-    d           = d > N / 2 ? d - N : d;
-    return std::abs(d) <= static_cast<int>(reach) ? &residual[d + reach] : nullptr;
-  }
-
   void serialize(ReducedBody::Harmonic &harmonic, ByteStream &stream)
   {
     stream.pass(harmonic.number);

@@ -476,6 +476,12 @@ namespace
         size                       = largest_of(size, read.norm());
       }
     check_below("readings of other sectors", worst / size, 1e-10);
+    Eigen::MatrixXd summed = Eigen::MatrixXd::Zero(3, n);
+    for (const Eigen::MatrixXd &residual : all.residual)
+      summed += residual.bottomRows(3);
+    check_below("readings of all sectors",
+                (some.summed_residual - summed).norm() / summed.norm(),
+                1e-10);
     check_close("a reading in spin",
                 all.spin[n],
                 (turn.transpose() * weight).dot(all.spin.head<3>()),

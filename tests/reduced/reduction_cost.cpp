@@ -4,6 +4,7 @@
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
 #include <vfife/reduced/body_reduction.h>
 
 #include <iostream>
@@ -21,7 +22,7 @@ int main(int argc, char **argv)
   for (unsigned int b = 0; b < model.bodies.size(); ++b)
     {
       const Body            &body       = model.bodies[b];
-      const unsigned int     per_sector = body.n_nodes() / body.mesh().n_sectors;
+      const unsigned int     per_sector = nodes_per_sector(body);
       std::set<unsigned int> touch;
       for (const auto &surface : body.mesh().surfaces)
         for (const unsigned int node : surface.second.nodes)

@@ -68,15 +68,10 @@ inline vfife::Model make_pinion(const std::optional<vfife::ConstraintKind> &hub,
   return model;
 }
 
-inline unsigned int nodes_per_sector(const vfife::Body &body)
-{
-  return body.n_nodes() / body.mesh().n_sectors;
-}
-
 /** All nodes of sector 0. */
 inline std::vector<unsigned int> first_sector(const vfife::Body &body)
 {
-  std::vector<unsigned int> nodes(nodes_per_sector(body));
+  std::vector<unsigned int> nodes(vfife::nodes_per_sector(body));
   std::iota(nodes.begin(), nodes.end(), 0u);
   return nodes;
 }
@@ -94,7 +89,7 @@ std::vector<double> whole_field(const vfife::Body &body, const Rows &rows)
       const vfife::Matrix3  turn =
         vfife::rotation_about(axis, 2. * vfife::pi * k / body.mesh().n_sectors) *
         body.placement.rotation;
-      for (unsigned int i = 0; i < nodes_per_sector(body); ++i)
+      for (unsigned int i = 0; i < vfife::nodes_per_sector(body); ++i)
         {
           const vfife::Vector3 u = turn * values.segment<3>(3 * i);
           field.insert(field.end(), u.data(), u.data() + 3);

@@ -106,10 +106,6 @@ namespace vfife
       return 3 * touch_nodes.size() + readings.size();
     }
     unsigned int n_modes() const; ///< complex ones count once
-    /** Number of the reading of that name, or -1. */
-    int find_reading(const std::string &name) const;
-    /** Residual of the rows of a sector under forces on another one; nullptr: not kept. */
-    const Eigen::MatrixXd *find_residual(unsigned int sector, unsigned int loaded) const;
   };
 
   /** Passes the modes of a harmonic. */

@@ -50,7 +50,7 @@ namespace vfife
         const Vector3                      axis       = compute_sector_axis(body).direction;
         const double                       rate       = body.rate * body.axis.direction.dot(axis);
         const unsigned int                 n_sectors  = body.mesh().n_sectors;
-        const unsigned int                 per_sector = body.n_nodes() / n_sectors;
+        const unsigned int                 per_sector = nodes_per_sector(body);
         const double                       angle      = 2. * pi / n_sectors;
         std::array<Matrix3, 2 * reach + 1> back;
         for (unsigned int s = 0; s < back.size(); ++s)

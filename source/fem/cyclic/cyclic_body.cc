@@ -41,11 +41,11 @@ namespace vfife
     }
 
     /** Throws InputError where not all copies of a node in the sectors are among @p nodes. */
-    std::vector<bool> require_all_copies(const Body                      &body,
-                                         const std::vector<unsigned int> &nodes,
-                                         const std::string               &what)
+    void require_all_copies(const Body                      &body,
+                            const std::vector<unsigned int> &nodes,
+                            const std::string               &what)
     {
-      const unsigned int per_sector = body.n_nodes() / body.mesh().n_sectors;
+      const unsigned int per_sector = nodes_per_sector(body);
       std::vector<bool>  inside(body.n_nodes(), false);
       for (const unsigned int node : nodes)
         inside[node] = true;
@@ -54,7 +54,6 @@ namespace vfife
           throw InputError("body \"" + body.name() + "\": " + what +
                            " is not alike in all sectors: it has node " + std::to_string(node) +
                            " without its copy in the next one");
-      return inside;
     }
 
     /** Throws InputError where a constraint holds sectors differently. */
@@ -62,7 +61,7 @@ namespace vfife
     {
       const std::string what = "constraint \"" + constraint.name + "\"";
       require_all_copies(body, constraint.nodes, what);
-      const unsigned int per_sector = body.n_nodes() / body.mesh().n_sectors;
+      const unsigned int per_sector = nodes_per_sector(body);
       const Matrix3      turn =
         rotation_about(compute_sector_axis(body).direction, 2. * pi / body.mesh().n_sectors);
       for (const unsigned int node : constraint.nodes)
@@ -82,18 +81,15 @@ namespace vfife
 
     /** Whether nothing holds the body's turn about its axis. Throws InputError where it can move
      * otherwise. */
-    bool turns_freely(const Model &model, const unsigned int b)
+    bool turns_freely(const Discretization &whole)
     {
-      const Discretization whole(model, {b}, FemElement::incompatible_modes);
-      const auto           motions = find_free_motions(whole, whole.parts()[0]);
+      const Model       &model   = whole.model();
+      const unsigned int b       = whole.parts()[0].body;
+      const auto         motions = find_free_motions(whole, whole.parts()[0]);
       if (motions.empty())
         return false;
-      const bool hub =
-        std::any_of(model.constraints.begin(), model.constraints.end(), [b](const Constraint &c) {
-          return c.body == b &&
-                 (c.kind == ConstraintKind::free_rotation || c.kind == ConstraintKind::rigid_hub);
-        });
-      if (motions.size() > 1 || !hub || !is_turn(whole, whole.parts()[0], motions.front()))
+      if (motions.size() > 1 || !has_turning_hub(model, b) ||
+          !is_turn(whole, whole.parts()[0], motions.front()))
         throw InputError("body \"" + model.bodies[b].name() +
                          "\" can move rigidly otherwise than by turning on its hub, so forces on "
                          "it have no static answer; hold more of its nodes");
@@ -123,7 +119,7 @@ namespace vfife
     for (const Constraint &constraint : model.constraints)
       if (constraint.body == body)
         require_alike(constraint, model.bodies[body]);
-    turns_       = !options_.hold_hubs && turns_freely(model, body);
+    turns_       = !options_.hold_hubs && turns_freely(rotating_.whole());
     equilibrium_ = find_equilibrium(rate);
     find_turn();
     find_torque();
@@ -190,7 +186,7 @@ namespace vfife
   SectorRow CyclicBody::make_row(const std::vector<std::pair<unsigned int, Vector3>> &weights) const
   {
     // Sector s moves by R^s u exp(i h s alpha): what w reads of it, R^-s w reads of u.
-    const unsigned int per_sector = body().n_nodes() / n_sectors();
+    const unsigned int per_sector = nodes_per_sector(body());
     const Vector3      axis       = compute_sector_axis(body()).direction;
     SectorRow          row;
     for (const auto &[node, weight] : weights)

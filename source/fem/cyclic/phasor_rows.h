@@ -18,12 +18,6 @@ namespace vfife
   PhasorRows make_phasor_rows(const Assembly               &assembly,
                               unsigned int                  harmonic,
                               const std::vector<SectorRow> &rows);
-
-  /** The same rate for whatever body. */
-  inline SystemMatrices::Rate constant_rate(const double rate)
-  {
-    return [rate](unsigned int) { return rate; };
-  }
 } // namespace vfife
 
 #endif

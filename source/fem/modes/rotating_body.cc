@@ -5,6 +5,7 @@
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/system/spin_state.h>
+#include <vfife/fem/system/turn_pins.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/constraints/supports.h>
@@ -19,11 +20,6 @@ namespace vfife
 {
   namespace
   {
-    SystemMatrices::Rate constant(const double rate)
-    {
-      return [rate](unsigned int) { return rate; };
-    }
-
     /** Both parts by one factor: the largest displacement of a node of the complex shape becomes
      * one. */
     void scale_to_one(std::vector<double> &shape, std::vector<double> &imaginary)
@@ -70,12 +66,8 @@ namespace vfife
 
   unsigned int RotatingBody::count_free_motions() const
   {
-    unsigned int n = find_free_motions(whole_, whole_.parts()[0]).size();
-    for (const Constraint &constraint : model_.constraints)
-      if (constraint.body == body_ && (constraint.kind == ConstraintKind::free_rotation ||
-                                       constraint.kind == ConstraintKind::rigid_hub))
-        return n > 0 ? n - 1 : 0; // the rotation is pinned
-    return n;
+    const unsigned int n = find_free_motions(whole_, whole_.parts()[0]).size();
+    return n > 0 && has_turning_hub(model_, body_) ? n - 1 : n; // the rotation is pinned
   }
 
   std::vector<double> RotatingBody::find_equilibrium(const double rate) const
@@ -92,7 +84,7 @@ namespace vfife
     const double bed =
       n_free > 0 ? -choose_shift(assembly, matrices.stiffness(), matrices.mass()) : 0.;
     return find_spin_state(matrices,
-                           constant(rate),
+                           constant_rate(rate),
                            true,
                            bed,
                            name,
@@ -157,8 +149,8 @@ namespace vfife
     const SystemMatrices &matrices = solver.matrices();
     // About the equilibrium. Hubs that turn freely are not pinned: their rotation is a rigid mode,
     // which is told apart by its frequency.
-    const SparseValues K =
-      rate != 0 ? matrices.spinning_stiffness(equilibrium, constant(rate)) : matrices.stiffness();
+    const SparseValues K = rate != 0 ? matrices.spinning_stiffness(equilibrium, constant_rate(rate))
+                                     : matrices.stiffness();
     const SparseValues M = matrices.mass();
     // Spin softens translations of a body that nothing holds, or soft bearings do, by this much;
     // the rotation of a hub, and of a shaft in bearings, is left with round-off.
@@ -208,14 +200,15 @@ namespace vfife
     const DirectSolver   factors(assembly.pattern(),
                                add_scaled(stiffness, -found.shift, mass),
                                communicator_);
-    for (const GyroscopicMode &wave : find_gyroscopic_modes(assembly,
-                                                            stiffness,
-                                                            mass,
-                                                            matrices.gyroscopic(constant(rate)),
-                                                            factors,
-                                                            found.vectors,
-                                                            found.rigid_rate,
-                                                            options_.n_modes - found.n_rigid))
+    for (const GyroscopicMode &wave :
+         find_gyroscopic_modes(assembly,
+                               stiffness,
+                               mass,
+                               matrices.gyroscopic(constant_rate(rate)),
+                               factors,
+                               found.vectors,
+                               found.rigid_rate,
+                               options_.n_modes - found.n_rigid))
       {
         RotatingMode entry;
         entry.frequency               = wave.rate / (2. * pi);
@@ -242,7 +235,7 @@ namespace vfife
     // Sector after sector about the line of the mesh, whatever the sense of the spin.
     const Vector3       axis      = compute_sector_axis(body).direction;
     const unsigned int  n_sectors = body.mesh().n_sectors;
-    const std::size_t   n_nodes   = body.n_nodes() / n_sectors;
+    const std::size_t   n_nodes   = nodes_per_sector(body);
     const std::size_t   copy      = 3 * static_cast<std::size_t>(discretization_.n_points());
     std::vector<double> whole;
     whole.reserve(n);

@@ -68,11 +68,8 @@ namespace vfife
   {
     for (const Discretization::Part &part : discretization_.parts())
       {
-        bool hub = false, bearing = false;
-        for (const Constraint &constraint : model_.constraints)
-          if (constraint.body == part.body && (constraint.kind == ConstraintKind::free_rotation ||
-                                               constraint.kind == ConstraintKind::rigid_hub))
-            hub = true;
+        const bool hub     = has_turning_hub(model_, part.body);
+        bool       bearing = false;
         // In bearings alone only the driven body of a pair may turn: its turn is asked for.
         if (model_.transmission && part.body == model_.transmission->driven)
           for (const Bearing &of_body : model_.bearings)

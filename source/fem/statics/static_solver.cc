@@ -78,14 +78,7 @@ namespace vfife
     require_rigid_housing(model);
     for (const Discretization::Part &part : discretization_.parts())
       {
-        const bool has_hub =
-          std::any_of(model.constraints.begin(),
-                      model.constraints.end(),
-                      [&part](const Constraint &constraint) {
-                        return constraint.body == part.body &&
-                               (constraint.kind == ConstraintKind::free_rotation ||
-                                constraint.kind == ConstraintKind::rigid_hub);
-                      });
+        const bool has_hub = has_turning_hub(model, part.body);
         // Of a hub that is pinned or held, the rotation about the axis is not missing.
         const auto        motions = find_free_motions(discretization_, part);
         const std::size_t n       = motions.size();

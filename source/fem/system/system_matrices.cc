@@ -235,6 +235,11 @@ namespace vfife
     return kernel;
   }
 
+  SystemMatrices::Rate constant_rate(const double rate)
+  {
+    return [rate](unsigned int) { return rate; };
+  }
+
   SparseValues add_scaled(SparseValues a, const double factor, const SparseValues &b)
   {
     for (std::size_t i = 0; i < a.size(); ++i)

@@ -7,6 +7,17 @@
 
 namespace vfife
 {
+  bool has_turning_hub(const Model &model, const unsigned int body)
+  {
+    return std::any_of(model.constraints.begin(),
+                       model.constraints.end(),
+                       [body](const Constraint &constraint) {
+                         return constraint.body == body &&
+                                (constraint.kind == ConstraintKind::free_rotation ||
+                                 constraint.kind == ConstraintKind::rigid_hub);
+                       });
+  }
+
   bool is_turn(const Discretization       &discretization,
                const Discretization::Part &part,
                const std::vector<double>  &motion)

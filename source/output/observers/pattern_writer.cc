@@ -4,6 +4,7 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/sample_columns.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/output/files/output_folder.h>
@@ -69,7 +70,7 @@ namespace vfife
     flank.areas = compute_nodal_areas(body, flank.nodes);
 
     // Node i of the first sector is node i + k n of sector k.
-    const unsigned int                   n = body.n_nodes() / body.mesh().n_sectors;
+    const unsigned int                   n = nodes_per_sector(body);
     std::map<unsigned int, unsigned int> place_of;
     for (const unsigned int node : flank.nodes)
       {

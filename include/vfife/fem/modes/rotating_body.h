@@ -68,6 +68,11 @@ namespace vfife
     {
       return discretization_;
     }
+    /** All sectors, where one is computed too. */
+    const Discretization &whole() const
+    {
+      return whole_;
+    }
 
   private:
     /** Rigid motions that nothing holds, but for the rotation of a hub about the axis. */

@@ -77,6 +77,9 @@ namespace vfife
     StrainMeasure   strain_;
   };
 
+  /** The same rate [rad/s] for whatever body. */
+  SystemMatrices::Rate constant_rate(double rate);
+
   /** a + factor * b. */
   SparseValues add_scaled(SparseValues a, double factor, const SparseValues &b);
 } // namespace vfife

@@ -8,6 +8,9 @@
 
 namespace vfife
 {
+  /** Whether a hub of a body of the model lets it turn about its axis. */
+  bool has_turning_hub(const Model &model, unsigned int body);
+
   /** Whether a rigid motion of a body (3 numbers a point) is nothing but a turn about its axis. */
   bool is_turn(const Discretization       &discretization,
                const Discretization::Part &part,
