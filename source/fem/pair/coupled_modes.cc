@@ -224,8 +224,10 @@ namespace vfife
       std::vector<CoupledMode> modes;
       for (const auto &entry : order)
         {
-          const Eigen::VectorXcd x = solver.eigenvectors().col(entry.second).head(size);
-          CoupledMode            mode =
+          // The phase at which the mode moves most, which its shape then shows.
+          Eigen::VectorXcd x = solver.eigenvectors().col(entry.second).head(size);
+          x *= std::polar(1., -.5 * std::arg((x.transpose() * x)(0)));
+          CoupledMode mode =
             reader.read(entry.first / (2 * pi), combine(basis, x.real()), combine(basis, x.imag()));
           // x^H K x + omega^2 x^H M x
           const double energy =

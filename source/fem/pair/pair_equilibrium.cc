@@ -1,25 +1,29 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include "pair_equilibrium_parts.h"
+#include "pair_bodies.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/fem/pair/pair_equilibrium.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
 
-// Displacements, forces and springs are in the axes of time zero, with three entries for each
-// watched point in the order of Compliance::watched(), and six behind them for the ring of each
-// bearing. Positions and all that the contact module
-// sees are in the fixed frame, the bodies turned by rotations_.
 namespace vfife
 {
   namespace
   {
-    /** Of the secant towards the first touch. */
+    /** Of the secant towards the turn at which unloaded bearings and flanks agree. */
     constexpr unsigned int largest_steps = 60;
-    /** Gap at the first touch [mm]: 1e-5 arcsec at 100 mm. */
+    /** Way at the arm that this leaves [mm]. */
     constexpr double touch_tolerance = 5e-9;
+    /** Unbalanced forces over contact forces, and torque over the load's. */
+    constexpr double tolerance = 1e-9;
+
+    void add_to(std::vector<double> &sum, const std::vector<double> &u)
+    {
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += u[i];
+    }
   } // namespace
 
   PairEquilibrium::PairEquilibrium(const Model               &model,
@@ -28,91 +32,43 @@ namespace vfife
                                    const std::vector<double> &driver_turns)
     : model_(model)
     , compliance_(compliance)
-    , rotations_(model.bodies.size(), Matrix3::Identity())
+    , pair_(model, penalties)
   {
-    if (!model.transmission || model.contacts.empty())
-      throw InputError("the equilibrium of a loaded pair needs a gear pair with contact");
     const unsigned int driven = model.transmission->driven;
     if (!compliance.turns_freely(driven))
       throw InputError("body \"" + model.bodies[driven].name() +
                        "\" is driven and carries a torque, but something holds its turn about its "
                        "axis");
-    const Discretization &d = compliance.discretization();
-    for (std::size_t i = 0; i < model.contacts.size(); ++i)
-      pairs_.push_back(std::make_unique<Pair>(model.contacts[i], model, d, penalties[i]));
 
     // The nodes that may touch at any position asked for: only at them displacements by unit
     // forces are kept.
+    const Discretization  &d = compliance.discretization();
     std::set<unsigned int> points;
     for (const double turn : driver_turns)
       {
-        set_position(turn);
-        find_candidates();
-        for (const auto &pair : pairs_)
-          for (const Surface *surface : {&pair->slave, &pair->master})
-            for (const unsigned int i : pair->active(*surface))
-              points.insert(surface->first_point + surface->facets.nodes[i]);
+        pair_.set_position(turn);
+        pair_.find_candidates();
+        for (const auto &[body, node] : pair_.candidates())
+          points.insert(d.find_part(body)->first_point + node);
       }
-    bearings_ =
-      std::make_unique<BearingSprings>(model, compliance.rings(), model.transmission->arm);
-    std::vector<PointMotion> motions = bearings_->motions();
-    Eigen::Index             n_known = 0;
-    for (const StandingMotion &standing : compliance.standing_motions())
+    bodies_ = std::make_unique<PairBodies>(model,
+                                           compliance,
+                                           std::vector<unsigned int>(points.begin(), points.end()),
+                                           pair_.rotations());
+    std::vector<PressedPair::Node> nodes;
+    for (const unsigned int point : compliance_.watched())
       {
-        motions.push_back(standing);
-        n_known += standing.stiffness.rows();
+        const Discretization::Part *part = nullptr;
+        for (const Discretization::Part &one : d.parts())
+          if (point >= one.first_point &&
+              point < one.first_point + model.bodies[one.body].n_nodes())
+            part = &one;
+        nodes.push_back({part->body, point - part->first_point});
       }
-    known_rows_ = Eigen::VectorXd::Zero(n_known);
-    compliance_.watch({points.begin(), points.end()}, std::move(motions));
-    const std::vector<unsigned int> &watched = compliance_.watched();
-    for (const auto &pair : pairs_)
-      for (Surface *surface : {&pair->slave, &pair->master})
-        for (std::size_t i = 0; i < surface->place.size(); ++i)
-          {
-            const unsigned int point = surface->first_point + surface->facets.nodes[i];
-            const auto         found = std::lower_bound(watched.begin(), watched.end(), point);
-            if (found != watched.end() && *found == point)
-              surface->place[i] = found - watched.begin();
-          }
+    pair_.set_nodes(nodes);
   }
 
   PairEquilibrium::~PairEquilibrium() = default;
-
-  void PairEquilibrium::set_position(const double driver_turn)
-  {
-    const Transmission &t = *model_.transmission;
-    driver_turn_          = driver_turn;
-    rotations_[t.driver] =
-      rotation_about(model_.bodies[t.driver].axis.direction, t.driver_sense * driver_turn);
-    set_turn(0.);
-  }
-
-  void PairEquilibrium::set_turn(const double turn)
-  {
-    const Transmission &t = *model_.transmission;
-    rotations_[t.driven]  = rotation_about(model_.bodies[t.driven].axis.direction,
-                                          t.driven_sense * t.ratio() * driver_turn_ + turn);
-  }
-
-  Vector3 PairEquilibrium::place(const unsigned int body, const Vector3 &x) const
-  {
-    const Vector3 &c = model_.bodies[body].axis.point;
-    return c + rotations_[body] * (x - c);
-  }
-
-  RigidMotion PairEquilibrium::body_motion(const unsigned int body) const
-  {
-    const Body &b = model_.bodies[body];
-    return {rotations_[body] * b.placement.rotation, place(body, b.placement.translation)};
-  }
-
-  void PairEquilibrium::find_candidates()
-  {
-    for (const auto &pair : pairs_)
-      pair->contact.find_candidates(body_motion(pair->slave.body),
-                                    body_motion(pair->master.body),
-                                    pair->margin());
-  }
 
   double PairEquilibrium::load(const double load_factor) const
   {
@@ -123,220 +79,156 @@ namespace vfife
     return sum;
   }
 
-  std::size_t PairEquilibrium::bearing_row(const std::size_t i) const
+  std::string PairEquilibrium::find_excess(const Eigen::VectorXd &u) const
   {
-    return 3 * compliance_.watched().size() + 6 * i;
+    // Pairs of teeth are looked for where undeformed bodies have them. What bearings move them by
+    // is the mean over a flank's nodes.
+    if (!bodies_->has_bearings())
+      return "";
+    const auto [apart, limit] = pair_.find_excursion(u);
+    if (apart <= limit)
+      return "";
+    std::ostringstream text;
+    text << "bearings let the flanks move by " << apart
+         << " mm against each other, farther than contact is looked for (" << limit
+         << " mm, Contact/depth limit); stiffer bearings or a smaller torque";
+    return text.str();
   }
 
-  Eigen::VectorXd PairEquilibrium::bearing_rows(const Eigen::VectorXd &u) const
+  void PairEquilibrium::check_reach(const Eigen::VectorXd &u) const
   {
-    return u.segment(bearing_row(0), 6 * bearings_->size());
+    const std::string excess = find_excess(u);
+    if (!excess.empty())
+      pair_.fail(excess, "");
   }
 
-  Eigen::VectorXd PairEquilibrium::apply_compliance(const Eigen::VectorXd &force)
+  unsigned int
+  PairEquilibrium::balance(const Eigen::VectorXd &base, const double load, PressedState &now)
   {
-    // Forces are zero but at the few nodes under pressure and bearings: only their columns of A are
-    // asked for.
-    std::vector<unsigned int> rows;
-    for (unsigned int k = 0; k < force.size(); ++k)
-      if (force[k] != 0.)
-        rows.push_back(k);
-    compliance_.prepare(rows);
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(force.size());
-    for (const unsigned int k : rows)
-      u += force[k] * compliance_.column(k);
-    return u;
+    return pair_.balance(*bodies_, base, TurnLoad{load}, tolerance, now, [&]() {
+      return find_excess(base + now.deflection);
+    });
   }
 
-  void PairEquilibrium::move(Pair &pair, const Eigen::VectorXd &u)
+  PressedState PairEquilibrium::settle(const Eigen::VectorXd &base, const double turn)
   {
-    const Discretization &d = compliance_.discretization();
-    for (Surface *surface : {&pair.slave, &pair.master})
-      for (const unsigned int i : pair.active(*surface))
-        {
-          const Vector3 &X = d.points()[surface->first_point + surface->facets.nodes[i]];
-          Eigen::Map<Vector3>(surface->positions.data() + 3 * i) =
-            place(surface->body, X + u.segment<3>(3 * surface->place[i]));
-          std::fill_n(surface->forces.data() + 3 * i, 3, 0.);
-        }
+    PressedState now;
+    now.force = now.deflection = Eigen::VectorXd::Zero(base.size());
+    now.turn                   = turn;
+    now.touching               = false;
+    now.unit                   = std::abs(load(1.)) / model_.transmission->arm;
+    if (!bodies_->has_bearings())
+      return now;
+    now.acting = pair_.evaluate(*bodies_, base, turn, false);
+    balance(base, 0., now);
+    return now;
   }
 
-  PairEquilibrium::Trial
-  PairEquilibrium::evaluate(const Eigen::VectorXd &u, const double turn, const bool touching)
-  {
-    set_turn(turn);
-    Trial trial;
-    trial.force = Eigen::VectorXd::Zero(u.size());
-    if (touching)
-      add_contact(u, trial);
-    trial.contact_force = trial.force.norm();
-    trial.energy        = trial.contact_energy;
-    trial.torque        = trial.contact_torque;
-    add_bearings(u, trial);
-    return trial;
-  }
-
-  void PairEquilibrium::add_bearings(const Eigen::VectorXd &u, Trial &trial) const
-  {
-    if (bearings_->size() > 0)
-      {
-        const auto response = bearings_->evaluate(bearing_rows(u), rotations_);
-        trial.force.segment(bearing_row(0), response.force.size()) += response.force;
-        trial.energy += response.energy;
-        trial.torque += response.torque;
-      }
-    std::size_t row = bearing_row(bearings_->size()), i = 0;
-    for (const StandingMotion &standing : compliance_.standing_motions())
-      {
-        const Eigen::Index    size  = standing.stiffness.rows();
-        const Eigen::VectorXd since = u.segment(row, size) - known_rows_.segment(i, size);
-        const Eigen::VectorXd force = -standing.stiffness * since;
-        trial.force.segment(row, size) += force;
-        trial.energy -= .5 * since.dot(force);
-        row += size;
-        i += size;
-      }
-  }
-
-  void PairEquilibrium::add_contact(const Eigen::VectorXd &u, Trial &trial)
-  {
-    const unsigned int driven = model_.transmission->driven;
-    const Axis        &axis   = model_.bodies[driven].axis;
-    for (const auto &pair : pairs_)
-      {
-        // x = c + R (X + u - c) of both flanks; the contact module works in the fixed frame,
-        // and its forces are turned back into the axes of time zero. At rest: velocities and
-        // time step are zero.
-        move(*pair, u);
-        Surface &s = pair->slave, &m = pair->master;
-        pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion(s.body)},
-                                 {m.positions.data(), m.velocities.data(), body_motion(m.body)},
-                                 0.,
-                                 0,
-                                 1,
-                                 s.forces.data(),
-                                 m.forces.data());
-        for (const GroupPairResult &result : pair->contact.results())
-          trial.contact_energy += result.energy;
-        for (const Surface *surface : {&s, &m})
-          for (const unsigned int i : pair->active(*surface))
-            {
-              const Vector3 f = Eigen::Map<const Vector3>(surface->forces.data() + 3 * i);
-              trial.force.segment<3>(3 * surface->place[i]) +=
-                rotations_[surface->body].transpose() * f;
-              if (surface->body == driven)
-                trial.contact_torque += axis.direction.dot(
-                  (Eigen::Map<const Vector3>(surface->positions.data() + 3 * i) - axis.point)
-                    .cross(f));
-            }
-      }
-  }
-
-  double PairEquilibrium::find_touch(const Eigen::VectorXd &base)
-  {
-    // The load turns the driven body towards the driver: a turn d closes the gap by arm d, nearly,
-    // whatever the flanks are. Steps with this slope end at the touch.
-    const double sense = load(1.) < 0 ? -1. : 1.;
-    Pair        &pair  = *pairs_.front();
-    double       turn  = 0;
-    for (unsigned int i = 0; i < largest_steps; ++i)
-      {
-        set_turn(turn);
-        move(pair, base);
-        const Surface &s = pair.slave, &m = pair.master;
-        const double   gap =
-          pair.contact
-            .smallest_gap({s.positions.data(), s.velocities.data(), body_motion(s.body)},
-                          {m.positions.data(), m.velocities.data(), body_motion(m.body)},
-                          pair.contact.depth_limit())
-            .gap;
-        // Nothing of one flank is within reach of the other any more.
-        if (!std::isfinite(gap))
-          break;
-        if (std::abs(gap) < touch_tolerance)
-          return turn;
-        turn += sense * gap / model_.transmission->arm;
-      }
-    fail("the flanks do not touch within reach", "");
-  }
-
-  PairEquilibrium::Iterate PairEquilibrium::find_unloaded(const Eigen::VectorXd &base)
+  PressedState PairEquilibrium::find_unloaded(const Eigen::VectorXd &base)
   {
     // Bearings that are not alike all around take the body elsewhere when it has turned to the
     // touch, by far less than the way there.
     double turn = 0;
     for (unsigned int i = 0; i < largest_steps; ++i)
       {
-        Iterate      now   = settle(base, turn);
-        const double touch = find_touch(base + now.deflection);
+        PressedState now   = settle(base, turn);
+        const double touch = pair_.find_touch(base + now.deflection, load(1.) < 0 ? -1. : 1.);
         const bool   found = std::abs(touch - turn) * model_.transmission->arm <= touch_tolerance;
         now.turn = turn = touch;
-        if (found || bearings_->size() == 0)
+        if (found || !bodies_->has_bearings())
           return now;
       }
-    fail("the unloaded bearings find no equilibrium", "");
+    pair_.fail("the unloaded bearings find no equilibrium", "");
   }
 
-  PairEquilibrium::Iterate
-  PairEquilibrium::press_rigid(const Eigen::VectorXd &base, const double load, Iterate guess)
+  PairEquilibriumResult PairEquilibrium::solve(const double driver_turn, const double load_factor)
   {
-    // A first guess with some points under pressure: as deep as rigid bodies would need it where
-    // the unloaded bearings have them.
-    guess.touching              = true;
-    const Eigen::VectorXd u     = base + guess.deflection;
-    const double          sense = load < 0 ? -1. : 1.;
-    const double          touch = find_touch(u);
-    double                depth = 1e-5; // [mm]
-    for (; depth < pairs_.front()->contact.depth_limit(); depth *= 2.)
+    PairEquilibriumResult result;
+    result.driver_turn = driver_turn;
+    pair_.set_position(driver_turn);
+    pair_.find_candidates();
+    const Eigen::VectorXd spun     = compliance_.at_rows(compliance_.spun());
+    const PressedState    unloaded = find_unloaded(spun);
+    result.touch_turn              = unloaded.turn;
+    result.touch_displacements     = compliance_.spun();
+    if (bodies_->has_bearings())
+      add_to(result.touch_displacements, compliance_.solve(compliance_.spread(unloaded.force)));
+
+    // u_s + part of u_T: spin and the traction of the torque
+    // What the bodies do without contact; Newton's method adds the deflection by contact forces.
+    const Eigen::VectorXd base = spun + load_factor * compliance_.at_rows(compliance_.twisted());
+    PressedState          now  = pair_.press_rigid(*bodies_, base, load(load_factor), unloaded);
+    result.iterations          = balance(base, load(load_factor), now);
+    check_reach(base + now.deflection);
+    report(base, now, load_factor, result);
+    return result;
+  }
+
+  PairEquilibriumResult PairEquilibrium::press(const double               driver_turn,
+                                               const std::vector<double> &known,
+                                               const std::vector<double> &free,
+                                               const double               torque)
+  {
+    PairEquilibriumResult result;
+    result.driver_turn = driver_turn;
+    pair_.set_position(driver_turn);
+    pair_.find_candidates();
+    const Eigen::VectorXd base = compliance_.at_rows(free);
+    if (pressed_ != nullptr)
+      pair_.set_turn(pressed_->turn);
+    const double load = torque - bodies_->set_known(compliance_.at_rows(known));
+    if (pressed_ != nullptr)
+      pressed_->acting =
+        pair_.evaluate(*bodies_, base + pressed_->deflection, pressed_->turn, true);
+    // The last equilibrium is the start while it still presses, else rigid flanks are pressed anew.
+    if (pressed_ == nullptr || !pressed_->presses())
       {
-        // Twice as deep each time, until the contact has at least the torque: Newton's method comes
-        // back from there, where all points that will carry are pressed.
-        guess.turn  = touch + sense * depth / model_.transmission->arm;
-        guess.trial = evaluate(u, guess.turn, true);
-        if (-sense * guess.trial.contact_torque >= std::abs(load))
-          return guess;
+        PressedState apart;
+        apart.force = apart.deflection = Eigen::VectorXd::Zero(base.size());
+        pressed_ =
+          std::make_unique<PressedState>(pair_.press_rigid(*bodies_, base, load, std::move(apart)));
       }
-    fail("the undeformed flanks cannot carry the torque", "");
+    result.iterations = balance(base, load, *pressed_);
+    check_reach(base + pressed_->deflection);
+    result.residual      = pressed_->residual(TurnLoad{load}, model_.transmission->arm);
+    result.turn          = pressed_->turn;
+    result.displacements = free;
+    add_to(result.displacements, compliance_.solve(compliance_.spread(pressed_->force)));
+    return result;
   }
 
-  std::string PairEquilibrium::find_excess(const Eigen::VectorXd &u) const
+  void PairEquilibrium::report(const Eigen::VectorXd &base,
+                               const PressedState    &now,
+                               const double           load_factor,
+                               PairEquilibriumResult &result)
   {
-    // Pairs of teeth are looked for where undeformed bodies have them. What bearings move them by
-    // is the mean over a flank's nodes.
-    if (bearings_->size() == 0)
-      return "";
-    for (const auto &pair : pairs_)
+    const TurnLoad acting{load(load_factor)};
+    result.turn           = now.turn;
+    result.residual       = now.residual(acting, model_.transmission->arm);
+    result.contact_torque = model_.transmission->driven_sense * now.acting.contact_torque;
+    result.teeth          = pair_.teeth();
+
+    // Per unit of the load factor the bodies twist further, and the springs answer.
+    const Eigen::VectorXd u = base + now.deflection;
+    result.bearings         = bodies_->bearing_states(u);
+    const auto slope =
+      pair_.find_slope(*bodies_, u, acting, compliance_.at_rows(compliance_.twisted()), load(1.));
+    result.turn_slope = slope.second;
+    for (const PressedPair::Spring &spring : pair_.find_springs())
       {
-        Vector3 apart = Vector3::Zero();
-        for (const Surface *surface : {&pair->slave, &pair->master})
-          {
-            Vector3 sum = Vector3::Zero();
-            for (const unsigned int i : pair->active(*surface))
-              sum += u.segment<3>(3 * surface->place[i]);
-            if (!pair->active(*surface).empty())
-              apart += (surface == &pair->slave ? 1. : -1.) / pair->active(*surface).size() *
-                       (rotations_[surface->body] * sum);
-          }
-        if (apart.norm() > pair->contact.depth_limit())
-          {
-            std::ostringstream text;
-            text << "bearings let the flanks move by " << apart.norm()
-                 << " mm against each other, farther than contact is looked for ("
-                 << pair->contact.depth_limit() << " mm, Contact/depth limit); stiffer bearings or "
-                 << "a smaller torque";
-            return text.str();
-          }
+        ContactTie tie{spring.nodes, spring.stiffness};
+        for (auto &point : tie.points)
+          point.first = compliance_.watched()[point.first];
+        result.ties.push_back(tie);
       }
-    return "";
-  }
 
-  void PairEquilibrium::fail(const std::string &what, const std::string &history) const
-  {
-    std::ostringstream text;
-    text << "equilibrium of the pair at the position " << driver_turn_ * 180. / pi
-         << " deg of the driver: " << what;
-    if (!history.empty())
-      text << "; residuals:" << history;
-    throw NumericalError(text.str());
+    // Two solutions for the fields of all points, not only the watched ones.
+    result.displacements      = compliance_.solve(compliance_.spread(now.force));
+    result.displacement_slope = compliance_.solve(compliance_.spread(slope.first));
+    for (std::size_t i = 0; i < result.displacements.size(); ++i)
+      {
+        result.displacements[i] += compliance_.spun()[i] + load_factor * compliance_.twisted()[i];
+        result.displacement_slope[i] += compliance_.twisted()[i];
+      }
   }
 } // namespace vfife

@@ -73,8 +73,8 @@ namespace vfife
 
     /**
      * Modes of other matrices on the same pattern, e.g. at speed; @p lowest is a guess of the
-     * lowest eigenvalue [rad^2/s^2], 0 or what motions are softened to. Eigenvalues of rigid motions
-     * are below @p rigid, unless given the size of the lowest one.
+     * lowest eigenvalue [rad^2/s^2], 0 or what motions are softened to. Eigenvalues of rigid
+     * motions are below @p rigid, unless given the size of the lowest one.
      */
     ModalResult solve(const SparseValues   &stiffness,
                       const SparseValues   &mass,

@@ -3,25 +3,16 @@
 #define vfife_fem_pair_pair_equilibrium_h
 
 #include <vfife/bearing/shaft_seat.h>
+#include <vfife/fem/pair/pressed_pair.h>
 #include <vfife/fem/statics/compliance.h>
-#include <vfife/model/state.h>
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace vfife
 {
-  class BearingSprings;
-
-  /** A contact point under pressure, for small motions u of points of the discretization: the
-   * energy stiffness/2 (sum of direction . u)^2. */
-  struct ContactTie
-  {
-    std::array<std::pair<unsigned int, Vector3>, 8> points; ///< and directions, axes of time zero
-    double                                          stiffness = 0; ///< [N/mm]
-  };
+  class PairBodies;
 
   /** A loaded gear pair at rest in its turning axes. */
   struct PairEquilibriumResult
@@ -86,56 +77,29 @@ namespace vfife
                                 double                     torque);
 
     /** Placement of a body at the last position: at @p x in the axes of time zero, turned. */
-    Vector3 place(unsigned int body, const Vector3 &x) const;
+    Vector3 place(unsigned int body, const Vector3 &x) const
+    {
+      return pair_.place(body, x);
+    }
 
   private:
-    struct Surface;
-    struct Pair;
-    struct Trial;
-    struct Tangent;
-    struct Iterate;
-
-    void        set_position(double driver_turn);
-    void        set_turn(double turn);
-    RigidMotion body_motion(unsigned int body) const;
-    void        find_candidates();
-    void        move(Pair &pair, const Eigen::VectorXd &u);
-    void        add_contact(const Eigen::VectorXd &u, Trial &trial);
-    void        add_bearings(const Eigen::VectorXd &u, Trial &trial) const;
-    Trial       evaluate(const Eigen::VectorXd &u, double turn, bool touching);
-    std::size_t bearing_row(std::size_t i) const;
-    /** Those of all bearings of displacements at all rows. */
-    Eigen::VectorXd bearing_rows(const Eigen::VectorXd &u) const;
-    Tangent         linearize(const Eigen::VectorXd &u, bool touching, bool with_bearings);
-    void            add_springs(Tangent &tangent);
-    void
-    add_rows(const Eigen::VectorXd &u, bool touching, bool with_bearings, Tangent &tangent) const;
-    double          find_touch(const Eigen::VectorXd &base);
-    Iterate         settle(const Eigen::VectorXd &base, double turn);
-    Iterate         find_unloaded(const Eigen::VectorXd &base);
-    Iterate         press_rigid(const Eigen::VectorXd &base, double load, Iterate guess);
-    Eigen::VectorXd apply_compliance(const Eigen::VectorXd &force);
-    double          load(double load_factor) const;
-    void search_line(const Eigen::VectorXd &base, double load, const Iterate &full, Iterate &now);
-    void
-    balance(const Eigen::VectorXd &base, double load, Iterate &now, PairEquilibriumResult &result);
+    double       load(double load_factor) const;
+    PressedState settle(const Eigen::VectorXd &base, double turn);
+    PressedState find_unloaded(const Eigen::VectorXd &base);
+    unsigned int balance(const Eigen::VectorXd &base, double load, PressedState &now);
     /** Says by how much bearings let the flanks leave what was looked at; empty: they do not. */
-    std::string       find_excess(const Eigen::VectorXd &u) const;
-    void              check_reach(const Eigen::VectorXd &u) const;
-    void              report(const Eigen::VectorXd &base,
-                             const Iterate         &now,
-                             double                 load_factor,
-                             PairEquilibriumResult &result);
-    [[noreturn]] void fail(const std::string &what, const std::string &history) const;
+    std::string find_excess(const Eigen::VectorXd &u) const;
+    void        check_reach(const Eigen::VectorXd &u) const;
+    void        report(const Eigen::VectorXd &base,
+                       const PressedState    &now,
+                       double                 load_factor,
+                       PairEquilibriumResult &result);
 
-    const Model                       &model_;
-    Compliance                        &compliance_;
-    std::vector<std::unique_ptr<Pair>> pairs_;
-    std::unique_ptr<BearingSprings>    bearings_;
-    Eigen::VectorXd known_rows_;       ///< of standing motions, whose forces are in what else acts
-    std::unique_ptr<Iterate> pressed_; ///< where press() has ended
-    std::vector<Matrix3>     rotations_; ///< of the bodies since time zero
-    double                   driver_turn_ = 0;
+    const Model                  &model_;
+    Compliance                   &compliance_;
+    PressedPair                   pair_;
+    std::unique_ptr<PairBodies>   bodies_;
+    std::unique_ptr<PressedState> pressed_; ///< where press() has ended
   };
 
   /** Mass-weighted mean rotation of nodes of a body about its axis under a field of small

@@ -1,0 +1,241 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_pair_pressed_pair_h
+#define vfife_fem_pair_pressed_pair_h
+
+#include <vfife/contact/contact_results.h>
+#include <vfife/model/state.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  struct Model;
+
+  /** A contact point under pressure, for small motions u of points of the discretization: the
+   * energy stiffness/2 (sum of direction . u)^2. */
+  struct ContactTie
+  {
+    std::array<std::pair<unsigned int, Vector3>, 8> points; ///< and directions, axes of time zero
+    double                                          stiffness = 0; ///< [N/mm]
+  };
+
+  /** What acts on a pressed pair at a trial state. */
+  struct PressedForces
+  {
+    Eigen::VectorXd force;              ///< at the rows [N]
+    double          contact_force  = 0; ///< norm of the contact's [N]
+    double          contact_energy = 0; ///< [mJ]
+    double contact_torque = 0; ///< of the contact, on the driven body about its axis [N mm]
+    double driver_torque  = 0; ///< of the contact, on the driver about its axis [N mm]
+    double energy         = 0; ///< of all that acts [mJ]
+    double torque         = 0; ///< of all on the driven body [N mm]
+  };
+
+  /** Springs, beyond those of the contact, at the rows behind the nodes'. */
+  struct PressedSprings
+  {
+    Eigen::MatrixXd stiffness;      ///< beyond that of the bodies' answers [N/mm]
+    Eigen::VectorXd by_turn;        ///< change of minus their forces with the turn [N]
+    double          turn_twice = 0; ///< change of minus their torque with the turn [N mm]
+  };
+
+  /**
+   * What elastic bodies do at the rows of a PressedPair, three for each of its nodes and others
+   * behind them, and what acts at those others.
+   */
+  class PressedBodies
+  {
+  public:
+    virtual ~PressedBodies() = default;
+
+    /** Displacements at all rows under forces at them. */
+    virtual Eigen::VectorXd answer(const Eigen::VectorXd &force) = 0;
+    /** Displacements at the @p rows under unit forces there, a column each. */
+    virtual Eigen::MatrixXd flexibility(const std::vector<unsigned int> &rows) = 0;
+    /** Adds what acts at the rows behind the nodes'. */
+    virtual void add_forces(const Eigen::VectorXd &u, PressedForces &sum) const;
+    /** Their springs; @p turning: also with the turn of the driven body; without @p own, those that
+     * the bodies' answers have. */
+    virtual PressedSprings find_springs(const Eigen::VectorXd &u, bool turning, bool own) const;
+  };
+
+  /** Torque on the driven body about its axis [N mm]: torque - stiffness (turn - rest). */
+  struct TurnLoad
+  {
+    double torque    = 0; ///< [N mm]
+    double stiffness = 0; ///< [N mm/rad]
+    double rest      = 0; ///< [rad]
+
+    double at(const double turn) const
+    {
+      return torque - stiffness * (turn - rest);
+    }
+    /** [mJ] */
+    double potential(const double turn) const
+    {
+      return .5 * stiffness * (turn - rest) * (turn - rest) - torque * turn;
+    }
+  };
+
+  /** Where the Newton method of a PressedPair is: forces taken for those that act, the bodies'
+   * answer to them, the turn, and what then acts. */
+  struct PressedState
+  {
+    Eigen::VectorXd force, deflection; ///< at the rows
+    double          turn     = 0;      ///< of the driven body beyond its kinematic turn [rad]
+    bool            touching = true;   ///< otherwise the turn is given and contact is left out
+    /** Forces are compared with at least this [N]; 0: with those of the contact, which then must
+     * not be lost. */
+    double        unit = 0;
+    PressedForces acting;
+
+    double potential(const TurnLoad &load) const;
+    /** Forces that the bodies were bent by less those that then act, over the contact's, or what
+     * the torque lacks, over the load's. */
+    double residual(const TurnLoad &load, double arm) const;
+    /** Whether something is pressed, where it has to. */
+    bool presses() const;
+  };
+
+  /**
+   * The contact of a gear pair between elastic bodies whose answers to forces are known, with the
+   * rotation of the driven body as the last unknown (doc/fem.md, Static with contact): the
+   * penalty contact of the explicit solver acts on the moved flanks, without friction and damping.
+   * Newton's method on the springs of the contact points with a line search on the potential
+   * energy. Rows of nodes are along axes of their own.
+   */
+  class PressedPair
+  {
+  public:
+    /** A node that may touch; columns of @p axes: those of its rows, in the axes of time zero. */
+    struct Node
+    {
+      unsigned int body = 0, node = 0;
+      Matrix3      axes = Matrix3::Identity();
+    };
+    /** A contact point as a spring: rows' nodes and directions along their axes. */
+    struct Spring
+    {
+      std::array<std::pair<unsigned int, Vector3>, 8> nodes;
+      double                                          stiffness = 0; ///< [N/mm]
+      double by_turn = 0; ///< change of the gap with the turn of the driven body [mm/rad]
+    };
+
+    /** @p penalties: of the model's contact pairs [N/mm^3]. Throws InputError where the model is no
+     * gear pair with contact. The model must outlive the object. */
+    PressedPair(const Model &model, const std::vector<double> &penalties);
+    ~PressedPair();
+
+    /** The driver has turned by this since time zero in the drive direction [rad]; the driven body
+     * follows by its kinematic turn. */
+    void   set_position(double driver_turn);
+    double driver_turn() const
+    {
+      return driver_turn_;
+    }
+    /** Of the driven body beyond its kinematic turn. */
+    void set_turn(double turn);
+
+    const std::vector<Matrix3> &rotations() const
+    {
+      return rotations_;
+    }
+    /** Placement of a body: at @p x in the axes of time zero, turned. */
+    Vector3 place(unsigned int body, const Vector3 &x) const;
+
+    /** Finds what may touch, on the way of rigid bodies to @p later_turn of the driver too. */
+    void find_candidates(double later_turn);
+    void find_candidates()
+    {
+      find_candidates(driver_turn_);
+    }
+    /** Nodes of bodies that may touch since find_candidates(), (body, node) sorted. */
+    std::vector<std::pair<unsigned int, unsigned int>> candidates() const;
+    /** From now on rows 3 i + c are of these nodes, among which the candidates are. */
+    void set_nodes(const std::vector<Node> &nodes);
+
+    /** A vector along the axes of a node's rows, turned with its body. */
+    Vector3 to_fixed_frame(std::size_t node, const Vector3 &along_rows) const
+    {
+      return rotations_[nodes_[node].body] * (nodes_[node].axes * along_rows);
+    }
+
+    /** What acts when the rows are displaced by @p u and the driven body by @p turn. */
+    PressedForces
+    evaluate(const PressedBodies &bodies, const Eigen::VectorXd &u, double turn, bool touching);
+
+    /** Turn at which the flanks of the first contact pair just touch, displaced by @p u; a load of
+     * the @p sense closes them. Throws NumericalError where there is none. */
+    double find_touch(const Eigen::VectorXd &u, double sense);
+
+    /** A first guess that presses: as deep as rigid flanks would need it. Throws NumericalError. */
+    PressedState press_rigid(const PressedBodies   &bodies,
+                             const Eigen::VectorXd &base,
+                             double                 load,
+                             PressedState           guess);
+
+    /**
+     * Finds the equilibrium: displacements are @p base and the bodies' answer. @p tolerance: of
+     * PressedState::residual(). Returns the iterations; throws NumericalError, naming position and
+     * history of residuals, and what @p explain says where that is not empty.
+     */
+    unsigned int balance(PressedBodies                      &bodies,
+                         const Eigen::VectorXd              &base,
+                         const TurnLoad                     &load,
+                         double                              tolerance,
+                         PressedState                       &now,
+                         const std::function<std::string()> &explain = nullptr);
+
+    /** The springs of the contact where it was last evaluated. */
+    std::vector<Spring> find_springs() const;
+
+    /** Change of forces at the rows (first) and of the turn (second) at an equilibrium when the
+     * displacements without contact change by @p base and the torque by @p torque. */
+    std::pair<Eigen::VectorXd, double> find_slope(PressedBodies         &bodies,
+                                                  const Eigen::VectorXd &u,
+                                                  const TurnLoad        &load,
+                                                  const Eigen::VectorXd &base,
+                                                  double                 torque);
+
+    /** Tooth pairs in contact where it was last evaluated. */
+    std::vector<ToothContact> teeth() const;
+
+    /** Of the nodes that may touch: distance between the bodies' mean displacements [mm], and the
+     * farthest that contact is looked for. */
+    std::pair<double, double> find_excursion(const Eigen::VectorXd &u) const;
+
+    [[noreturn]] void fail(const std::string &what, const std::string &history) const;
+
+  private:
+    struct Surface;
+    struct Pair;
+    struct Tangent;
+
+    RigidMotion body_motion(unsigned int body) const;
+    void        move(Pair &pair, const Eigen::VectorXd &u);
+    void        add_contact(const Eigen::VectorXd &u, PressedForces &sum);
+    Tangent     linearize(PressedBodies         &bodies,
+                          const Eigen::VectorXd &u,
+                          const TurnLoad        &load,
+                          bool                   touching,
+                          bool                   own) const;
+    void        search_line(const PressedBodies   &bodies,
+                            const Eigen::VectorXd &base,
+                            const TurnLoad        &load,
+                            const PressedState    &full,
+                            PressedState          &now);
+
+    const Model                       &model_;
+    std::vector<std::unique_ptr<Pair>> pairs_;
+    std::vector<Node>                  nodes_;
+    std::vector<Matrix3>               rotations_; ///< of the bodies since time zero
+    double                             driver_turn_ = 0;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,125 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pair_bodies.h"
+
+#include <vfife/model/model.h>
+
+namespace vfife
+{
+  PairBodies::PairBodies(const Model                &model,
+                         Compliance                 &compliance,
+                         std::vector<unsigned int>   points,
+                         const std::vector<Matrix3> &rotations)
+    : compliance_(compliance)
+    , rotations_(rotations)
+    , bearings_(model, compliance.rings(), model.transmission->arm)
+  {
+    std::vector<PointMotion> motions = bearings_.motions();
+    Eigen::Index             n_known = 0;
+    for (const StandingMotion &standing : compliance.standing_motions())
+      {
+        motions.push_back(standing);
+        n_known += standing.stiffness.rows();
+      }
+    known_rows_ = Eigen::VectorXd::Zero(n_known);
+    compliance_.watch(std::move(points), std::move(motions));
+  }
+
+  std::size_t PairBodies::bearing_row(const std::size_t i) const
+  {
+    return 3 * compliance_.watched().size() + 6 * i;
+  }
+
+  Eigen::VectorXd PairBodies::bearing_rows(const Eigen::VectorXd &u) const
+  {
+    return u.segment(bearing_row(0), 6 * bearings_.size());
+  }
+
+  std::vector<SeatState> PairBodies::bearing_states(const Eigen::VectorXd &u) const
+  {
+    return bearings_.evaluate(bearing_rows(u), rotations_).states;
+  }
+
+  double PairBodies::set_known(const Eigen::VectorXd &before)
+  {
+    known_rows_ = before.tail(before.size() - bearing_row(bearings_.size()));
+    return bearings_.set_known(bearing_rows(before), rotations_);
+  }
+
+  Eigen::VectorXd PairBodies::answer(const Eigen::VectorXd &force)
+  {
+    // Forces are zero but at the few nodes under pressure and bearings: only their columns of A are
+    // asked for.
+    std::vector<unsigned int> rows;
+    for (unsigned int k = 0; k < force.size(); ++k)
+      if (force[k] != 0.)
+        rows.push_back(k);
+    compliance_.prepare(rows);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(force.size());
+    for (const unsigned int k : rows)
+      u += force[k] * compliance_.column(k);
+    return u;
+  }
+
+  Eigen::MatrixXd PairBodies::flexibility(const std::vector<unsigned int> &rows)
+  {
+    compliance_.prepare(rows);
+    Eigen::MatrixXd flexibility(rows.size(), rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      {
+        const Eigen::Ref<const Eigen::VectorXd> column = compliance_.column(rows[k]);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          flexibility(i, k) = column[rows[i]];
+      }
+    return flexibility;
+  }
+
+  void PairBodies::add_forces(const Eigen::VectorXd &u, PressedForces &sum) const
+  {
+    if (has_bearings())
+      {
+        const auto response = bearings_.evaluate(bearing_rows(u), rotations_);
+        sum.force.segment(bearing_row(0), response.force.size()) += response.force;
+        sum.energy += response.energy;
+        sum.torque += response.torque;
+      }
+    std::size_t row = bearing_row(bearings_.size()), i = 0;
+    for (const StandingMotion &standing : compliance_.standing_motions())
+      {
+        const Eigen::Index    size  = standing.stiffness.rows();
+        const Eigen::VectorXd since = u.segment(row, size) - known_rows_.segment(i, size);
+        const Eigen::VectorXd force = -standing.stiffness * since;
+        sum.force.segment(row, size) += force;
+        sum.energy -= .5 * since.dot(force);
+        row += size;
+        i += size;
+      }
+  }
+
+  PressedSprings
+  PairBodies::find_springs(const Eigen::VectorXd &u, const bool turning, const bool own) const
+  {
+    const Eigen::Index first = bearing_row(0), n = u.size() - first;
+    PressedSprings     springs;
+    springs.stiffness = Eigen::MatrixXd::Zero(n, n);
+    springs.by_turn   = Eigen::VectorXd::Zero(n);
+    if (own && has_bearings())
+      {
+        const auto         bearings = bearings_.evaluate(bearing_rows(u), rotations_);
+        const Eigen::Index size     = bearings.force.size();
+        springs.stiffness.topLeftCorner(size, size) = bearings.stiffness;
+        if (turning) // otherwise the turn is given
+          {
+            springs.by_turn.head(size) = bearings.by_turn;
+            springs.turn_twice += bearings.turn_twice;
+          }
+      }
+    Eigen::Index row = 6 * bearings_.size();
+    for (const StandingMotion &standing : compliance_.standing_motions())
+      {
+        const Eigen::Index size                       = standing.stiffness.rows();
+        springs.stiffness.block(row, row, size, size) = standing.stiffness;
+        row += size;
+      }
+    return springs;
+  }
+} // namespace vfife

@@ -1,0 +1,286 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pressed_pair_parts.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/model/tooth_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+// Positions and all that the contact module sees are in the fixed frame, the bodies turned by
+// rotations_.
+namespace vfife
+{
+  namespace
+  {
+    /** Of the secant towards the first touch. */
+    constexpr unsigned int largest_steps = 60;
+    /** Gap at the first touch [mm]: 1e-5 arcsec at 100 mm. */
+    constexpr double touch_tolerance = 5e-9;
+  } // namespace
+
+  void PressedBodies::add_forces(const Eigen::VectorXd & /*u*/, PressedForces & /*sum*/) const
+  {
+  }
+
+  PressedSprings
+  PressedBodies::find_springs(const Eigen::VectorXd & /*u*/, bool /*turning*/, bool /*own*/) const
+  {
+    return {};
+  }
+
+  PressedPair::PressedPair(const Model &model, const std::vector<double> &penalties)
+    : model_(model)
+    , rotations_(model.bodies.size(), Matrix3::Identity())
+  {
+    if (!model.transmission || model.contacts.empty())
+      throw InputError("the equilibrium of a loaded pair needs a gear pair with contact");
+    for (std::size_t i = 0; i < model.contacts.size(); ++i)
+      pairs_.push_back(std::make_unique<Pair>(model.contacts[i], model, penalties[i]));
+  }
+
+  PressedPair::~PressedPair() = default;
+
+  void PressedPair::set_position(const double driver_turn)
+  {
+    const Transmission &t = *model_.transmission;
+    driver_turn_          = driver_turn;
+    rotations_[t.driver] =
+      rotation_about(model_.bodies[t.driver].axis.direction, t.driver_sense * driver_turn);
+    set_turn(0.);
+  }
+
+  void PressedPair::set_turn(const double turn)
+  {
+    const Transmission &t = *model_.transmission;
+    rotations_[t.driven]  = rotation_about(model_.bodies[t.driven].axis.direction,
+                                          t.driven_sense * t.ratio() * driver_turn_ + turn);
+  }
+
+  Vector3 PressedPair::place(const unsigned int body, const Vector3 &x) const
+  {
+    const Vector3 &c = model_.bodies[body].axis.point;
+    return c + rotations_[body] * (x - c);
+  }
+
+  RigidMotion PressedPair::body_motion(const unsigned int body) const
+  {
+    const Body &b = model_.bodies[body];
+    return {rotations_[body] * b.placement.rotation, place(body, b.placement.translation)};
+  }
+
+  void PressedPair::find_candidates(const double later_turn)
+  {
+    const double         turn      = driver_turn_;
+    std::vector<Matrix3> rotations = rotations_;
+    set_position(later_turn);
+    std::vector<RigidMotion> later;
+    for (unsigned int b = 0; b < rotations.size(); ++b)
+      later.push_back(body_motion(b));
+    rotations_   = std::move(rotations);
+    driver_turn_ = turn;
+    for (const auto &pair : pairs_)
+      pair->contact.find_candidates(body_motion(pair->slave.body),
+                                    body_motion(pair->master.body),
+                                    later[pair->slave.body],
+                                    later[pair->master.body],
+                                    pair->margin());
+  }
+
+  std::vector<std::pair<unsigned int, unsigned int>> PressedPair::candidates() const
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> nodes;
+    for (const auto &pair : pairs_)
+      for (const Surface *surface : {&pair->slave, &pair->master})
+        for (const unsigned int i : pair->active(*surface))
+          nodes.emplace_back(surface->body, surface->facets.nodes[i]);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+  void PressedPair::set_nodes(const std::vector<Node> &nodes)
+  {
+    nodes_ = nodes;
+    std::vector<std::vector<unsigned int>> places(model_.bodies.size());
+    for (unsigned int b = 0; b < places.size(); ++b)
+      places[b].assign(model_.bodies[b].n_nodes(), Surface::no_place);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      places[nodes[i].body][nodes[i].node] = i;
+    for (const auto &pair : pairs_)
+      for (Surface *surface : {&pair->slave, &pair->master})
+        for (std::size_t i = 0; i < surface->place.size(); ++i)
+          surface->place[i] = places[surface->body][surface->facets.nodes[i]];
+  }
+
+  void PressedPair::move(Pair &pair, const Eigen::VectorXd &u)
+  {
+    for (Surface *surface : {&pair.slave, &pair.master})
+      {
+        const Body &body = model_.bodies[surface->body];
+        for (const unsigned int i : pair.active(*surface))
+          {
+            const unsigned int k = surface->place[i];
+            const Vector3      X = body.placement(body.node_positions()[surface->facets.nodes[i]]);
+            Eigen::Map<Vector3>(surface->positions.data() + 3 * i) =
+              place(surface->body, X + nodes_[k].axes * u.segment<3>(3 * k));
+            std::fill_n(surface->forces.data() + 3 * i, 3, 0.);
+          }
+      }
+  }
+
+  PressedForces PressedPair::evaluate(const PressedBodies   &bodies,
+                                      const Eigen::VectorXd &u,
+                                      const double           turn,
+                                      const bool             touching)
+  {
+    set_turn(turn);
+    PressedForces sum;
+    sum.force = Eigen::VectorXd::Zero(u.size());
+    if (touching)
+      add_contact(u, sum);
+    sum.contact_force = sum.force.norm();
+    sum.energy        = sum.contact_energy;
+    sum.torque        = sum.contact_torque;
+    bodies.add_forces(u, sum);
+    return sum;
+  }
+
+  void PressedPair::add_contact(const Eigen::VectorXd &u, PressedForces &sum)
+  {
+    const unsigned int driven = model_.transmission->driven;
+    for (const auto &pair : pairs_)
+      {
+        // x = c + R (X + u - c) of both flanks; the contact module works in the fixed frame, and
+        // its forces are turned back into the axes of the rows. At rest: velocities and time step
+        // are zero.
+        move(*pair, u);
+        Surface &s = pair->slave, &m = pair->master;
+        pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion(s.body)},
+                                 {m.positions.data(), m.velocities.data(), body_motion(m.body)},
+                                 0.,
+                                 0,
+                                 1,
+                                 s.forces.data(),
+                                 m.forces.data());
+        for (const GroupPairResult &result : pair->contact.results())
+          sum.contact_energy += result.energy;
+        for (const Surface *surface : {&s, &m})
+          {
+            const Axis &axis   = model_.bodies[surface->body].axis;
+            double      torque = 0;
+            for (const unsigned int i : pair->active(*surface))
+              {
+                const Eigen::Map<const Vector3> f(surface->forces.data() + 3 * i),
+                  x(surface->positions.data() + 3 * i);
+                const unsigned int k = surface->place[i];
+                sum.force.segment<3>(3 * k) +=
+                  nodes_[k].axes.transpose() * (rotations_[surface->body].transpose() * f);
+                torque += axis.direction.dot((x - axis.point).cross(f));
+              }
+            (surface->body == driven ? sum.contact_torque : sum.driver_torque) += torque;
+          }
+      }
+  }
+
+  double PressedPair::find_touch(const Eigen::VectorXd &u, const double sense)
+  {
+    // The load turns the driven body towards the driver: a turn d closes the gap by arm d, nearly,
+    // whatever the flanks are. Steps with this slope end at the touch.
+    Pair  &pair = *pairs_.front();
+    double turn = 0;
+    for (unsigned int i = 0; i < largest_steps; ++i)
+      {
+        set_turn(turn);
+        move(pair, u);
+        const Surface &s = pair.slave, &m = pair.master;
+        const double   gap =
+          pair.contact
+            .smallest_gap({s.positions.data(), s.velocities.data(), body_motion(s.body)},
+                          {m.positions.data(), m.velocities.data(), body_motion(m.body)},
+                          pair.contact.depth_limit())
+            .gap;
+        // Nothing of one flank is within reach of the other any more.
+        if (!std::isfinite(gap))
+          break;
+        if (std::abs(gap) < touch_tolerance)
+          return turn;
+        turn += sense * gap / model_.transmission->arm;
+      }
+    fail("the flanks do not touch within reach", "");
+  }
+
+  PressedState PressedPair::press_rigid(const PressedBodies   &bodies,
+                                        const Eigen::VectorXd &base,
+                                        const double           load,
+                                        PressedState           guess)
+  {
+    // A first guess with some points under pressure: as deep as rigid bodies would need it.
+    guess.touching              = true;
+    guess.unit                  = 0;
+    const Eigen::VectorXd u     = base + guess.deflection;
+    const double          sense = load < 0 ? -1. : 1.;
+    const double          touch = find_touch(u, sense);
+    double                depth = 1e-5; // [mm]
+    for (; depth < pairs_.front()->contact.depth_limit(); depth *= 2.)
+      {
+        // Twice as deep each time, until the contact has at least the torque: Newton's method comes
+        // back from there, where all points that will carry are pressed.
+        guess.turn   = touch + sense * depth / model_.transmission->arm;
+        guess.acting = evaluate(bodies, u, guess.turn, true);
+        if (-sense * guess.acting.contact_torque >= std::abs(load))
+          return guess;
+      }
+    fail("the undeformed flanks cannot carry the torque", "");
+  }
+
+  std::vector<ToothContact> PressedPair::teeth() const
+  {
+    std::vector<ToothContact> teeth;
+    for (const auto &pair : pairs_)
+      for (const GroupPairResult &group : pair->contact.results())
+        if (group.normal_force > 0)
+          teeth.push_back(make_tooth_contact(model_, pair->definition, group));
+    return teeth;
+  }
+
+  std::pair<double, double> PressedPair::find_excursion(const Eigen::VectorXd &u) const
+  {
+    std::pair<double, double> largest{0., 0.};
+    double                    share = 0;
+    for (const auto &pair : pairs_)
+      {
+        Vector3 apart = Vector3::Zero();
+        for (const Surface *surface : {&pair->slave, &pair->master})
+          {
+            Vector3 sum = Vector3::Zero();
+            for (const unsigned int i : pair->active(*surface))
+              {
+                const unsigned int k = surface->place[i];
+                sum += nodes_[k].axes * u.segment<3>(3 * k);
+              }
+            if (!pair->active(*surface).empty())
+              apart += (surface == &pair->slave ? 1. : -1.) / pair->active(*surface).size() *
+                       (rotations_[surface->body] * sum);
+          }
+        const double limit = pair->contact.depth_limit();
+        if (apart.norm() > share * limit)
+          {
+            share   = apart.norm() / limit;
+            largest = {apart.norm(), limit};
+          }
+      }
+    return largest;
+  }
+
+  void PressedPair::fail(const std::string &what, const std::string &history) const
+  {
+    std::ostringstream text;
+    text << "equilibrium of the pair at the position " << driver_turn_ * 180. / pi
+         << " deg of the driver: " << what;
+    if (!history.empty())
+      text << "; residuals:" << history;
+    throw NumericalError(text.str());
+  }
+} // namespace vfife
