@@ -125,7 +125,8 @@ namespace vfife
         }
       own.n_unknowns = std::max(own.n_unknowns, sector.n_unknowns());
       own.memory     = std::max(own.memory, sector.memory());
-      if (!is_empty)
+      // The rigid turn of a hub is one of h = 0 even where no mode is.
+      if (!is_empty || (number == 0 && body.turns()))
         own.harmonics.push_back(std::move(harmonic));
     }
 
@@ -202,16 +203,17 @@ namespace vfife
     const CyclicBody sector(model, body, fem, rate);
     check_nodes(sector.body(), touch_nodes, readings);
     ReducedBody reduced;
-    reduced.n_sectors    = sector.n_sectors();
-    reduced.sector_angle = sector.sector().sector_angle();
-    reduced.rate         = rate;
-    reduced.cutoff       = options.cutoff;
-    reduced.touch_nodes  = touch_nodes;
-    reduced.readings     = std::move(readings);
-    reduced.reach        = std::min(options.reach, reduced.n_sectors / 2);
-    reduced.turns        = sector.turns();
-    reduced.turn_inertia = sector.turn_inertia();
-    reduced.counted      = true; // CyclicHarmonic::find_modes() returns no others
+    reduced.n_sectors        = sector.n_sectors();
+    reduced.nodes_per_sector = nodes_per_sector(sector.body());
+    reduced.sector_angle     = sector.sector().sector_angle();
+    reduced.rate             = rate;
+    reduced.cutoff           = options.cutoff;
+    reduced.touch_nodes      = touch_nodes;
+    reduced.readings         = std::move(readings);
+    reduced.reach            = std::min(options.reach, reduced.n_sectors / 2);
+    reduced.turns            = sector.turns();
+    reduced.turn_inertia     = sector.turn_inertia();
+    reduced.counted          = true; // CyclicHarmonic::find_modes() returns no others
 
     const std::vector<SectorRow> rows = make_rows(sector, touch_nodes, reduced.readings);
     reduced.spin.resize(rows.size());

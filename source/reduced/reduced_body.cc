@@ -3,6 +3,9 @@
 
 #include <vfife/reduced/reduced_body.h>
 
+#include <cstdlib>
+#include <stdexcept>
+
 namespace vfife
 {
   unsigned int ReducedBody::n_modes() const
@@ -11,6 +14,23 @@ namespace vfife
     for (const Harmonic &harmonic : harmonics)
       n += harmonic.n_modes();
     return n;
+  }
+
+  unsigned int ReducedBody::find_reading(const std::string &name) const
+  {
+    for (unsigned int i = 0; i < readings.size(); ++i)
+      if (readings[i].name == name)
+        return i;
+    throw std::logic_error("a reduced body has no reading \"" + name + "\"");
+  }
+
+  const Eigen::MatrixXd *ReducedBody::find_residual(const int distance) const
+  {
+    const int n = n_sectors;
+    if (static_cast<unsigned int>(std::abs(distance)) > reach)
+      return nullptr;
+    // Half a turn away lies one sector in both senses.
+    return &residual[2 * distance == -n ? 2 * reach : distance + reach];
   }
 
   void serialize(ReducedBody::Harmonic &harmonic, ByteStream &stream)

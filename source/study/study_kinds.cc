@@ -8,6 +8,7 @@
 #include <vfife/study/gear/lumped_study.h>
 #include <vfife/study/gear/mesh_study.h>
 #include <vfife/study/gear/tooth_contact_study.h>
+#include <vfife/study/reduced/reduced_study.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/run/static_study.h>
 #include <vfife/study/study_kinds.h>
@@ -32,6 +33,7 @@ namespace vfife
     // A new kind of study is a row here: the word, how it is made, the file that it writes last.
     static const Choices<KnownStudy> kinds = {
       {"run", {&alone<make_run_study>, "summary.json"}},
+      {"reduced", {&alone<make_reduced_study>, "summary.json"}},
       {"static", {&alone<make_static_study>, "summary.json"}},
       {"tooth contact analysis", {&alone<make_tooth_contact_study>, "tca.json"}},
       {"flank fit", {&alone<make_flank_fit_study>, "flank_fit.json"}},

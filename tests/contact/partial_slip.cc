@@ -262,11 +262,11 @@ namespace
     const auto point = [&](const double u, const double v) {
       return Vector3(radius * (outward(u, v) + Vector3::UnitZ()));
     };
-    Pressed             ball(grid(40, 40, point, outward),
+    Pressed    ball(grid(40, 40, point, outward),
                  plane(n - 1, n - 1, -half, half, -half, half, 0.),
                  n,
                  n);
-    const auto          at = [=](const unsigned int s) {
+    const auto at = [=](const unsigned int s) {
       return Eigen::Vector2d((s % n) * cell - half, (s / n) * cell - half);
     };
     for (unsigned int s = 0; s < n * n; ++s)

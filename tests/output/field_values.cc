@@ -3,8 +3,8 @@
 // an axis askew and is strained uniformly, and a block that is.
 #include "../tests.h"
 #include "../vtu_file.h"
-#include "ring_askew.h"
 #include "../whole_partition.h"
+#include "ring_askew.h"
 
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>

@@ -68,9 +68,7 @@ namespace
     Transmission   t;
     for (unsigned int b = 0; b < 2; ++b)
       {
-        Body body(b == 0 ? "pinion" : "gear",
-                  make_ring(20., 30., 12., {{1, 12, 2}}),
-                  Material());
+        Body body(b == 0 ? "pinion" : "gear", make_ring(20., 30., 12., {{1, 12, 2}}), Material());
         body.placement     = b == 0 ? designed.pinion_placement(0.) : designed.gear_placement(0.);
         body.axis          = {body.placement.translation, body.placement.rotation.col(2)};
         body.turns_on_axis = body.floats = true;

@@ -66,10 +66,11 @@ namespace
     const double dt = part * 2 / std::sqrt(frequency);
     stepped.solver.set_step(dt);
     Stepping stepping(folder, log, model, stepped.solver, output, sample_steps);
-    stepping.add<HistoryWriter>(model, sample_steps);
+    stepping.observers().add<HistoryWriter>(model, sample_steps);
     const auto   start    = make_start(model, options, stepped.solver, world, log);
     const double end_time = n_steps * dt;
-    stepping.run(nullptr, end_time, end_time, *start, [] {}, [] {});
+    stepping.run(
+      nullptr, end_time, end_time, *start, [] {}, [] {});
 
     Result result;
     result.history    = read_columns(name + "/history.csv");

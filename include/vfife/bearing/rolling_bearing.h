@@ -55,7 +55,7 @@ namespace vfife
     BearingResponse linearized() const override;
     Matrix5         stiffness_bound() const override;
     /** Elements are then pressed by some thousand MPa. */
-    double          curve_range() const override;
+    double curve_range() const override;
 
     /** Forces between each element and the inner ring [N]; displacements as of evaluate(). */
     std::vector<double> element_forces(const Vector5 &displacement) const;

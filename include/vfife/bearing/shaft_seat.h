@@ -54,8 +54,8 @@ namespace vfife
     /** A torque that works on the twist [N mm]. */
     Wrench of_torque(double torque, const MeanMotion::Motion &motion) const;
 
-    /** What small displacements and turns of the centre along the fixed frame's axes are in those of
-     * the bearing: x, y, z, tilts about x and y. */
+    /** What small displacements and turns of the centre along the fixed frame's axes are in those
+     * of the bearing: x, y, z, tilts about x and y. */
     Eigen::Matrix<double, 5, 6> reading() const;
 
     /** A matrix of a bearing as one of small displacements and turns of the centre along the fixed

@@ -28,6 +28,10 @@ namespace vfife
 
     /** What the sum of the energies has gained beyond work less losses [mJ]. */
     double residual() const;
+    /** What has been exchanged since the state @p first: within the bodies and lost; with what
+     * drives and loads them, less what only passes through; or by their motion as a whole; the
+     * largest of them [mJ]. */
+    double exchanged_since(const EnergyLedger &first) const;
     /** Residual over the scale; doc/conventions.md, Steady part and figures. */
     double error() const;
   };

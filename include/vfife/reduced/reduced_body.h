@@ -59,8 +59,9 @@ namespace vfife
       }
     };
 
-    unsigned int n_sectors    = 0;
-    double       sector_angle = 0; ///< alpha = 2 pi/N, + about compute_sector_axis() [rad]
+    unsigned int n_sectors        = 0;
+    unsigned int nodes_per_sector = 0;
+    double       sector_angle     = 0; ///< alpha = 2 pi/N, + about compute_sector_axis() [rad]
     double       rate   = 0; ///< at which the state of spin was taken, about Body::axis [rad/s]
     double       cutoff = 0; ///< modes below are kept [rad/s]
 
@@ -105,7 +106,11 @@ namespace vfife
     {
       return 3 * touch_nodes.size() + readings.size();
     }
-    unsigned int n_modes() const; ///< complex ones count once
+    /** Place of a reading among the readings; throws std::logic_error where there is none. */
+    unsigned int find_reading(const std::string &name) const;
+    /** The residual that is @p distance sectors away; nullptr beyond the reach. */
+    const Eigen::MatrixXd *find_residual(int distance) const;
+    unsigned int           n_modes() const; ///< complex ones count once
   };
 
   /** Passes the modes of a harmonic. */

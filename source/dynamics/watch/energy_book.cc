@@ -83,16 +83,8 @@ namespace vfife
     largest_approach_ = std::max(largest_approach_, approach_.compute(sums));
     if (has_touched_)
       ledger_.scale = std::max(ledger_.scale, largest_approach_);
-    // What has been exchanged since the start: within the bodies and lost; with what drives and
-    // loads them, less what only passes through; and by their motion as a whole, which spins up or
-    // falls while hardly anything is strained.
-    const double within =
-      std::abs(ledger_.strain - at_start_.strain) + std::abs(ledger_.contact - at_start_.contact) +
-      std::abs(ledger_.kinetic_relative - at_start_.kinetic_relative) +
-      std::abs(ledger_.damping_loss + ledger_.mesh_damping_loss + ledger_.contact_loss);
-    const double work    = std::abs(ledger_.drive_work + ledger_.torque_work);
-    const double kinetic = std::abs(ledger_.kinetic - at_start_.kinetic);
-    ledger_.scale        = std::max({ledger_.scale, within, work, kinetic});
+    // Bodies spin up or fall while hardly anything is strained: their motion as a whole counts too.
+    ledger_.scale = std::max(ledger_.scale, ledger_.exchanged_since(at_start_));
   }
 
   void EnergyBook::check(const double limit, const std::string &instant, Log &log)

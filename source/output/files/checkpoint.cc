@@ -7,14 +7,10 @@
 #include <vfife/model/model.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
-
-#include <boost/crc.hpp>
+#include <vfife/output/files/sealed_file.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -27,23 +23,9 @@ namespace vfife
 
     const char last_name[] = "checkpoint.bin", previous_name[] = "checkpoint.previous.bin";
 
-    /** What a file begins with. */
-    struct Header
-    {
-      std::array<char, 16> mark = {{"vfife-run-state"}};
-      /** Raised only by what older programs cannot read: parts and entries are found by their names
-       * (ByteStream::pass_part()), so that new ones do not. */
-      std::uint64_t format_version = 4;
-      std::uint64_t size           = 0; ///< of what follows [bytes]
-      std::uint64_t checksum       = 0; ///< of what follows: CRC-32
-    };
-
-    std::uint64_t compute_checksum(const std::string &bytes)
-    {
-      boost::crc_32_type crc;
-      crc.process_bytes(bytes.data(), bytes.size());
-      return crc.checksum();
-    }
+    /** Raised only by what older programs cannot read: parts and entries are found by their names
+     * (ByteStream::pass_part()), so that new ones do not. */
+    const SealedFile seal = {"vfife-run-state", "checkpoint", 4};
 
     /** Both directions. */
     void serialize(ByteStream &stream, Checkpoint &checkpoint)
@@ -61,40 +43,6 @@ namespace vfife
       stream.pass_required_part("run", [&](ByteStream &part) {
         part.pass(checkpoint.common, checkpoint.own);
       });
-    }
-
-    /** What is wrong with a file, or nothing and the bytes behind its header. */
-    std::string load(const std::string &path, std::string &bytes)
-    {
-      std::ifstream file(path, std::ios::binary);
-      if (!file)
-        return "there is no \"" + path + "\"";
-      std::ostringstream content;
-      content << file.rdbuf();
-      bytes = content.str();
-
-      Header       header;
-      const Header known;
-      // From the cheap to the dear: length, mark, version, length behind the header, checksum.
-      if (bytes.size() < sizeof(header))
-        return "\"" + path + "\" is damaged: it has " + std::to_string(bytes.size()) + " bytes";
-      std::memcpy(&header, bytes.data(), sizeof(header));
-      bytes.erase(0, sizeof(header));
-
-      // First whose file it is, then which format, then whether it is whole.
-      if (header.mark != known.mark)
-        return "\"" + path + "\" is no checkpoint of vfife, or is damaged";
-      if (header.format_version != known.format_version)
-        return "\"" + path + "\" is a checkpoint of " +
-               (header.format_version < known.format_version ? "an older" : "a newer") +
-               " version of vfife (format " + std::to_string(header.format_version) +
-               "), this one reads format " + std::to_string(known.format_version);
-      if (header.size != bytes.size())
-        return "\"" + path + "\" is damaged: it has " + std::to_string(bytes.size()) + " of " +
-               std::to_string(header.size) + " bytes";
-      if (header.checksum != compute_checksum(bytes))
-        return "\"" + path + "\" is damaged: its checksum is wrong";
-      return "";
     }
 
     /** What tells one body from another: counts, and sums that any change of the mesh moves. */
@@ -161,16 +109,10 @@ namespace vfife
     checkpoint.common         = common;
     ByteStream stream;
     serialize(stream, checkpoint);
-    Header header;
-    header.size     = stream.bytes().size();
-    header.checksum = compute_checksum(stream.bytes());
 
     // The new file is complete before the old ones are touched.
     const std::string fresh = "checkpoint.new.bin";
-    folder.write_file(fresh, [&](std::ostream &out) {
-      out.write(reinterpret_cast<const char *>(&header), sizeof(header));
-      out.write(stream.bytes().data(), stream.bytes().size());
-    });
+    folder.write_file(fresh, [&](std::ostream &out) { seal.write(stream.bytes(), out); });
     // Between two of these renames a kill leaves the last file or the one before.
     std::error_code error;
     if (keeps_previous)
@@ -191,12 +133,12 @@ namespace vfife
     if (communicator.is_root())
       {
         file      = folder + "/" + last_name;
-        complaint = load(file, bytes);
+        complaint = seal.read(file, bytes);
         if (!complaint.empty())
           {
             const std::string last = complaint;
             file                   = folder + "/" + previous_name;
-            complaint              = load(file, bytes);
+            complaint              = seal.read(file, bytes);
             if (complaint.empty())
               log.line(last, "; the checkpoint before is taken");
             else

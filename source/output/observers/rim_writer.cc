@@ -8,18 +8,12 @@
 #include <vfife/output/observers/rim_writer.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vfife
 {
   namespace
   {
-    unsigned int count_diameters(const Model &model)
-    {
-      const unsigned int teeth = model.transmission->driven_teeth;
-      // Waves shorter than two teeth cannot be told from longer ones.
-      return std::min(RimWriter::largest_diameters, teeth > 0 ? (teeth - 1) / 2 : 0);
-    }
-
     /** All columns in the order of the file, which is that of the coefficients. */
     SampleColumns<RimWaves> list_columns(const unsigned int n_diameters)
     {
@@ -40,11 +34,20 @@ namespace vfife
     }
   } // namespace
 
+  unsigned int RimWriter::count_diameters(const Model &model)
+  {
+    const unsigned int teeth = model.transmission->driven_teeth;
+    // Waves shorter than two teeth cannot be told from longer ones.
+    return std::min(largest_diameters, teeth > 0 ? (teeth - 1) / 2 : 0);
+  }
+
   RimWriter::RimWriter(const OutputFolder &folder,
                        const Model        &model,
-                       const std::uint64_t steps_between)
+                       const std::uint64_t steps_between,
+                       Measure             measure)
     : SampledTable(folder, "rim.csv", list_columns(count_diameters(model)), steps_between)
     , folder_(folder)
+    , measure_(std::move(measure))
     , n_diameters_(count_diameters(model))
   {
     // Share of the rim's mass, direction about the axis and axes of each node.
@@ -60,6 +63,11 @@ namespace vfife
   }
 
   void RimWriter::add_rows(const Model &model, const State &state)
+  {
+    add_row(state, measure_ ? measure_(n_diameters_) : measure_positions(model, state));
+  }
+
+  RimWaves RimWriter::measure_positions(const Model &model, const State &state) const
   {
     const unsigned int b    = model.transmission->driven;
     const Body        &gear = model.bodies[b];
@@ -93,6 +101,6 @@ namespace vfife
           }
       }
     folder_.communicator().sum(sums);
-    add_row(state, sums);
+    return sums;
   }
 } // namespace vfife

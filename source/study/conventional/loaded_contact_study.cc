@@ -6,7 +6,6 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/dynamics/operator/mass_scaling.h>
 #include <vfife/element/stress.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/pair/coupled_modes.h>
@@ -24,12 +23,11 @@
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_probes.h>
-#include <vfife/study/run/stepped_solver.h>
+#include <vfife/study/run/run_penalties.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
-#include <ostream>
 
 namespace vfife
 {
@@ -82,7 +80,8 @@ namespace vfife
       {
         gear_case_.make_model(log); // what is wrong with it, and what it is
         log.line("penalty of a run of this file ",
-                 find_penalties(communicator, log).front(),
+                 find_run_penalties(gear_case_, dynamics_, output_.history_every, communicator, log)
+                   .front(),
                  " N/mm^3; ",
                  options_.positions,
                  " positions");
@@ -91,14 +90,12 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
-      /** Of each contact pair in a run of the same file [N/mm^3]. */
-      std::vector<double> find_penalties(const Communicator &communicator, Log &log) const;
-      void                add_position(const Model                 &model,
-                                       const Compliance            &compliance,
-                                       double                       position,
-                                       const PairEquilibriumResult &result,
-                                       const std::vector<Stress>   &stresses,
-                                       Log                         &log);
+      void add_position(const Model                 &model,
+                        const Compliance            &compliance,
+                        double                       position,
+                        const PairEquilibriumResult &result,
+                        const std::vector<Stress>   &stresses,
+                        Log                         &log);
 
       void add_misalignment(const Model                 &model,
                             const Compliance            &compliance,
@@ -142,28 +139,13 @@ namespace vfife
       1000);
   }
 
-  std::vector<double> LoadedContactStudy::find_penalties(const Communicator &communicator,
-                                                         Log                &log) const
-  {
-    // Penalties of a run follow from its step and its nodes' masses: the solver of that run is set
-    // up and asked, so that both have the same contact. Mass scaling is a matter of the run: it has
-    // a model of its own, the pair at rest keeps its masses.
-    std::ostream nowhere(nullptr); // the pair has been described
-    Log          silent(nowhere, communicator.is_root(), Verbosity::quiet);
-    Model        model = gear_case_.make_model(silent);
-    scale_masses(dynamics_, model, log);
-    SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
-      return gear_case_.choose_step(stable_step, output_.history_every);
-    });
-    return stepped.solver.contact().penalties();
-  }
-
   void LoadedContactStudy::run(OutputFolder &folder, Log &log)
   {
-    const Model               model     = gear_case_.make_model(log);
-    const std::vector<double> penalties = find_penalties(folder.communicator(), log);
-    auto                      start     = WallClock::now();
-    Compliance                compliance(model, fem_, options_.centrifugal, folder.communicator());
+    const Model               model = gear_case_.make_model(log);
+    const std::vector<double> penalties =
+      find_run_penalties(gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
+    auto       start = WallClock::now();
+    Compliance compliance(model, fem_, options_.centrifugal, folder.communicator());
     log.line("penalty ",
              penalties.front(),
              " N/mm^3; ",

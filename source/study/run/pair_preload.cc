@@ -6,6 +6,8 @@
 #include <vfife/dynamics/equilibrium/standing_pattern.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/model/load_torque.h>
+#include <vfife/output/files/result_places.h>
+#include <vfife/output/files/summary.h>
 #include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/study/run/pair_preload.h>
@@ -42,6 +44,34 @@ namespace vfife
   {
     // Springs k of depth d hold k d^2/2, and T psi, force times way, is k d^2: psi = 2 energy/T.
     return 2. * contact_energy / torque;
+  }
+
+  void add_swing(const Swing &swing, RunSummary &summary)
+  {
+    summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});
+    summary.figures.push_back({"inertia of the swing", {1e-3 * swing.inertia, "kg m^2"}});
+    summary.figures.push_back({figure_name::swing_frequency, {swing.frequency(), "Hz"}});
+  }
+
+  void add_preload(const PairPreload &preload, const bool on_shafts, RunSummary &summary)
+  {
+    const DeflectionParts &parts = preload.parts;
+    summary.transmission_error   = {
+        {error_part::total, {parts.total / arcsecond, "arcsec"}},
+        {error_part::teeth_and_rest, {parts.teeth / arcsecond, "arcsec"}},
+        {error_part::web_windup, {parts.web_windup / arcsecond, "arcsec"}},
+        {error_part::rim_tilt_and_shift, {parts.rim_tilt / arcsecond, "arcsec"}},
+        {error_part::centrifugal_shift, {parts.centrifugal / arcsecond, "arcsec"}}};
+    if (on_shafts)
+      {
+        summary.transmission_error.push_back(
+          {error_part::bearings, {preload.supports.bearings / arcsecond, "arcsec"}});
+        summary.transmission_error.push_back(
+          {error_part::shaft_bending, {preload.supports.bending / arcsecond, "arcsec"}});
+        for (const MountingNumber &one : list_numbers(preload.misalignment))
+          summary.misalignment.push_back({one.name, {one.value, one.unit}});
+      }
+    add_swing(preload.swing, summary);
   }
 
   PreloadedPair::PreloadedPair(const Model           &model,

@@ -1,16 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
-#include <vfife/dynamics/loop/explicit_solver.h>
-#include <vfife/dynamics/watch/measurement.h>
-#include <vfife/model/state.h>
 #include <vfife/output/measures/probe_record.h>
 #include <vfife/study/cases/probe_copies.h>
 #include <vfife/study/run/pair_probes.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vfife
 {
@@ -25,35 +22,29 @@ namespace vfife
     }
   } // namespace
 
-  PairProbes::PairProbes(Model              &model,
-                         ExplicitSolver     &solver,
-                         const Communicator &communicator,
-                         Log                &log,
-                         const unsigned int  meshes)
+  PairProbes::PairProbes(Model &model, Measure measure, Log &log, const unsigned int meshes)
     : model_(model)
-    , solver_(solver)
-    , communicator_(communicator)
+    , measure_(std::move(measure))
     , log_(log)
     , meshes_(meshes)
   {
   }
 
-  std::vector<double> PairProbes::measure_turn(const State &state, const Probe &probe) const
+  std::vector<double> PairProbes::measure_turn(const Probe &probe) const
   {
     std::vector<double> turn;
-    for (const ProbeValue &value : measure_probes(
-           model_, list_copies(model_, probe), state, solver_.vfife_operator(), communicator_))
+    for (const ProbeValue &value : measure_(list_copies(model_, probe)))
       turn.push_back(value.von_mises);
     return turn;
   }
 
-  void PairProbes::choose(const State &state)
+  void PairProbes::choose()
   {
     for (Probe &probe : model_.probes)
       {
         // Copy m is where the probe will be after m meshes: the copy that is n meshes behind the
         // place of the largest stress comes there in n meshes. All ranks have the same sums.
-        const std::vector<double> turn    = measure_turn(state, probe);
+        const std::vector<double> turn    = measure_turn(probe);
         const auto                largest = std::max_element(turn.begin(), turn.end());
         const std::size_t         z = turn.size(), n = peak_mesh(meshes_);
         const std::size_t         place = largest - turn.begin();
@@ -87,7 +78,7 @@ namespace vfife
       }
   }
 
-  std::vector<ProbeRecord> PairProbes::judge(const State &state, const Table &rows) const
+  std::vector<ProbeRecord> PairProbes::judge(const double time, const Table &rows) const
   {
     std::vector<ProbeRecord> records;
     const double             frequency = model_.transmission->mesh_frequency();
@@ -105,8 +96,8 @@ namespace vfife
         records.push_back(make_probe_record(probe.name,
                                             times,
                                             stresses,
-                                            state.time,
-                                            measure_turn(state, probe),
+                                            time,
+                                            measure_turn(probe),
                                             frequency,
                                             passes_mesh(probe) / frequency));
         log_.line(records.back().explain());

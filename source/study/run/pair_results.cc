@@ -2,7 +2,6 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
-#include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/measures/pair_mounting.h>
@@ -11,65 +10,42 @@
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/output/observers/rim_writer.h>
 #include <vfife/output/observers/teeth_writer.h>
-#include <vfife/study/run/pair_preload.h>
+#include <vfife/output/output_options.h>
 #include <vfife/study/run/pair_results.h>
-#include <vfife/study/run/stepping.h>
+#include <vfife/study/run/run_observers.h>
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace vfife
 {
-  namespace
-  {
-    /** Parts of the transmission error and the swing, in the units of users (1e-3 kg m^2 are
-     * 1 t mm^2). */
-    void add_preload(const PairPreload &preload, const bool on_shafts, RunSummary &summary)
-    {
-      const DeflectionParts &parts = preload.parts;
-      summary.transmission_error   = {
-          {error_part::total, {parts.total / arcsecond, "arcsec"}},
-          {error_part::teeth_and_rest, {parts.teeth / arcsecond, "arcsec"}},
-          {error_part::web_windup, {parts.web_windup / arcsecond, "arcsec"}},
-          {error_part::rim_tilt_and_shift, {parts.rim_tilt / arcsecond, "arcsec"}},
-          {error_part::centrifugal_shift, {parts.centrifugal / arcsecond, "arcsec"}}};
-      if (on_shafts)
-        {
-          summary.transmission_error.push_back(
-            {error_part::bearings, {preload.supports.bearings / arcsecond, "arcsec"}});
-          summary.transmission_error.push_back(
-            {error_part::shaft_bending, {preload.supports.bending / arcsecond, "arcsec"}});
-          for (const MountingNumber &one : list_numbers(preload.misalignment))
-            summary.misalignment.push_back({one.name, {one.value, one.unit}});
-        }
-      const Swing &swing = preload.swing;
-      summary.figures.push_back({"torsional stiffness", {1e-3 * swing.stiffness, "N m/rad"}});
-      summary.figures.push_back({"inertia of the swing", {1e-3 * swing.inertia, "kg m^2"}});
-      summary.figures.push_back({figure_name::swing_frequency, {swing.frequency(), "Hz"}});
-    }
-  } // namespace
-
   PairResults::PairResults(const Model         &model,
                            const HertzContact  &hertz,
                            const OutputOptions &output,
                            const std::uint64_t  history_steps,
-                           const double         end_time,
-                           Stepping            &stepping)
+                           const double         end_time)
     : model_(model)
     , hertz_(hertz)
     , output_(output)
+    , history_steps_(history_steps)
+    , end_time_(end_time)
   {
-    // The pattern on the flanks is gathered over the last tooth mesh [s] of the run.
-    const double one_mesh = 1. / model.transmission->mesh_frequency();
-    teeth_                = &stepping.add<TeethWriter>(model, history_steps, hertz).table();
-    stepping.add<PatternWriter>(model, std::max(0., end_time - one_mesh), history_steps);
-    probes_ = &stepping.add<ProbeWriter>(history_steps).table();
-    stepping.add<RimWriter>(model, history_steps);
-    if (PairMounting::changes(model))
-      stepping.add<MisalignmentWriter>(model, history_steps);
   }
 
-  NamedFigures PairResults::list_figures(ExplicitSolver &solver) const
+  void PairResults::add_observers(RunObservers &observers, RimWriter::Measure measure_rim)
+  {
+    // The pattern on the flanks is gathered over the last tooth mesh [s] of the run.
+    const double one_mesh = 1. / model_.transmission->mesh_frequency();
+    teeth_                = &observers.add<TeethWriter>(model_, history_steps_, hertz_).table();
+    observers.add<PatternWriter>(model_, std::max(0., end_time_ - one_mesh), history_steps_);
+    probes_ = &observers.add<ProbeWriter>(history_steps_).table();
+    observers.add<RimWriter>(model_, history_steps_, std::move(measure_rim));
+    if (PairMounting::changes(model_))
+      observers.add<MisalignmentWriter>(model_, history_steps_);
+  }
+
+  NamedFigures PairResults::list_figures(const double penalty) const
   {
     // Of the case, not of its motion: known before the first step, and stated after a failure too.
     const Transmission &t      = *model_.transmission;
@@ -80,8 +56,7 @@ namespace vfife
             {figure_name::torque_of(model_.bodies[t.driven].name()), {1e-3 * torque, "N m"}},
             {"effective arm", {t.arm, "mm"}},
             {figure_name::force_on_arm, {torque / t.arm, "N"}},
-            {"stable step of the elements", {1e9 * solver.element_step(), "ns"}},
-            {"contact penalty", {solver.contact().penalties().front(), "N/mm^3"}}};
+            {"contact penalty", {penalty, "N/mm^3"}}};
   }
 
   void PairResults::log_hertz(Log &log) const
@@ -98,33 +73,17 @@ namespace vfife
              " MPa");
   }
 
-  void PairResults::complete(const Table       &history,
-                             const PairPreload &preload,
-                             RunSummary        &summary,
-                             Log               &log) const
-  {
-    // Zero where the run has failed before its equilibrium was found.
-    if (preload.swing.frequency() > 0)
-      {
-        add_preload(preload, PairMounting::changes(model_), summary);
-        if (history.n_rows() > 1)
-          find_steady(history, preload, summary, log);
-      }
-    if (summary.status != "failed")
-      add_contact(preload, history.n_rows(), summary);
-  }
-
-  void PairResults::find_steady(const Table       &history,
-                                const PairPreload &preload,
-                                RunSummary        &summary,
-                                Log               &log) const
+  void PairResults::find_steady(const Table &history,
+                                const double swing_frequency,
+                                RunSummary  &summary,
+                                Log         &log) const
   {
     double ramp_end = 0;
     for (const Torque &torque : model_.torques)
       ramp_end = std::max(ramp_end, torque.ramp_time);
     // Means are compared over swing periods, here in tooth meshes: f_mesh/f_swing. Under a growing
     // torque nothing is steady.
-    const double period = model_.transmission->mesh_frequency() / preload.swing.frequency();
+    const double period = model_.transmission->mesh_frequency() / swing_frequency;
     summary.steady      = find_steady_part(history, output_.history_every, period, ramp_end);
     log.line(summary.steady->explain());
     for (const char *name : {column::contact_force_total, column::dte, column::rim_dte})
@@ -143,14 +102,14 @@ namespace vfife
       }
   }
 
-  void PairResults::add_contact(const PairPreload &preload,
-                                const std::size_t  n_samples,
-                                RunSummary        &summary) const
+  void PairResults::add_contact(const double      penalty_lag,
+                                const std::size_t n_samples,
+                                RunSummary       &summary) const
   {
     const double force = load_torque(model_) / model_.transmission->arm;
     // The springs let the gear lag: negative, as the part in which it is contained.
     summary.transmission_error.push_back(
-      {"penalty springs, in teeth and rest", {-preload.penalty_lag / arcsecond, "arcsec"}});
+      {"penalty springs, in teeth and rest", {-penalty_lag / arcsecond, "arcsec"}});
     summary.figures.push_back(
       {"hertz pressure of one tooth pair", {hertz_.largest_pressure(force), "MPa"}});
 

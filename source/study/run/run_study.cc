@@ -4,8 +4,10 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/operator/mass_scaling.h>
+#include <vfife/dynamics/watch/measurement.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
@@ -16,6 +18,7 @@
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/run/contact_width_watch.h>
+#include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_start.h>
@@ -33,6 +36,27 @@ namespace vfife
 {
   namespace
   {
+    /** Adds what follows from the equilibrium and the history of a run that has ended, or failed.
+     */
+    void complete_pair(const PairResults &pair,
+                       const PairPreload &preload,
+                       const Table       &history,
+                       const bool         on_shafts,
+                       RunSummary        &summary,
+                       Log               &log)
+    {
+      // Zero where the run has failed before its equilibrium was found.
+      const double swing = preload.swing.frequency();
+      if (swing > 0)
+        {
+          add_preload(preload, on_shafts, summary);
+          if (history.n_rows() > 1)
+            pair.find_steady(history, swing, summary, log);
+        }
+      if (summary.status != "failed")
+        pair.add_contact(preload.penalty_lag, history.n_rows(), summary);
+    }
+
     /** Nothing that the past of a run depends on. */
     const std::vector<std::string> changeable_entries = {"Study/output folder",
                                                          "Operation/tooth meshes",
@@ -192,27 +216,34 @@ namespace vfife
     const Transmission *transmission  = transmission_of(model);
     const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
     Stepping            stepping(folder, log, model, stepped.solver, output_, history_steps);
+    RunObservers       &observers      = stepping.observers();
     RunSummary         &summary        = stepping.summary();
     summary                            = start_summary("run", model, stepped.solver, dt, folder);
-    const Table               &history = stepping.add<HistoryWriter>(model, history_steps).table();
+    const Table               &history = observers.add<HistoryWriter>(model, history_steps).table();
     std::optional<PairResults> pair;
     std::optional<PairProbes>  probes;
     if (transmission != nullptr)
       {
+        const auto measure = [&](const std::vector<Probe> &copies) {
+          return measure_probes(
+            model, copies, stepping.state(), stepped.solver.vfife_operator(), communicator);
+        };
         probes.emplace(model,
-                       stepped.solver,
-                       communicator,
+                       measure,
                        log,
                        std::lround(whole_time * transmission->mesh_frequency()));
-        pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time, stepping);
-        summary.figures = pair->list_figures(stepped.solver);
+        pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time);
+        pair->add_observers(observers);
+        summary.figures = pair->list_figures(stepped.solver.contact().penalties().front());
+        summary.figures.push_back(
+          {"stable step of the elements", {1e9 * stepped.solver.element_step(), "ns"}});
         pair->log_hertz(log);
       }
     else if (!model.contacts.empty())
-      stepping.add<ContactWidthWatch>(model, history_steps, log);
+      observers.add<ContactWidthWatch>(model, history_steps, log);
     if (!model.bearings.empty())
       {
-        stepping.add<BearingWriter>(history_steps);
+        observers.add<BearingWriter>(history_steps);
         write_bearing_curves(folder, model.bearings);
       }
     stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
@@ -224,17 +255,18 @@ namespace vfife
     const auto prepared = [&] {
       // With a ramp the torque is still to come, and with it what the copies would tell.
       if (probes && dynamics_.start == Start::static_preload)
-        probes->choose(stepping.state());
+        probes->choose();
       if (probes)
         probes->log_passages();
     };
     const auto complete = [&] {
       if (pair && start->preload() != nullptr)
-        pair->complete(history, *start->preload(), summary, log);
+        complete_pair(
+          *pair, *start->preload(), history, PairMounting::changes(model), summary, log);
       if (summary.status == "failed")
         return;
       if (probes)
-        summary.probes = probes->judge(stepping.state(), pair->probe_rows());
+        summary.probes = probes->judge(stepping.state().time, pair->probe_rows());
       summary.timers = list_times(stepped.timers.report(communicator));
       if (end_time < whole_time)
         log.line("ended after Dynamics/largest number of steps, ",

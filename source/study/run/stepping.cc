@@ -48,6 +48,7 @@ namespace vfife
     , solver_(solver)
     , output_(output)
     , sample_steps_(sample_steps)
+    , observers_(folder)
     , begin_(WallClock::now())
     , last_checkpoint_(begin_)
   {
@@ -62,7 +63,7 @@ namespace vfife
       std::make_unique<FieldWriter>(folder_, model_, steps, dynamics.stiffness, dynamics.frame);
     // Kept beside the list of observers: a signal may ask it for a file.
     fields_ = fields.get();
-    observers_.push_back(std::move(fields));
+    observers_.list().push_back(std::move(fields));
   }
 
   State &Stepping::state()
@@ -96,7 +97,7 @@ namespace vfife
     common.pass_required_part("solver",
                               [&](ByteStream &part) { solver_.serialize(part, own, state_); });
     common.pass_part("start", [&](ByteStream &part) { start_->serialize(part); });
-    for (const auto &observer : observers_)
+    for (const auto &observer : observers_.list())
       if (const std::string name = observer->part_name(); !name.empty())
         common.pass_part("observer " + name, [&](ByteStream &part) { observer->serialize(part); });
     common.pass_part("warnings", [&](ByteStream &part) { serialize_warnings(part); });
@@ -258,7 +259,7 @@ namespace vfife
                      const std::function<void()> &prepared,
                      const std::function<void()> &complete)
   {
-    observers_.push_back(
+    observers_.list().push_back(
       std::make_unique<ProgressLine>(log_, communicator_, 0., end_time, whole_time, sample_steps_));
     // 1. The place of the first step: that of the checkpoint, or what the start finds.
     start_ = &start;
@@ -280,7 +281,7 @@ namespace vfife
         solver_.run(
           state_,
           end_time,
-          observers_,
+          observers_.list(),
           [&](State &) { before_step(signals, last_step); },
           [this](const NumericalError &error) { return go_back(error); });
       }

@@ -6,6 +6,7 @@
 #include <vfife/output/observers/sampled_table.h>
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 namespace vfife
@@ -30,8 +31,18 @@ namespace vfife
   public:
     static constexpr unsigned int largest_diameters = 10;
 
-    /** A sample every @p steps_between steps; the model must have a transmission. */
-    RimWriter(const OutputFolder &folder, const Model &model, std::uint64_t steps_between);
+    /** The coefficients up to a number of diameters where they do not follow from positions. */
+    using Measure = std::function<RimWaves(unsigned int largest)>;
+
+    /** A sample every @p steps_between steps; the model must have a transmission. Without
+     * @p measure the positions of the state are looked at. */
+    RimWriter(const OutputFolder &folder,
+              const Model        &model,
+              std::uint64_t       steps_between,
+              Measure             measure = nullptr);
+
+    /** Waves that a model's rim can show. */
+    static unsigned int count_diameters(const Model &model);
 
   private:
     void add_rows(const Model &model, const State &state) override;
@@ -44,7 +55,10 @@ namespace vfife
       Matrix3              axes;      ///< r, theta, z in the body frame (columns)
     };
 
+    RimWaves measure_positions(const Model &model, const State &state) const;
+
     const OutputFolder &folder_;
+    Measure             measure_;
     unsigned int        n_diameters_; ///< largest number of nodal diameters
     std::vector<Node>   nodes_;
   };

@@ -13,6 +13,7 @@ namespace vfife
   class Log;
   struct DynamicsOptions;
   struct Model;
+  struct RunSummary;
 
   /** What the equilibrium of a loaded gear pair before the start tells. */
   struct PairPreload
@@ -31,6 +32,13 @@ namespace vfife
    * weighted with force, over the arm.
    */
   double compute_penalty_lag(double contact_energy, double torque);
+
+  /** Adds the swing to @p summary in the units of users (1e-3 kg m^2 are 1 t mm^2). */
+  void add_swing(const Swing &swing, RunSummary &summary);
+
+  /** Adds parts of the transmission error, of a pair @p on_shafts those of its supports as well,
+   * and the swing to @p summary. */
+  void add_preload(const PairPreload &preload, bool on_shafts, RunSummary &summary);
 
   /**
    * Start of a gear pair (doc/dynamics.md, The preloaded start): equilibrium in the turning frames,

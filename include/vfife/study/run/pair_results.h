@@ -4,41 +4,45 @@
 
 #include <vfife/contact/law/hertz.h>
 #include <vfife/output/files/summary.h>
+#include <vfife/output/observers/rim_writer.h>
 
 #include <cstdint>
 
 namespace vfife
 {
-  class ExplicitSolver;
   class Log;
-  class Stepping;
+  class RunObservers;
   class Table;
   struct Model;
   struct OutputOptions;
-  struct PairPreload;
 
   /** What a run of a gear pair writes and tells beyond a run of any model. */
   class PairResults
   {
   public:
-    /** Adds the writers of the pair to @p stepping; @p history_steps from sample to sample, the run
-     * ends at @p end_time [s]. Everything given must outlive the object. */
+    /** @p history_steps from sample to sample, the run ends at @p end_time [s]. Everything given
+     * must outlive the object. */
     PairResults(const Model         &model,
                 const HertzContact  &hertz,
                 const OutputOptions &output,
                 std::uint64_t        history_steps,
-                double               end_time,
-                Stepping            &stepping);
+                double               end_time);
+
+    /** Adds the writers of the pair; @p measure_rim: RimWriter's. */
+    void add_observers(RunObservers &observers, RimWriter::Measure measure_rim = nullptr);
 
     /** What is known before the first step: speeds, torque, penalty. */
-    NamedFigures list_figures(ExplicitSolver &solver) const;
+    NamedFigures list_figures(double penalty) const;
 
     /** Says what Hertz expects of one tooth pair under all the torque. */
     void log_hertz(Log &log) const;
 
-    /** Adds to the summary of a run that has ended, or failed, what follows from its @p history. */
+    /** Adds the steady part of the @p history to the summary; @p swing_frequency [Hz]. */
     void
-    complete(const Table &history, const PairPreload &preload, RunSummary &summary, Log &log) const;
+    find_steady(const Table &history, double swing_frequency, RunSummary &summary, Log &log) const;
+
+    /** Adds figures of the contact to the summary of a run that has ended; @p penalty_lag [rad]. */
+    void add_contact(double penalty_lag, std::size_t n_samples, RunSummary &summary) const;
 
     /** Rows of probes.csv. */
     const Table &probe_rows() const
@@ -47,15 +51,11 @@ namespace vfife
     }
 
   private:
-    void find_steady(const Table       &history,
-                     const PairPreload &preload,
-                     RunSummary        &summary,
-                     Log               &log) const;
-    void add_contact(const PairPreload &preload, std::size_t n_samples, RunSummary &summary) const;
-
     const Model         &model_;
     HertzContact         hertz_;
     const OutputOptions &output_;
+    std::uint64_t        history_steps_;
+    double               end_time_;
     const Table         *teeth_  = nullptr; ///< rows of teeth.csv
     const Table         *probes_ = nullptr;
   };

@@ -7,6 +7,7 @@
 #include <vfife/model/state.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/output/output_options.h>
+#include <vfife/study/run/run_observers.h>
 
 #include <functional>
 #include <memory>
@@ -45,13 +46,9 @@ namespace vfife
              std::uint64_t        sample_steps);
     ~Stepping();
 
-    /** Adds an observer, made of the folder and the arguments. */
-    template <typename Writer, typename... Arguments>
-    const Writer &add(Arguments &&...arguments)
+    RunObservers &observers()
     {
-      observers_.push_back(
-        std::make_unique<Writer>(folder_, std::forward<Arguments>(arguments)...));
-      return static_cast<const Writer &>(*observers_.back());
+      return observers_;
     }
 
     /** Adds the fields, a file every @p steps steps; 0: on SIGUSR1 only. */
@@ -102,7 +99,7 @@ namespace vfife
     ExplicitSolver      &solver_;
     const OutputOptions &output_;
     std::uint64_t        sample_steps_;
-    Observers            observers_;
+    RunObservers         observers_;
     FieldWriter         *fields_ = nullptr;
     State                state_;
     RunSummary           summary_;

@@ -1,0 +1,30 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_reduced_reduced_options_h
+#define vfife_reduced_reduced_options_h
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  /** Section Reduced. */
+  struct ReducedOptions
+  {
+    double       cutoff         = 0;   ///< modes below are kept [Hz]; 0: find_cutoff()
+    unsigned int steps_per_mesh = 150; ///< at least
+    unsigned int steps_per_mode = 6;   ///< at least, in the shortest period of a kept mode
+    unsigned int reach          = 4;   ///< sectors on each side whose residual flexibility is kept
+
+    void declare(dealii::ParameterHandler &prm);
+
+    /** The cut-off of the entry, or six orders of the mesh frequency and at least 25 kHz [Hz]. */
+    double find_cutoff(double mesh_frequency) const;
+
+    /** Steps in a tooth mesh: a multiple of the @p samples of a history. */
+    unsigned int find_steps(double mesh_frequency, double cutoff, unsigned int samples) const;
+  };
+} // namespace vfife
+
+#endif

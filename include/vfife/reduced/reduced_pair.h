@@ -1,0 +1,128 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_reduced_reduced_pair_h
+#define vfife_reduced_reduced_pair_h
+
+#include <vfife/fem/pair/pressed_pair.h>
+#include <vfife/reduced/modal_motion.h>
+#include <vfife/reduced/reduced_body.h>
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  struct Model;
+  struct Probe;
+  struct State;
+
+  struct ReducedPairOptions
+  {
+    double step         = 0; ///< [s]
+    double damping      = 0; ///< zeta of the modes [1/s]
+    double mesh_damping = 0; ///< zeta_k of the driven body's turn [1/s]
+    /** Unbalanced forces over contact forces at the end of a step. */
+    double tolerance = 1e-7;
+  };
+
+  /** The equilibrium from which a reduced pair starts. */
+  struct ReducedEquilibrium
+  {
+    double       turn       = 0; ///< of the driven body beyond its kinematic turn [rad]
+    double       stiffness  = 0; ///< torque over rotation of the driven hub [N mm/rad]
+    double       inertia    = 0; ///< of the shape of that slope, over its rotation [t mm^2]
+    unsigned int iterations = 0;
+  };
+
+  /**
+   * A gear pair of reduced bodies in true contact: its steps are those of the modes, exact for
+   * forces that are the mean of both ends, and at the end of each the contact is in balance with
+   * the flexibilities that act at once (doc/reduced.md, Steps). No step is too long for stability.
+   * The driver turns at its rate, the driven body carries the model's torque on it.
+   */
+  class ReducedPair
+  {
+  public:
+    /** @p bodies: both, in the model's order. @p penalties: of the contact pairs [N/mm^3]. Throws
+     * InputError where the model is no gear pair, its driven body does not turn freely, and for
+     * friction or damping of the contact. The model must outlive the object. */
+    ReducedPair(const Model               &model,
+                std::vector<ReducedBody>   bodies,
+                const std::vector<double> &penalties,
+                const ReducedPairOptions  &options);
+    ~ReducedPair();
+
+    /** The equilibrium at time zero, which stands still in space. Throws NumericalError. */
+    ReducedEquilibrium start();
+
+    /** One step. Throws NumericalError, naming the position. */
+    void step();
+
+    /** Sets time, step and measurements; forces at the nodes where the field is not empty. */
+    void measure(State &state);
+
+    /** What @p probes show, which are the model's or copies of them in other sectors. */
+    std::vector<ProbeValue> measure_probes(const std::vector<Probe> &probes) const;
+
+    /** Coefficients of the rim's waves [um] with up to @p largest diameters, by component r, theta,
+     * z: c_0, c_1, s_1, c_2 ... as RimWaves has them. */
+    std::vector<double> measure_rim(unsigned int largest) const;
+
+    /** Newton iterations of all steps. */
+    std::uint64_t n_iterations() const
+    {
+      return n_iterations_;
+    }
+    const ReducedBody &body(unsigned int b) const;
+    /** On the driven body about its axis [N mm]. */
+    double load() const
+    {
+      return load_;
+    }
+
+  private:
+    struct Member;
+    class Answers;
+    using NodeOfBody = std::pair<unsigned int, unsigned int>;
+
+    double driver_turn(double time) const;
+    /** Looks for what may touch until @p later_turn of the driver; forces at nodes that stay go
+     * with them. */
+    void find_candidates(double later_turn);
+    /** Rows in the state of spin, under the torques, and with the modes' @p coordinates by body. */
+    Eigen::VectorXd displace(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates) const;
+    Eigen::Ref<const Eigen::VectorXd> rows_of(const Member &member, const Eigen::VectorXd &x) const;
+    /** What the contact does to the modes and the turn of each body. */
+    std::vector<ModalForces> project(const PressedState &state) const;
+    ReducedEquilibrium       find_slope(Answers &answers, const Eigen::VectorXd &u);
+    /** Way of the torque about the axis, of the driven body's turn and of its bore [rad]. */
+    double torque_way() const;
+    void   add_work(double way_before, const EnergyLedger &powers_before);
+    /** Powers now: of what drives and what is lost [mJ/s]. */
+    EnergyLedger find_powers() const;
+    void         measure_transmission(Measurements &measured) const;
+    void         measure_contact(State &state) const;
+    void         measure_energy();
+    /** Mean rotation of bore or rim about the axis beyond the kinematic turn [rad]. */
+    double read_turn(const Member &member, const char *reading) const;
+
+    const Model                         &model_;
+    ReducedPairOptions                   options_;
+    std::vector<std::unique_ptr<Member>> members_; ///< by body
+    PressedPair                          pair_;
+    std::unique_ptr<Answers>             answers_;
+    std::vector<NodeOfBody>              nodes_; ///< of the rows, sorted
+    PressedState                         now_;
+    Eigen::VectorXd                      earlier_force_; ///< a step before, at the rows, or empty
+    double                               earlier_torque_ = 0;
+    double                               load_           = 0; ///< torque on the driven body [N mm]
+    double                               time_           = 0;
+    std::uint64_t                        step_           = 0;
+    std::uint64_t                        n_iterations_   = 0;
+    unsigned int                         search_steps_   = 1; ///< between searches
+    EnergyLedger                         energy_, first_energy_;
+  };
+} // namespace vfife
+
+#endif

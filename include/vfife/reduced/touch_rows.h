@@ -1,0 +1,96 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_reduced_touch_rows_h
+#define vfife_reduced_touch_rows_h
+
+#include <vfife/reduced/modal_motion.h>
+
+#include <map>
+#include <vector>
+
+namespace vfife
+{
+  struct ReducedBody;
+
+  /**
+   * Nodes of a reduced body that may touch now, on some of its sectors, as rows: three each, along
+   * the axes of the body frame turned with the node's sector. What forces there do to the modes,
+   * what the modes are there, and how far the nodes give way at once.
+   */
+  class TouchRows
+  {
+  public:
+    /** @p gains: what a modal force does at once to the coordinates of its harmonic, in the order
+     * of ReducedBody::harmonics. The body must outlive the object. */
+    TouchRows(const ReducedBody &body, std::vector<Eigen::MatrixXcd> gains);
+
+    /** The nodes of the body, sorted. Throws NumericalError where one is none that forces may act
+     * on. */
+    void set_nodes(const std::vector<unsigned int> &nodes);
+
+    Eigen::Index n_rows() const
+    {
+      return flexibility_.rows();
+    }
+
+    /** Displacements at the rows, at once, under unit forces at them [mm/N]. */
+    const Eigen::MatrixXd &flexibility() const
+    {
+      return flexibility_;
+    }
+
+    /** Of coordinates of all harmonics [mm]. */
+    Eigen::VectorXd displace(const std::vector<Eigen::VectorXcd> &coordinates) const;
+    /** Modal forces of forces at the rows. */
+    std::vector<Eigen::VectorXcd> project(const Eigen::VectorXd &forces) const;
+
+    /** In the state of spin at the body's rate [mm]. */
+    const Eigen::VectorXd &spin() const
+    {
+      return spin_;
+    }
+    /** Under a unit torque, less what the modes do [1/N]. */
+    const Eigen::VectorXd &torque() const
+    {
+      return torque_;
+    }
+
+    /** A reading of the body on a sector, without that of its spin: in modes, and at once by forces
+     * at the rows and a torque [N mm]. */
+    double read(unsigned int                         reading,
+                unsigned int                         sector,
+                const std::vector<Eigen::VectorXcd> &coordinates,
+                const Eigen::VectorXd               &forces,
+                double                               torque) const;
+    /** Its sum over all sectors. */
+    double read_all(unsigned int                         reading,
+                    const std::vector<Eigen::VectorXcd> &coordinates,
+                    const Eigen::VectorXd               &forces,
+                    double                               torque) const;
+
+  private:
+    /** Consecutive rows on one sector. */
+    struct Run
+    {
+      unsigned int              sector = 0;
+      Eigen::Index              first  = 0; ///< row
+      std::vector<unsigned int> places;     ///< among ReducedBody::touch_nodes
+    };
+
+    /** From sector b to sector a, -N/2 < d <= N/2. */
+    int                    distance(unsigned int a, unsigned int b) const;
+    const Eigen::MatrixXd &find_block(int distance);
+    void                   fill_flexibility();
+    Eigen::Index           reading_row(unsigned int reading) const;
+
+    const ReducedBody             &body_;
+    std::vector<Eigen::MatrixXcd>  gains_;
+    std::vector<unsigned int>      place_of_; ///< of the nodes of a sector among the touch nodes
+    std::map<int, Eigen::MatrixXd> blocks_;   ///< by distance, at all touch nodes of both sectors
+    std::vector<Run>               runs_;
+    std::vector<Eigen::MatrixXcd>  shapes_; ///< of each harmonic at the rows
+    Eigen::MatrixXd                flexibility_;
+    Eigen::VectorXd                spin_, torque_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,194 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/element/stress.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+#include <vfife/reduced/pair_readings.h>
+
+#include <algorithm>
+#include <complex>
+#include <map>
+#include <set>
+
+namespace vfife
+{
+  namespace reading
+  {
+    const char *const bore_turn = "bore turn";
+    const char *const rim_turn  = "rim turn";
+
+    std::string of_probe(const std::string &probe, const unsigned int component)
+    {
+      return "probe " + probe + " component " + std::to_string(component);
+    }
+
+    std::string
+    of_rim(const unsigned int component, const unsigned int diameters, const bool imaginary)
+    {
+      return "rim " + std::to_string(component) + " diameters " + std::to_string(diameters) +
+             (imaginary ? " imaginary" : " real");
+    }
+  } // namespace reading
+
+  namespace
+  {
+    /** Difference for the derivatives of stresses [mm]: far above round-off of the positions, far
+     * below what turns an element by more than its own angle. */
+    constexpr double small_way = 1e-4;
+
+    /** Mass-weighted share of sector 0 in the mean rotation of nodes of all sectors. */
+    SectorReading
+    make_turn(const Body &body, const std::string &name, const std::vector<unsigned int> &nodes)
+    {
+      SectorReading      reading{name, {}, {}};
+      const unsigned int per_sector = nodes_per_sector(body);
+      double             mass       = 0;
+      for (const unsigned int node : nodes)
+        mass += body.node_masses()[node];
+      for (const unsigned int node : nodes)
+        if (node < per_sector)
+          {
+            const Vector3 arm = body.axis.direction.cross(
+              body.placement(body.node_positions()[node]) - body.axis.point);
+            reading.weights.emplace_back(node,
+                                         body.node_masses()[node] / mass / arm.squaredNorm() *
+                                           (body.placement.rotation.transpose() * arm));
+          }
+      return reading;
+    }
+
+    /** Adds the rim's waves along r, theta, z. */
+    void add_rim_waves(const Body                      &body,
+                       const std::vector<unsigned int> &rim,
+                       const unsigned int               largest,
+                       std::vector<SectorReading>      &readings)
+    {
+      const unsigned int per_sector = nodes_per_sector(body);
+      double             mass       = 0;
+      for (const unsigned int node : rim)
+        mass += body.node_masses()[node];
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int n = 0; n <= largest; ++n)
+          {
+            SectorReading real{reading::of_rim(c, n, false), {}, {}},
+              imaginary{reading::of_rim(c, n, true), {}, {}};
+            for (const unsigned int node : rim)
+              if (node < per_sector)
+                {
+                  const Matrix3 axes = compute_cylindrical_axes(body, body.node_positions()[node]);
+                  const std::complex<double> wave =
+                    std::pow(std::complex<double>(axes(0, 0), axes(1, 0)), double(n));
+                  const double share = body.node_masses()[node] / mass;
+                  real.weights.emplace_back(node, share * wave.real() * axes.col(c));
+                  imaginary.weights.emplace_back(node, share * wave.imag() * axes.col(c));
+                }
+            readings.push_back(std::move(real));
+            if (n > 0)
+              readings.push_back(std::move(imaginary));
+          }
+    }
+
+    /** Displacements and stresses at a node of sector 0. */
+    void add_probe(const Body                 &body,
+                   const std::string          &probe,
+                   const unsigned int          node,
+                   const StiffnessKind         stiffness,
+                   std::vector<SectorReading> &readings)
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        readings.push_back({reading::of_probe(probe, c), {{node, Vector3::Unit(c)}}, {}});
+
+      // The mean over the elements at the node, by differences: stresses are linear in small
+      // displacements of the elements' nodes.
+      std::map<unsigned int, Eigen::Matrix<double, 6, 3>> derivatives;
+      unsigned int                                        n_elements = 0;
+      for (unsigned int e = 0; e < body.n_elements(); ++e)
+        {
+          const auto &nodes  = body.elements()[e];
+          const auto  corner = std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+          if (corner == 8)
+            continue;
+          ++n_elements;
+          const HexahedronNodes X = body.element_nodes(e);
+          for (unsigned int k = 0; k < 8; ++k)
+            {
+              auto &derivative =
+                derivatives.emplace(nodes[k], Eigen::Matrix<double, 6, 3>::Zero()).first->second;
+              for (unsigned int c = 0; c < 3; ++c)
+                for (const double sign : {1., -1.})
+                  {
+                    HexahedronNodes x = X;
+                    x(c, k) += sign * small_way;
+                    derivative.col(c) +=
+                      sign / (2. * small_way) *
+                      compute_nodal_stresses(X, x, body.material(), stiffness, FrameKind::polar)
+                        .col(corner);
+                  }
+            }
+        }
+      for (unsigned int s = 0; s < 6; ++s)
+        {
+          SectorReading stress{reading::of_probe(probe, 3 + s), {}, {}};
+          for (const auto &[at, derivative] : derivatives)
+            stress.weights.emplace_back(at, derivative.row(s).transpose() / n_elements);
+          readings.push_back(std::move(stress));
+        }
+    }
+  } // namespace
+
+  std::vector<unsigned int> list_touch_nodes(const Model &model, const unsigned int body)
+  {
+    const unsigned int     per_sector = nodes_per_sector(model.bodies[body]);
+    std::set<unsigned int> nodes;
+    const auto             add = [&](const unsigned int b, const std::string &surface) {
+      if (b == body)
+        for (const unsigned int node : model.bodies[b].mesh().surfaces.at(surface).nodes)
+          nodes.insert(node % per_sector);
+    };
+    for (const ContactPair &pair : model.contacts)
+      {
+        add(pair.slave_body, pair.slave_surface);
+        add(pair.master_body, pair.master_surface);
+      }
+    return {nodes.begin(), nodes.end()};
+  }
+
+  std::vector<SectorReading> list_readings(const Model        &model,
+                                           const unsigned int  b,
+                                           const StiffnessKind stiffness,
+                                           const unsigned int  largest_diameters)
+  {
+    const Transmission        &t    = *model.transmission;
+    const Body                &body = model.bodies[b];
+    std::vector<SectorReading> readings;
+    const auto                &bore = b == t.driven ? t.driven_bore : t.driver_bore;
+    if (!bore.empty())
+      readings.push_back(make_turn(body, reading::bore_turn, bore));
+    if (b == t.driven)
+      {
+        readings.push_back(make_turn(body, reading::rim_turn, t.driven_rim));
+        add_rim_waves(body, t.driven_rim, largest_diameters, readings);
+      }
+    for (const Probe &probe : model.probes)
+      if (probe.body == b)
+        add_probe(body, probe.name, probe.node % nodes_per_sector(body), stiffness, readings);
+    return readings;
+  }
+
+  ProbeValue
+  make_probe_value(const Model &model, const Probe &probe, const std::array<double, 9> &components)
+  {
+    // Components are along the axes of the body frame as the probe's copy in sector 0 sees them;
+    // its axes r, theta, z turn with the sector.
+    const Body   &body = model.bodies[probe.body];
+    const Matrix3 axes =
+      compute_cylindrical_axes(body, body.node_positions()[probe.node % nodes_per_sector(body)]);
+    const Eigen::Map<const Stress> stress(components.data() + 3);
+    ProbeValue                     value;
+    value.displacement = axes.transpose() * Eigen::Map<const Vector3>(components.data());
+    value.von_mises    = von_mises(stress);
+    Eigen::Map<Stress>(value.stress.data()) = turn_stress(stress, axes);
+    return value;
+  }
+} // namespace vfife

@@ -1,0 +1,54 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/reduced/reduced_options.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Orders of the mesh frequency that the modes have by themselves, and the least cut-off [Hz].
+     */
+    constexpr double kept_orders = 6, least_cutoff = 25e3;
+  } // namespace
+
+  void ReducedOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_quantity(prm,
+                     "cutoff frequency",
+                     cutoff,
+                     "Hz",
+                     "Modes of the bodies below it are kept; what lies above gives way at once. 0: "
+                     "six times the mesh frequency, at least 25 kHz",
+                     Range::not_negative());
+    declare_integer(
+      prm, "steps per mesh", steps_per_mesh, "Steps in a tooth mesh, at least", 4, 100000);
+    declare_integer(prm,
+                    "steps per mode",
+                    steps_per_mode,
+                    "Steps in the shortest period of a mode that is kept, at least",
+                    2,
+                    1000);
+    declare_integer(prm,
+                    "reach",
+                    reach,
+                    "Teeth on each side of a loaded one whose residual flexibility is kept",
+                    1,
+                    1000);
+  }
+
+  double ReducedOptions::find_cutoff(const double mesh_frequency) const
+  {
+    return cutoff > 0 ? cutoff : std::max(least_cutoff, kept_orders * mesh_frequency);
+  }
+
+  unsigned int ReducedOptions::find_steps(const double       mesh_frequency,
+                                          const double       cutoff,
+                                          const unsigned int samples) const
+  {
+    const double least = std::max(double(steps_per_mesh), steps_per_mode * cutoff / mesh_frequency);
+    return samples * static_cast<unsigned int>(std::ceil(least / samples));
+  }
+} // namespace vfife

@@ -1,0 +1,300 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "reduced_pair_parts.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/model/body_frame.h>
+#include <vfife/model/state.h>
+#include <vfife/reduced/pair_readings.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  using Eigen::MatrixXcd;
+  using Eigen::VectorXcd;
+  using Eigen::VectorXd;
+
+  namespace
+  {
+    /** Part of a tooth mesh between searches for what may touch. */
+    constexpr double search_part = .1;
+
+    double torque_on(const Model &model, const unsigned int body)
+    {
+      double sum = 0;
+      for (const Torque &torque : model.torques)
+        if (torque.body == body)
+          sum += torque.value;
+      return sum;
+    }
+
+    /** Sense of the axis of rotation about that of the sectors. */
+    double sector_sense(const Body &body)
+    {
+      return body.axis.direction.dot(compute_sector_axis(body).direction) < 0 ? -1. : 1.;
+    }
+
+    const Model &require_pair(const Model &model, const std::vector<ReducedBody> &bodies)
+    {
+      if (!model.transmission || model.contacts.empty())
+        throw InputError("a reduced pair needs a gear pair with contact");
+      if (!bodies[model.transmission->driven].turns)
+        throw InputError("body \"" + model.bodies[model.transmission->driven].name() +
+                         "\" is driven, but something holds its turn about its axis");
+      for (const ContactPair &pair : model.contacts)
+        if (pair.options.damping_ratio > 0 || pair.options.friction.coefficient > 0)
+          throw InputError("contact \"" + pair.side +
+                           "\": a reduced pair has no friction and no damping of the contact; set "
+                           "Contact/friction coefficient and Contact/damping ratio to 0");
+      return model;
+    }
+
+    std::vector<MatrixXcd> gains_of(const ModalMotion &motion, const std::size_t n)
+    {
+      std::vector<MatrixXcd> gains;
+      for (std::size_t i = 0; i < n; ++i)
+        gains.push_back(motion.gain(i));
+      return gains;
+    }
+  } // namespace
+
+  ReducedPair::Member::Member(const Model              &model,
+                              const unsigned int        b,
+                              ReducedBody             &&reduced,
+                              const ReducedPairOptions &options)
+    : body(std::move(reduced))
+    , rate(model.bodies[b].rate)
+    , sector_rate(sector_sense(model.bodies[b]) * rate)
+    , spin(body.rate != 0 ? rate * rate / (body.rate * body.rate) : 0.)
+    , torque(torque_on(model, b))
+    , motion(body, rate, {options.damping, options.mesh_damping}, options.step)
+    , rows(body, gains_of(motion, body.harmonics.size()))
+  {
+  }
+
+  ModalForces ReducedPair::Member::torque_forces() const
+  {
+    ModalForces forces = motion.no_forces();
+    for (std::size_t i = 0; i < body.harmonics.size(); ++i)
+      if (body.harmonics[i].number == 0 && body.harmonics[i].n_modes() > 0)
+        forces.modes[i] = torque * body.harmonics[i].torque;
+    forces.moment = torque;
+    return forces;
+  }
+
+  std::vector<VectorXcd> ReducedPair::Member::coordinates() const
+  {
+    std::vector<VectorXcd> coordinates;
+    for (std::size_t i = 0; i < body.harmonics.size(); ++i)
+      coordinates.push_back(motion.coordinates(i));
+    return coordinates;
+  }
+
+  std::vector<MatrixXcd> ReducedPair::Member::standing_gains() const
+  {
+    std::vector<MatrixXcd> gains;
+    for (std::size_t i = 0; i < body.harmonics.size(); ++i)
+      gains.push_back(motion.standing_flexibility(i, sector_rate));
+    return gains;
+  }
+
+  VectorXd ReducedPair::Answers::answer(const VectorXd &force)
+  {
+    VectorXd     u     = VectorXd::Zero(force.size());
+    Eigen::Index first = 0;
+    for (const TouchRows *rows : rows_)
+      {
+        // Few nodes are under pressure: only their columns.
+        const Eigen::Index n = rows->n_rows();
+        for (Eigen::Index k = 0; k < n; ++k)
+          if (force[first + k] != 0.)
+            u.segment(first, n) += force[first + k] * rows->flexibility().col(k);
+        first += n;
+      }
+    return u;
+  }
+
+  Eigen::MatrixXd ReducedPair::Answers::flexibility(const std::vector<unsigned int> &rows)
+  {
+    Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(rows.size(), rows.size());
+    Eigen::Index    first       = 0;
+    std::size_t     begin       = 0;
+    for (const TouchRows *body : rows_)
+      {
+        // Bodies do not move each other.
+        std::size_t end = begin;
+        while (end < rows.size() && rows[end] < first + body->n_rows())
+          ++end;
+        for (std::size_t k = begin; k < end; ++k)
+          for (std::size_t i = begin; i < end; ++i)
+            flexibility(i, k) = body->flexibility()(rows[i] - first, rows[k] - first);
+        first += body->n_rows();
+        begin = end;
+      }
+    return flexibility;
+  }
+
+  ReducedPair::ReducedPair(const Model               &model,
+                           std::vector<ReducedBody>   bodies,
+                           const std::vector<double> &penalties,
+                           const ReducedPairOptions  &options)
+    : model_(require_pair(model, bodies))
+    , options_(options)
+    , pair_(model, penalties)
+    , load_(torque_on(model, model.transmission->driven))
+  {
+    std::vector<const TouchRows *> rows;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        members_.push_back(std::make_unique<Member>(model, b, std::move(bodies[b]), options));
+        rows.push_back(&members_.back()->rows);
+      }
+    answers_ = std::make_unique<Answers>(rows);
+    search_steps_ =
+      std::max(1., std::floor(search_part / (model.transmission->mesh_frequency() * options.step)));
+  }
+
+  ReducedPair::~ReducedPair() = default;
+
+  const ReducedBody &ReducedPair::body(const unsigned int b) const
+  {
+    return members_[b]->body;
+  }
+
+  double ReducedPair::driver_turn(const double time) const
+  {
+    return model_.transmission->driver_rate * time;
+  }
+
+  Eigen::Ref<const VectorXd> ReducedPair::rows_of(const Member &member, const VectorXd &x) const
+  {
+    return x.segment(member.first, member.rows.n_rows());
+  }
+
+  void ReducedPair::find_candidates(const double later_turn)
+  {
+    pair_.find_candidates(later_turn);
+    std::vector<NodeOfBody> nodes = pair_.candidates();
+    if (nodes == nodes_)
+      return;
+    std::vector<PressedPair::Node> axes;
+    Eigen::Index                   row = 0;
+    for (unsigned int b = 0; b < members_.size(); ++b)
+      {
+        Member                   &member = *members_[b];
+        std::vector<unsigned int> own;
+        for (const NodeOfBody &node : nodes)
+          if (node.first == b)
+            own.push_back(node.second);
+        member.rows.set_nodes(own);
+        member.first = row;
+        row += member.rows.n_rows();
+        // Rows are along the axes of the body frame, turned with the sector.
+        const Body   &body = model_.bodies[b];
+        const Vector3 axis = compute_sector_axis(body).direction;
+        for (const unsigned int node : own)
+          axes.push_back(
+            {b,
+             node,
+             rotation_about(axis,
+                            (node / member.body.nodes_per_sector) * member.body.sector_angle) *
+               body.placement.rotation});
+      }
+    pair_.set_nodes(axes);
+
+    // Forces go with their nodes.
+    const auto keep = [&](VectorXd &force) {
+      if (force.size() == 0)
+        return;
+      VectorXd kept = VectorXd::Zero(row);
+      for (std::size_t i = 0, k = 0; i < nodes.size(); ++i)
+        {
+          while (k < nodes_.size() && nodes_[k] < nodes[i])
+            ++k;
+          if (k < nodes_.size() && nodes_[k] == nodes[i])
+            kept.segment<3>(3 * i) = force.segment<3>(3 * k);
+        }
+      force = std::move(kept);
+    };
+    keep(now_.force);
+    keep(earlier_force_);
+    nodes_ = std::move(nodes);
+  }
+
+  VectorXd ReducedPair::displace(const std::vector<std::vector<VectorXcd>> &coordinates) const
+  {
+    VectorXd u(3 * nodes_.size());
+    for (std::size_t b = 0; b < members_.size(); ++b)
+      {
+        const Member &member                          = *members_[b];
+        u.segment(member.first, member.rows.n_rows()) = member.spin * member.rows.spin() +
+                                                        member.torque * member.rows.torque() +
+                                                        member.rows.displace(coordinates[b]);
+      }
+    return u;
+  }
+
+  std::vector<ModalForces> ReducedPair::project(const PressedState &state) const
+  {
+    std::vector<ModalForces> forces;
+    for (const auto &member : members_)
+      forces.push_back({member->rows.project(rows_of(*member, state.force)), 0.});
+    forces[model_.transmission->driven].moment = state.acting.contact_torque;
+    return forces;
+  }
+
+  void ReducedPair::step()
+  {
+    const Transmission &t      = *model_.transmission;
+    const PressedState  last   = now_;
+    const double        way    = torque_way();
+    const EnergyLedger  powers = find_powers();
+
+    // 1. Where the bodies would be with half the present contact forces alone.
+    ++step_;
+    time_ = step_ * options_.step;
+    pair_.set_position(driver_turn(time_));
+    if (step_ % search_steps_ == 0)
+      find_candidates(driver_turn(time_ + search_steps_ * options_.step));
+    std::vector<ModalForces>            half = project(now_);
+    std::vector<std::vector<VectorXcd>> coordinates(members_.size());
+    TurnLoad                            load;
+    for (std::size_t b = 0; b < members_.size(); ++b)
+      {
+        const Member &member = *members_[b];
+        ModalForces   forces = member.torque_forces();
+        forces.add(.5, half[b]);
+        half[b] = std::move(forces);
+        for (std::size_t i = 0; i < half[b].modes.size(); ++i)
+          coordinates[b].push_back(member.motion.expect(i, half[b]));
+        if (b == t.driven)
+          load = {0., 1. / member.motion.turn_gain(), member.motion.expect_turn(half[b])};
+      }
+    const VectorXd base = displace(coordinates);
+
+    // 2. The contact at the end of the step, from forces that go on as they did.
+    double         torque  = last.acting.contact_torque;
+    const VectorXd present = now_.force;
+    if (earlier_force_.size() > 0)
+      {
+        now_.force += present - earlier_force_;
+        torque += torque - earlier_torque_;
+      }
+    now_.deflection = answers_->answer(now_.force);
+    now_.turn       = load.rest + torque / load.stiffness;
+    now_.acting     = pair_.evaluate(*answers_, base + now_.deflection, now_.turn, true);
+    n_iterations_ += pair_.balance(*answers_, base, load, options_.tolerance, now_);
+    earlier_force_  = present;
+    earlier_torque_ = last.acting.contact_torque;
+
+    // 3. The motion with the mean of the forces at both ends.
+    const std::vector<ModalForces> after = project(now_);
+    for (std::size_t b = 0; b < members_.size(); ++b)
+      {
+        half[b].add(.5, after[b]);
+        members_[b]->motion.advance(half[b]);
+      }
+    add_work(way, powers);
+  }
+} // namespace vfife

@@ -1,0 +1,204 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// What is measured of a ReducedPair.
+#include "reduced_pair_parts.h"
+
+#include <vfife/model/state.h>
+#include <vfife/reduced/pair_readings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace vfife
+{
+  using Eigen::VectorXcd;
+  using Eigen::VectorXd;
+
+  double ReducedPair::torque_way() const
+  {
+    const Transmission &t      = *model_.transmission;
+    const Member       &driven = *members_[t.driven];
+    // The turn with its kinematic part, and what the modes and the residual flexibility make of the
+    // bore, as the torque sees it.
+    double way = driven.rate * time_ + driven.motion.turn() +
+                 driven.rows.torque().dot(rows_of(driven, now_.force));
+    for (std::size_t i = 0; i < driven.body.harmonics.size(); ++i)
+      if (driven.body.harmonics[i].number == 0 && driven.body.harmonics[i].n_modes() > 0)
+        way += driven.body.harmonics[i].torque.dot(driven.motion.coordinates(i)).real();
+    return way;
+  }
+
+  EnergyLedger ReducedPair::find_powers() const
+  {
+    const Transmission &t = *model_.transmission;
+    EnergyLedger        powers;
+    powers.drive_work = -now_.acting.driver_torque * members_[t.driver]->rate;
+    for (const auto &member : members_)
+      {
+        const auto losses = member->motion.losses();
+        powers.damping_loss += losses.first;
+        // The damper's torque acts on a body that turns as a whole.
+        if (member->body.turns && member->motion.turn_rate() != 0.)
+          powers.mesh_damping_loss += losses.second / member->motion.turn_rate() *
+                                      (member->rate + member->motion.turn_rate());
+      }
+    return powers;
+  }
+
+  void ReducedPair::add_work(const double way_before, const EnergyLedger &before)
+  {
+    const EnergyLedger after = find_powers();
+    const double       half  = .5 * options_.step;
+    energy_.drive_work += half * (before.drive_work + after.drive_work);
+    energy_.damping_loss += half * (before.damping_loss + after.damping_loss);
+    energy_.mesh_damping_loss += half * (before.mesh_damping_loss + after.mesh_damping_loss);
+    energy_.torque_work += load_ * (torque_way() - way_before);
+  }
+
+  void ReducedPair::measure_energy()
+  {
+    energy_.kinetic = energy_.kinetic_relative = energy_.strain = 0;
+    for (unsigned int b = 0; b < members_.size(); ++b)
+      {
+        const Member  &member = *members_[b];
+        const VectorXd force  = rows_of(member, now_.force);
+        const double   inertia =
+          member.body.turns ? member.body.turn_inertia : model_.bodies[b].axial_inertia();
+        const double rate = member.rate + member.motion.turn_rate();
+        energy_.kinetic_relative += member.motion.kinetic();
+        energy_.kinetic +=
+          .5 * inertia * rate * rate + member.rate * member.rate * member.motion.added_inertia();
+        energy_.strain += member.motion.strain();
+        // What the residual flexibility stores: that at once, less the modes' part of it.
+        energy_.strain += .5 * force.dot(rows_of(member, now_.deflection)) +
+                          member.torque * member.rows.torque().dot(force);
+        const std::vector<VectorXcd> modal = member.rows.project(force);
+        for (std::size_t i = 0; i < modal.size(); ++i)
+          energy_.strain -= .5 * modal[i].dot(member.motion.gain(i) * modal[i]).real();
+      }
+    energy_.kinetic += energy_.kinetic_relative;
+    energy_.contact = now_.acting.contact_energy;
+    energy_.scale   = std::max(energy_.scale, energy_.exchanged_since(first_energy_));
+  }
+
+  double ReducedPair::read_turn(const Member &member, const char *const reading) const
+  {
+    return member.motion.turn() + member.rows.read_all(member.body.find_reading(reading),
+                                                       member.coordinates(),
+                                                       rows_of(member, now_.force),
+                                                       member.torque);
+  }
+
+  void ReducedPair::measure_transmission(Measurements &measured) const
+  {
+    // As measure_transmission() of explicit runs: starts and leads of the driven body's bore or rim
+    // and of the driver's bore.
+    const Transmission &t           = *model_.transmission;
+    const Member       &driven      = *members_[t.driven];
+    const double        turned      = t.driven_rate() * time_;
+    const double        bore        = t.driven_sense * read_turn(driven, reading::bore_turn);
+    const double        rim         = t.driven_sense * read_turn(driven, reading::rim_turn);
+    const double        drive       = t.driver_bore.empty()
+                                        ? 0.
+                                        : t.driver_sense * read_turn(*members_[t.driver], reading::bore_turn);
+    const double        start       = t.driven_start - t.ratio() * (t.driver_start + drive);
+    measured.driver_angle           = t.driver_start + t.driver_rate * time_ + drive;
+    measured.driven_angle           = t.driven_start + turned + bore;
+    measured.rim_angle              = t.driven_start + turned + rim;
+    measured.transmission_error     = start + bore;
+    measured.rim_transmission_error = start + rim;
+  }
+
+  void ReducedPair::measure_contact(State &state) const
+  {
+    Measurements &m = state.measured;
+    m.teeth         = pair_.teeth();
+    m.contact_force = m.contact_torque = m.largest_penetration = 0;
+    m.teeth_in_contact                                         = m.teeth.size();
+    m.contact_forces.assign(model_.contacts.size(), Vector3::Zero());
+    for (const ToothContact &tooth : m.teeth)
+      {
+        m.contact_force += tooth.force.norm();
+        m.contact_torque += tooth.torque;
+        m.largest_penetration = std::max(m.largest_penetration, tooth.penetration);
+        for (std::size_t i = 0; i < model_.contacts.size(); ++i)
+          if (model_.contacts[i].side == tooth.side)
+            m.contact_forces[i] += tooth.force;
+      }
+    if (state.contact_force.empty())
+      return;
+    state.contact_force.set_zero();
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      state.contact_force.set(model_.bodies[nodes_[i].first].first_node + nodes_[i].second,
+                              pair_.to_fixed_frame(i, now_.force.segment<3>(3 * i)));
+  }
+
+  void ReducedPair::measure(State &state)
+  {
+    state.time = time_;
+    state.step = step_;
+    state.dt   = options_.step;
+    measure_transmission(state.measured);
+    measure_contact(state);
+    measure_energy();
+    state.measured.energy       = energy_;
+    state.measured.drive_torque = -now_.acting.driver_torque;
+    state.measured.body_rates.clear();
+    for (const auto &member : members_)
+      state.measured.body_rates.push_back(member->rate + member->motion.turn_rate());
+    state.measured.probes = measure_probes(model_.probes);
+  }
+
+  std::vector<ProbeValue> ReducedPair::measure_probes(const std::vector<Probe> &probes) const
+  {
+    std::vector<ProbeValue> measured;
+    for (const Probe &probe : probes)
+      {
+        const Member                &member      = *members_[probe.body];
+        const std::vector<VectorXcd> coordinates = member.coordinates();
+        const VectorXd               force       = rows_of(member, now_.force);
+        const std::size_t            first       = 3 * member.body.touch_nodes.size();
+        const unsigned int           sector      = probe.node / member.body.nodes_per_sector;
+        std::array<double, 9>        values{};
+        for (unsigned int c = 0; c < values.size(); ++c)
+          {
+            const unsigned int k = member.body.find_reading(reading::of_probe(probe.name, c));
+            values[c]            = member.spin * member.body.spin[first + k] +
+                        member.rows.read(k, sector, coordinates, force, member.torque);
+          }
+        measured.push_back(make_probe_value(model_, probe, values));
+      }
+    return measured;
+  }
+
+  std::vector<double> ReducedPair::measure_rim(const unsigned int largest) const
+  {
+    // A wave is the sum over sectors k of exp(i n k alpha) (a_k + i b_k), a and b its readings
+    // [mm]: of all nodes of the rim, share u exp(i n alpha).
+    const Member                &member      = *members_[model_.transmission->driven];
+    const ReducedBody           &body        = member.body;
+    const std::vector<VectorXcd> coordinates = member.coordinates();
+    const VectorXd               force       = rows_of(member, now_.force);
+    const std::size_t            first       = 3 * body.touch_nodes.size();
+    const auto                   read = [&](const unsigned int k, const unsigned int sector) {
+      return member.spin * body.spin[first + k] +
+             member.rows.read(k, sector, coordinates, force, member.torque);
+    };
+    std::vector<double> coefficients;
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int n = 0; n <= largest; ++n)
+        {
+          const unsigned int real = body.find_reading(reading::of_rim(c, n, false)),
+                             imaginary =
+                               n > 0 ? body.find_reading(reading::of_rim(c, n, true)) : real;
+          std::complex<double> sum = 0;
+          for (unsigned int k = 0; k < body.n_sectors; ++k)
+            sum += std::polar(1., n * k * body.sector_angle) *
+                   std::complex<double>(read(real, k), n > 0 ? read(imaginary, k) : 0.);
+          coefficients.push_back((n > 0 ? 2e3 : 1e3) * sum.real());
+          if (n > 0)
+            coefficients.push_back(2e3 * sum.imag());
+        }
+    return coefficients;
+  }
+} // namespace vfife

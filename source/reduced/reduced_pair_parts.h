@@ -1,0 +1,54 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_reduced_reduced_pair_parts_h
+#define vfife_reduced_reduced_pair_parts_h
+
+#include <vfife/model/model.h>
+#include <vfife/reduced/reduced_pair.h>
+#include <vfife/reduced/touch_rows.h>
+
+namespace vfife
+{
+  /** One of the two bodies. */
+  struct ReducedPair::Member
+  {
+    ReducedBody  body;
+    double       rate;        ///< about Body::axis [rad/s]
+    double       sector_rate; ///< about the axis of its sectors [rad/s]
+    double       spin;        ///< what the state of spin is multiplied by
+    double       torque;      ///< of the model about Body::axis [N mm]
+    ModalMotion  motion;
+    TouchRows    rows;
+    Eigen::Index first = 0; ///< of its rows
+
+    Member(const Model              &model,
+           unsigned int              b,
+           ReducedBody             &&reduced,
+           const ReducedPairOptions &options);
+
+    /** Of its modes under the torque alone. */
+    ModalForces torque_forces() const;
+    /** Coordinates of its modes now. */
+    std::vector<Eigen::VectorXcd> coordinates() const;
+    /** Of forces that stand still in space. */
+    std::vector<Eigen::MatrixXcd> standing_gains() const;
+  };
+
+  /** Both bodies' answers at the rows, the first body's in front. */
+  class ReducedPair::Answers : public PressedBodies
+  {
+  public:
+    /** The objects must outlive this one. */
+    explicit Answers(std::vector<const TouchRows *> rows)
+      : rows_(std::move(rows))
+    {
+    }
+
+    Eigen::VectorXd answer(const Eigen::VectorXd &force) override;
+    Eigen::MatrixXd flexibility(const std::vector<unsigned int> &rows) override;
+
+  private:
+    std::vector<const TouchRows *> rows_;
+  };
+} // namespace vfife
+
+#endif

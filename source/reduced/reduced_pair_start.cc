@@ -1,0 +1,119 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// The equilibrium from which a ReducedPair starts.
+#include "reduced_pair_parts.h"
+
+#include <vfife/reduced/pair_readings.h>
+
+#include <cmath>
+
+namespace vfife
+{
+  using Eigen::VectorXcd;
+  using Eigen::VectorXd;
+
+  namespace
+  {
+    /** Unbalanced forces over contact forces. */
+    constexpr double start_tolerance = 1e-9;
+  } // namespace
+
+  ReducedEquilibrium ReducedPair::start()
+  {
+    time_ = 0;
+    step_ = 0;
+    now_  = PressedState();
+    earlier_force_.resize(0);
+    pair_.set_position(0.);
+    find_candidates(driver_turn(search_steps_ * options_.step));
+
+    // Modes give way as they do to forces that stand still in space.
+    std::vector<TouchRows>              rows;
+    std::vector<const TouchRows *>      pointers;
+    std::vector<std::vector<VectorXcd>> coordinates;
+    for (unsigned int b = 0; b < members_.size(); ++b)
+      {
+        const Member             &member = *members_[b];
+        std::vector<unsigned int> own;
+        for (const NodeOfBody &node : nodes_)
+          if (node.first == b)
+            own.push_back(node.second);
+        rows.emplace_back(member.body, member.standing_gains());
+        rows.back().set_nodes(own);
+        coordinates.push_back(member.torque_forces().modes);
+        for (std::size_t i = 0; i < coordinates[b].size(); ++i)
+          coordinates[b][i] =
+            member.motion.standing_flexibility(i, member.sector_rate) * coordinates[b][i];
+      }
+    for (const TouchRows &one : rows)
+      pointers.push_back(&one);
+    Answers answers(pointers);
+
+    const VectorXd base = displace(coordinates);
+    PressedState   apart;
+    apart.force = apart.deflection = VectorXd::Zero(base.size());
+    now_                           = pair_.press_rigid(answers, base, load_, std::move(apart));
+    const unsigned int n     = pair_.balance(answers, base, TurnLoad{load_}, start_tolerance, now_);
+    ReducedEquilibrium found = find_slope(answers, base + now_.deflection);
+    found.turn               = now_.turn;
+    found.iterations         = n;
+
+    const std::vector<ModalForces> contact = project(now_);
+    for (std::size_t b = 0; b < members_.size(); ++b)
+      {
+        Member     &member = *members_[b];
+        ModalForces forces = member.torque_forces();
+        forces.add(1., contact[b]);
+        member.motion.stand(forces, member.body.turns ? now_.turn : 0., member.sector_rate);
+      }
+    // From now on contact may be lost.
+    now_.unit       = std::abs(load_) / model_.transmission->arm;
+    now_.deflection = answers_->answer(now_.force);
+    energy_         = EnergyLedger();
+    measure_energy();
+    energy_.start = energy_.kinetic + energy_.strain + energy_.contact;
+    energy_.scale = EnergyLedger::scale_floor * energy_.kinetic;
+    first_energy_ = energy_;
+    return found;
+  }
+
+  ReducedEquilibrium ReducedPair::find_slope(Answers &answers, const VectorXd &u)
+  {
+    // Per unit of the torque: the bodies twist further, and the springs answer.
+    VectorXd                            twist(u.size());
+    std::vector<std::vector<VectorXcd>> changes;
+    for (const auto &one : members_)
+      {
+        const Member          &member = *one;
+        std::vector<VectorXcd> modes  = member.torque_forces().modes;
+        for (std::size_t i = 0; i < modes.size(); ++i)
+          modes[i] = member.motion.standing_flexibility(i, member.sector_rate) * modes[i] / load_;
+        twist.segment(member.first, member.rows.n_rows()) =
+          member.torque / load_ * member.rows.torque() + member.rows.displace(modes);
+        changes.push_back(std::move(modes));
+      }
+    const auto [force, turn] = pair_.find_slope(answers, u, TurnLoad{load_}, twist, 1.);
+
+    ReducedEquilibrium  slope;
+    const Transmission &t     = *model_.transmission;
+    double              twice = 0;
+    for (std::size_t b = 0; b < members_.size(); ++b)
+      {
+        const Member                &member = *members_[b];
+        const std::vector<VectorXcd> modal  = member.rows.project(rows_of(member, force));
+        for (std::size_t i = 0; i < modal.size(); ++i)
+          {
+            changes[b][i] += member.motion.standing_flexibility(i, member.sector_rate) * modal[i];
+            twice += changes[b][i].squaredNorm();
+          }
+      }
+    const Member &driven = *members_[t.driven];
+    twice += driven.body.turn_inertia * turn * turn;
+    const double hub = turn + driven.rows.read_all(driven.body.find_reading(reading::bore_turn),
+                                                   changes[t.driven],
+                                                   rows_of(driven, force),
+                                                   1.);
+    slope.stiffness  = std::abs(1. / hub);
+    slope.inertia    = twice / (hub * hub);
+    return slope;
+  }
+} // namespace vfife

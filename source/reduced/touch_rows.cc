@@ -1,0 +1,194 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/reduced/reduced_body.h>
+#include <vfife/reduced/touch_rows.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <string>
+
+namespace vfife
+{
+  using Eigen::MatrixXcd;
+  using Eigen::MatrixXd;
+  using Eigen::VectorXcd;
+  using Eigen::VectorXd;
+
+  namespace
+  {
+    constexpr unsigned int no_place = static_cast<unsigned int>(-1);
+
+    /** exp(i h k alpha) */
+    std::complex<double>
+    phase(const ReducedBody &body, const unsigned int harmonic, const int sector)
+    {
+      return std::polar(1., int(harmonic) * sector * body.sector_angle);
+    }
+  } // namespace
+
+  TouchRows::TouchRows(const ReducedBody &body, std::vector<MatrixXcd> gains)
+    : body_(body)
+    , gains_(std::move(gains))
+    , place_of_(body.nodes_per_sector, no_place)
+  {
+    for (unsigned int i = 0; i < body.touch_nodes.size(); ++i)
+      place_of_[body.touch_nodes[i]] = i;
+  }
+
+  int TouchRows::distance(const unsigned int a, const unsigned int b) const
+  {
+    const int n = body_.n_sectors;
+    int       d = (int(a) - int(b)) % n;
+    if (2 * d > n)
+      d -= n;
+    if (2 * d <= -n)
+      d += n;
+    return d;
+  }
+
+  const MatrixXd &TouchRows::find_block(const int distance)
+  {
+    const auto known = blocks_.find(distance);
+    if (known != blocks_.end())
+      return known->second;
+    const Eigen::Index n     = 3 * body_.touch_nodes.size();
+    MatrixXd           block = MatrixXd::Zero(n, n);
+    // What is left out beyond the reach is ReducedBody::residual_left of what is kept.
+    if (const MatrixXd *const residual = body_.find_residual(distance))
+      block = residual->topRows(n);
+    for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
+      {
+        const ReducedBody::Harmonic &harmonic = body_.harmonics[i];
+        const MatrixXcd              z        = harmonic.shapes.topRows(n);
+        block += ((phase(body_, harmonic.number, distance) * z) * (gains_[i] * z.adjoint())).real();
+      }
+    return blocks_.emplace(distance, std::move(block)).first->second;
+  }
+
+  void TouchRows::set_nodes(const std::vector<unsigned int> &nodes)
+  {
+    const std::vector<Run> before = std::move(runs_);
+    runs_.clear();
+    Eigen::Index row = 0;
+    for (const unsigned int node : nodes)
+      {
+        const unsigned int sector = node / body_.nodes_per_sector;
+        if (runs_.empty() || runs_.back().sector != sector)
+          runs_.push_back({sector, row, {}});
+        runs_.back().places.push_back(place_of_[node % body_.nodes_per_sector]);
+        if (runs_.back().places.back() == no_place)
+          throw NumericalError("node " + std::to_string(node) +
+                               " of a reduced body may touch, "
+                               "and was not among the nodes that forces act on");
+        row += 3;
+      }
+    shapes_.clear();
+    for (const ReducedBody::Harmonic &harmonic : body_.harmonics)
+      shapes_.emplace_back(row, harmonic.n_modes());
+    spin_.resize(row);
+    torque_.resize(row);
+    for (const Run &run : runs_)
+      for (std::size_t k = 0; k < run.places.size(); ++k)
+        {
+          const Eigen::Index to = run.first + 3 * k, from = 3 * run.places[k];
+          for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
+            shapes_[i].middleRows<3>(to) = phase(body_, body_.harmonics[i].number, run.sector) *
+                                           body_.harmonics[i].shapes.middleRows<3>(from);
+          spin_.segment<3>(to)   = body_.spin.segment<3>(from);
+          torque_.segment<3>(to) = body_.torque_residual.segment<3>(from);
+        }
+    // Teeth that take each other's places leave the flexibility as it is.
+    const bool same =
+      before.size() == runs_.size() &&
+      std::equal(before.begin(), before.end(), runs_.begin(), [&](const Run &a, const Run &b) {
+        return a.places == b.places && distance(a.sector, before.front().sector) ==
+                                         distance(b.sector, runs_.front().sector);
+      });
+    if (!same)
+      fill_flexibility();
+  }
+
+  void TouchRows::fill_flexibility()
+  {
+    Eigen::Index n = 0;
+    for (const Run &run : runs_)
+      n += 3 * run.places.size();
+    flexibility_.resize(n, n);
+    for (const Run &to : runs_)
+      for (const Run &from : runs_)
+        {
+          const MatrixXd &block = find_block(distance(to.sector, from.sector));
+          for (std::size_t k = 0; k < from.places.size(); ++k)
+            for (std::size_t i = 0; i < to.places.size(); ++i)
+              flexibility_.block<3, 3>(to.first + 3 * i, from.first + 3 * k) =
+                block.block<3, 3>(3 * to.places[i], 3 * from.places[k]);
+        }
+  }
+
+  VectorXd TouchRows::displace(const std::vector<VectorXcd> &coordinates) const
+  {
+    VectorXd u = VectorXd::Zero(n_rows());
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      u += (shapes_[i] * coordinates[i]).real();
+    return u;
+  }
+
+  std::vector<VectorXcd> TouchRows::project(const VectorXd &forces) const
+  {
+    std::vector<VectorXcd> modal;
+    for (const MatrixXcd &shapes : shapes_)
+      modal.emplace_back(shapes.adjoint() * forces);
+    return modal;
+  }
+
+  Eigen::Index TouchRows::reading_row(const unsigned int reading) const
+  {
+    return 3 * body_.touch_nodes.size() + reading;
+  }
+
+  double TouchRows::read(const unsigned int            reading,
+                         const unsigned int            sector,
+                         const std::vector<VectorXcd> &coordinates,
+                         const VectorXd               &forces,
+                         const double                  torque) const
+  {
+    const Eigen::Index row   = reading_row(reading);
+    double             value = body_.torque_residual[row] * torque;
+    for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
+      if (coordinates[i].size() > 0)
+        value += (phase(body_, body_.harmonics[i].number, sector) *
+                  (body_.harmonics[i].shapes.row(row) * coordinates[i])(0))
+                   .real();
+    for (const Run &run : runs_)
+      {
+        const MatrixXd *const residual = body_.find_residual(distance(sector, run.sector));
+        if (residual == nullptr)
+          continue;
+        for (std::size_t k = 0; k < run.places.size(); ++k)
+          value += residual->row(row)
+                     .segment<3>(3 * run.places[k])
+                     .dot(forces.segment<3>(run.first + 3 * k));
+      }
+    return value;
+  }
+
+  double TouchRows::read_all(const unsigned int            reading,
+                             const std::vector<VectorXcd> &coordinates,
+                             const VectorXd               &forces,
+                             const double                  torque) const
+  {
+    const Eigen::Index row   = reading_row(reading);
+    double             value = body_.n_sectors * body_.torque_residual[row] * torque;
+    for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
+      if (body_.harmonics[i].number == 0 && coordinates[i].size() > 0)
+        value +=
+          body_.n_sectors * body_.harmonics[i].shapes.row(row).real().dot(coordinates[i].real());
+    for (const Run &run : runs_)
+      for (std::size_t k = 0; k < run.places.size(); ++k)
+        value += body_.summed_residual.row(reading)
+                   .segment<3>(3 * run.places[k])
+                   .dot(forces.segment<3>(run.first + 3 * k));
+    return value;
+  }
+} // namespace vfife

@@ -1,0 +1,111 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/model/model.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/reduced/reduced_pair.h>
+#include <vfife/study/reduced/reduced_run.h>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <string>
+
+namespace vfife
+{
+  namespace
+  {
+    /** All nodes on this rank: observers look at forces of nodes by it. */
+    std::shared_ptr<const Partition> make_whole_partition(const Model &model)
+    {
+      auto partition = std::make_shared<Partition>();
+      partition->global_node.resize(model.n_nodes());
+      std::iota(partition->global_node.begin(), partition->global_node.end(), 0u);
+      partition->local_node = partition->global_node;
+      partition->owned.assign(model.n_nodes(), 1);
+      for (const Body &body : model.bodies)
+        partition->first_local_node.push_back(body.first_node);
+      partition->first_local_node.push_back(model.n_nodes());
+      return partition;
+    }
+  } // namespace
+
+  ReducedRun::ReducedRun(const OutputFolder &folder,
+                         Log                &log,
+                         const Model        &model,
+                         ReducedPair        &pair)
+    : folder_(folder)
+    , log_(log)
+    , model_(model)
+    , pair_(pair)
+    , observers_(folder)
+  {
+    state_.partition     = make_whole_partition(model);
+    state_.contact_force = NodeField(model.n_nodes());
+  }
+
+  void ReducedRun::show(const bool last)
+  {
+    Observers &list = observers_.list();
+    if (!last && std::none_of(list.begin(), list.end(), [&](const auto &observer) {
+          return observer->due(state_);
+        }))
+      return;
+    pair_.measure(state_);
+    for (const auto &observer : list)
+      if (last || observer->due(state_))
+        observer->observe(model_, state_);
+  }
+
+  void ReducedRun::run(const std::uint64_t                                    n_steps,
+                       const double                                           step,
+                       const std::uint64_t                                    sample_steps,
+                       const std::function<void(const ReducedEquilibrium &)> &prepared,
+                       const std::function<void()>                           &complete,
+                       RunSummary                                            &summary)
+  {
+    const double end = n_steps * step;
+    observers_.list().push_back(
+      std::make_unique<ProgressLine>(log_, folder_.communicator(), 0., end, end, sample_steps));
+    auto       begin  = WallClock::now();
+    const auto finish = [&]() {
+      summary.run_time = seconds_since(begin);
+      summary.dt       = step;
+      summary.time     = state_.time;
+      summary.steps    = state_.step;
+      summary.energy   = state_.measured.energy;
+      for (const Log::Warning &warning : log_.warnings())
+        summary.warnings.push_back(warning.text);
+      for (const auto &observer : observers_.list())
+        observer->finish(model_, state_);
+      complete();
+      write_summary(folder_, summary);
+    };
+    try
+      {
+        const ReducedEquilibrium equilibrium = pair_.start();
+        pair_.measure(state_);
+        prepared(equilibrium);
+        begin = WallClock::now();
+        show(false);
+        while (state_.step < n_steps)
+          {
+            pair_.step();
+            ++state_.step;
+            state_.time = state_.step * step;
+            show(state_.step == n_steps);
+          }
+      }
+    catch (const NumericalError &error)
+      {
+        summary.status  = "failed";
+        summary.failure = "time " + std::to_string(1e3 * state_.time) + " ms, step " +
+                          std::to_string(state_.step) + ": " + error.what();
+        finish();
+        throw NumericalError(summary.failure);
+      }
+    finish();
+  }
+} // namespace vfife

@@ -1,0 +1,225 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/fem/fem_options.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
+#include <vfife/output/observers/history_writer.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/output/output_options.h>
+#include <vfife/output/pictures.h>
+#include <vfife/reduced/body_reduction.h>
+#include <vfife/reduced/pair_readings.h>
+#include <vfife/reduced/reduced_options.h>
+#include <vfife/reduced/reduced_pair.h>
+#include <vfife/study/cases/gear_case.h>
+#include <vfife/study/reduced/reduced_run.h>
+#include <vfife/study/reduced/reduced_study.h>
+#include <vfife/study/run/pair_preload.h>
+#include <vfife/study/run/pair_probes.h>
+#include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/run_penalties.h>
+#include <vfife/study/start_summary.h>
+
+#include <cmath>
+#include <optional>
+
+namespace vfife
+{
+  namespace
+  {
+    class ReducedStudy : public StudyKind
+    {
+    public:
+      void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
+      {
+        gear_case_.declare(prm, file);
+        gear_case_.set_defaults(dynamics_, output_);
+        dynamics_.declare(prm);
+        output_.declare(prm);
+        declare_section(prm, "Reduced", options_);
+      }
+
+      void check() const override
+      {
+        gear_case_.check();
+        gear_case_.operation().require_driving_pinion("Operation", "reduced pair");
+        dynamics_.check("Dynamics");
+        output_.check("Output");
+        if (dynamics_.start != Start::static_preload)
+          throw InputError("Dynamics/start", "a reduced pair starts from its static preload");
+        if (dynamics_.damping_rate != DampingRate::momentum)
+          throw InputError("Dynamics/damping rate",
+                           "modes are damped relative to the momentum's rate of the body");
+      }
+
+      void inspect(Communicator &communicator, Log &log) override
+      {
+        const Model model = gear_case_.make_model(log);
+        log.line("penalty of a run of this file ",
+                 find_penalties(communicator, log).front(),
+                 " N/mm^3; modes below ",
+                 cutoff(),
+                 " Hz, ",
+                 n_steps_of_mesh(),
+                 " steps in a tooth mesh");
+      }
+
+      void run(OutputFolder &folder, Log &log) override;
+
+    private:
+      double cutoff() const
+      {
+        return options_.find_cutoff(gear_case_.mesh_frequency());
+      }
+      unsigned int n_steps_of_mesh() const
+      {
+        return options_.find_steps(gear_case_.mesh_frequency(), cutoff(), output_.history_every);
+      }
+      std::vector<double> find_penalties(const Communicator &communicator, Log &log) const
+      {
+        return find_run_penalties(gear_case_, dynamics_, output_.history_every, communicator, log);
+      }
+      std::vector<ReducedBody>
+      reduce(const Model &model, const Communicator &communicator, Log &log) const;
+
+      GearCase        gear_case_;
+      DynamicsOptions dynamics_;
+      OutputOptions   output_;
+      ReducedOptions  options_;
+    };
+
+    std::vector<ReducedBody>
+    ReducedStudy::reduce(const Model &model, const Communicator &communicator, Log &log) const
+    {
+      FemOptions fem;
+      fem.mass    = MassKind::lumped; // as the mass points of a run
+      fem.element = dynamics_.stiffness == StiffnessKind::full ? FemElement::full
+                                                               : FemElement::incompatible_modes;
+      std::vector<ReducedBody> bodies;
+      for (unsigned int b = 0; b < model.bodies.size(); ++b)
+        {
+          const auto start = WallClock::now();
+          bodies.push_back(reduce_body(
+            model,
+            b,
+            list_touch_nodes(model, b),
+            list_readings(model, b, dynamics_.stiffness, RimWriter::count_diameters(model)),
+            fem,
+            {2. * pi * cutoff(), options_.reach},
+            model.bodies[b].rate,
+            communicator));
+          const ReducedBody &body = bodies.back();
+          log.line(model.bodies[b].name(),
+                   ": ",
+                   body.n_modes(),
+                   " modes below ",
+                   cutoff(),
+                   " Hz (with nodal diameters count once), ",
+                   body.touch_nodes.size(),
+                   " nodes a sector that may touch, residual flexibility beyond ",
+                   body.reach,
+                   " sectors at most ",
+                   100. * body.residual_left,
+                   " % of the largest, ",
+                   seconds_since(start),
+                   " s");
+        }
+      return bodies;
+    }
+
+    void ReducedStudy::run(OutputFolder &folder, Log &log)
+    {
+      log.set_verbosity(output_.verbosity);
+      const Communicator       &communicator = folder.communicator();
+      Model                     model        = gear_case_.make_model(log);
+      const std::vector<double> penalties    = find_penalties(communicator, log);
+      const double              frequency    = gear_case_.mesh_frequency();
+      const unsigned int        per_mesh     = n_steps_of_mesh();
+      const std::uint64_t       n_steps = std::uint64_t(gear_case_.operation().meshes) * per_mesh;
+      ReducedPairOptions        options;
+      options.step         = 1. / (frequency * per_mesh);
+      options.damping      = dynamics_.damping;
+      options.mesh_damping = dynamics_.mesh_damping;
+      log.line("penalty ",
+               penalties.front(),
+               " N/mm^3, ",
+               per_mesh,
+               " steps of ",
+               1e9 * options.step,
+               " ns in a tooth mesh");
+      ReducedPair pair(model, reduce(model, communicator, log), penalties, options);
+
+      ReducedRun          run(folder, log, model, pair);
+      const std::uint64_t history_steps = per_mesh / output_.history_every;
+      const Table &history = run.observers().add<HistoryWriter>(model, history_steps).table();
+      PairProbes   probes(
+        model,
+        [&](const std::vector<Probe> &copies) { return pair.measure_probes(copies); },
+        log,
+        gear_case_.operation().meshes);
+      PairResults results(
+        model, gear_case_.hertz_contact(), output_, history_steps, n_steps * options.step);
+      results.add_observers(run.observers(),
+                            [&](const unsigned int n) { return pair.measure_rim(n); });
+      RunSummary summary = start_summary("reduced", model, folder);
+      summary.figures    = results.list_figures(penalties.front());
+      summary.figures.push_back({"cut-off frequency", {cutoff(), "Hz"}});
+      summary.figures.push_back({"steps in a tooth mesh", {double(per_mesh), "-"}});
+      results.log_hertz(log);
+
+      Swing      swing;
+      double     penalty_lag = 0;
+      const auto prepared    = [&](const ReducedEquilibrium &found) {
+        const Measurements &m      = run.state().measured;
+        const double        torque = std::abs(pair.load());
+        swing                      = {found.stiffness, found.inertia};
+        penalty_lag                = compute_penalty_lag(m.energy.contact, torque);
+        log.line("equilibrium: ",
+                 found.iterations,
+                 " iterations, transmission error ",
+                 m.transmission_error / arcsecond,
+                 " arcsec, swing ",
+                 swing.frequency(),
+                 " Hz");
+        summary.transmission_error = {
+          {error_part::total, {m.transmission_error / arcsecond, "arcsec"}}};
+        add_swing(swing, summary);
+        probes.choose();
+        probes.log_passages();
+      };
+      const auto complete = [&] {
+        if (swing.frequency() > 0 && history.n_rows() > 1)
+          results.find_steady(history, swing.frequency(), summary, log);
+        if (summary.status == "failed")
+          return;
+        results.add_contact(penalty_lag, history.n_rows(), summary);
+        summary.probes = probes.judge(run.state().time, results.probe_rows());
+        summary.figures.push_back(
+          {"iterations a step", {double(pair.n_iterations()) / n_steps, "-"}});
+      };
+      run.run(n_steps, options.step, history_steps, prepared, complete, summary);
+      log.line("finished: ",
+               n_steps,
+               " steps in ",
+               duration_text(summary.run_time),
+               ", ",
+               1e3 * summary.run_time / n_steps,
+               " ms a step, ",
+               double(pair.n_iterations()) / n_steps,
+               " iterations a step");
+      if (output_.pictures)
+        draw_pictures(folder, log);
+    }
+  } // namespace
+
+  std::unique_ptr<StudyKind> make_reduced_study()
+  {
+    return std::make_unique<ReducedStudy>();
+  }
+} // namespace vfife

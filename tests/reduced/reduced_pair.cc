@@ -1,0 +1,202 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// A pair of reduced bodies: at rest beside whole bodies, in motion its energy and its order.
+#include "../parts.h"
+#include "../study/gear_model.h"
+#include "../study/quick_pair.h"
+#include "../tests.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/fem/pair/pair_equilibrium.h>
+#include <vfife/reduced/body_reduction.h>
+#include <vfife/reduced/pair_readings.h>
+#include <vfife/reduced/reduced_pair.h>
+
+#include <cmath>
+
+using namespace vfife;
+
+namespace
+{
+  constexpr double penalty = 3e5; // [N/mm^3]
+
+  Model make_model(const std::string &name, const double rpm, const Communicator &world)
+  {
+    std::ofstream(name + ".prm") << coarse_pair("set web = conical", coarse_web)
+                                 << "subsection Operation\n set speed = " << rpm
+                                 << " rpm\n set torque = 800 N m\nend\n";
+    return make_gear_model(name + ".prm", world);
+  }
+
+  std::vector<ReducedBody> reduce(const Model        &model,
+                                  const double        cutoff,
+                                  const unsigned int  reach,
+                                  const Communicator &world)
+  {
+    FemOptions fem;
+    fem.mass = MassKind::lumped;
+    std::vector<ReducedBody> bodies;
+    for (unsigned int b = 0; b < 2; ++b)
+      bodies.push_back(reduce_body(model,
+                                   b,
+                                   list_touch_nodes(model, b),
+                                   list_readings(model, b, StiffnessKind::incompatible_modes, 2),
+                                   fem,
+                                   {2. * pi * cutoff, reach},
+                                   model.bodies[b].rate,
+                                   world));
+    return bodies;
+  }
+
+  ReducedPair
+  make_pair(const Model &model, std::vector<ReducedBody> bodies, const ReducedPairOptions &options)
+  {
+    return ReducedPair(model,
+                       std::move(bodies),
+                       std::vector<double>(model.contacts.size(), penalty),
+                       options);
+  }
+
+  /** Transmission error of whole bodies in an equilibrium [rad]. */
+  double error_of(const Model &model, const Compliance &compliance, const PairEquilibriumResult &at)
+  {
+    const Transmission &t = *model.transmission;
+    return t.driven_start - t.ratio() * t.driver_start +
+           lead_of_driven(compliance.discretization(), at.turn, at.displacements);
+  }
+
+  State measure(ReducedPair &pair)
+  {
+    State state;
+    pair.measure(state);
+    return state;
+  }
+
+  /** Where whole bodies turn by some 1e-4 on their hubs and reduced ones about their momentum, the
+   * other's turn is a displacement, which is straight: parts of 1e-4 of displacements. */
+  constexpr double straight = 3e-5;
+
+  /** So slow that the pair is at rest in each position. */
+  void at_rest(Communicator &world)
+  {
+    const Model  model = make_model("at_rest", 6., world);
+    const double mesh  = 1. / model.transmission->mesh_frequency();
+    FemOptions   fem;
+    fem.mass = MassKind::lumped;
+    Compliance                  compliance(model, fem, false, world);
+    const std::vector<double>   turns = {0., .5 * 2. * pi / 27., 2. * pi / 27.};
+    PairEquilibrium             whole(model,
+                          compliance,
+                          std::vector<double>(model.contacts.size(), penalty),
+                          turns);
+    const PairEquilibriumResult at = whole.solve(0., 1.);
+    const double                te = error_of(model, compliance, at);
+
+    // All residuals: two cut-offs, one static answer.
+    for (const double cutoff : {15e3, 40e3})
+      {
+        ReducedPair pair =
+          make_pair(model, reduce(model, cutoff, 39, world), {mesh / 2000., 2000., 2000.});
+        const ReducedEquilibrium found = pair.start();
+        const State              state = measure(pair);
+        check_close("equilibrium of whole bodies: transmission error",
+                    state.measured.transmission_error / te,
+                    1.,
+                    straight);
+        double force = 0;
+        for (const ToothContact &tooth : at.teeth)
+          force += tooth.force.norm();
+        check_close("force", state.measured.contact_force / force, 1., 1e-6);
+        check("teeth", state.measured.teeth.size() == at.teeth.size());
+        const double slope = at.turn_slope + mean_rotation(compliance.discretization(),
+                                                           1,
+                                                           model.transmission->driven_bore,
+                                                           at.displacement_slope);
+        check_close("stiffness", found.stiffness * std::abs(slope) / 8e5, 1., straight);
+        check_close("the load is carried", state.measured.contact_torque / 8e5, 1., 1e-6);
+      }
+
+    // Through a tooth mesh.
+    ReducedPair pair =
+      make_pair(model, reduce(model, 15e3, 6, world), {mesh / 2000., 2000., 2000.});
+    pair.start();
+    double worst = 0;
+    for (unsigned int i = 1; i <= 2000; ++i)
+      {
+        pair.step();
+        if (i % 1000 != 0)
+          continue;
+        const State state = measure(pair);
+        const auto  there = whole.solve(i == 1000 ? turns[1] : turns[2], 1.);
+        worst             = largest_of(
+          worst,
+          std::abs(state.measured.transmission_error / error_of(model, compliance, there) - 1.));
+      }
+    // The swing that a load upon another tooth starts is still there.
+    check_below("positions of a tooth mesh in turn", worst, 2e-4);
+  }
+
+  /** Transmission errors at the ends of steps of a history. */
+  std::vector<double> move(const Model                    &model,
+                           const std::vector<ReducedBody> &bodies,
+                           const unsigned int              steps_per_mesh,
+                           double                         &energy_error)
+  {
+    const double mesh = 1. / model.transmission->mesh_frequency();
+    ReducedPair  pair = make_pair(model, bodies, {mesh / steps_per_mesh, 1000., 2000.});
+    pair.start();
+    std::vector<double> errors;
+    for (unsigned int i = 1; i <= 2 * steps_per_mesh; ++i)
+      {
+        pair.step();
+        if (i % (steps_per_mesh / 10) != 0)
+          continue;
+        const State state = measure(pair);
+        errors.push_back(state.measured.transmission_error / arcsecond);
+        energy_error = largest_of(energy_error, std::abs(state.measured.energy.error()));
+      }
+    return errors;
+  }
+
+  double distance(const std::vector<double> &a, const std::vector<double> &b)
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum / a.size());
+  }
+
+  void in_motion(Communicator &world)
+  {
+    const Model                    model    = make_model("in_motion", 20000., world);
+    const std::vector<ReducedBody> bodies   = reduce(model, 40e3, 4, world);
+    double                         error[4] = {0, 0, 0, 0};
+    const auto a = move(model, bodies, 50, error[0]), b = move(model, bodies, 100, error[1]),
+               c = move(model, bodies, 200, error[2]), d = move(model, bodies, 400, error[3]);
+    const double first = distance(a, b), second = distance(b, c), third = distance(c, d);
+    check("steps of a half: a quarter of the error", first > 3 * second && second > 2.5 * third);
+    check_below("energy", error[2], 2e-3);
+    check("energy: better with smaller steps", error[3] < .5 * error[1]);
+  }
+
+  void refusals(Communicator &world)
+  {
+    Model                          model           = make_model("refused", 1., world);
+    const std::vector<ReducedBody> bodies          = reduce(model, 10e3, 1, world);
+    model.contacts[0].options.friction.coefficient = .1;
+    try
+      {
+        make_pair(model, bodies, {1e-5});
+        check("friction is refused", false);
+      }
+    catch (const InputError &error)
+      {
+        check("friction is refused",
+              std::string(error.what()).find("friction") != std::string::npos);
+      }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  run_parts(argc, argv, {at_rest, in_motion, refusals});
+}

@@ -1,0 +1,134 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Study kind `reduced` beside an explicit run of the same file; what it refuses.
+#include "../parts.h"
+#include "../refusal.h"
+#include "../tests.h"
+#include "quick_pair.h"
+
+#include <vfife/base/text/column_names.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+using namespace vfife;
+
+namespace
+{
+  using Columns = std::map<std::string, std::vector<double>>;
+
+  std::string pair_text(const std::string &kind)
+  {
+    return quick_pair("set web = conical", coarse_web, "1e-6") +
+           "subsection Study\n set kind = " + kind + "\nend\n";
+  }
+
+  Columns run_pair_of_kind(const std::string &kind, Communicator &world)
+  {
+    std::ofstream(kind + "_pair.prm") << pair_text(kind);
+    run_pair(kind + "_pair.prm", kind + "_pair", world, {"Operation/tooth meshes=2"});
+    return read_columns(kind + "_pair/history.csv");
+  }
+
+  nlohmann::json read_summary(const std::string &folder)
+  {
+    std::ifstream file(folder + "/summary.json");
+    return nlohmann::json::parse(file);
+  }
+
+  double mean(const std::vector<double> &values)
+  {
+    return std::accumulate(values.begin(), values.end(), 0.) / values.size();
+  }
+
+  std::vector<std::string> names_of(const Columns &columns)
+  {
+    std::vector<std::string> names;
+    for (const auto &column : columns)
+      names.push_back(column.first);
+    return names;
+  }
+
+  void beside_run(Communicator &world)
+  {
+    Columns run = run_pair_of_kind("run", world), reduced = run_pair_of_kind("reduced", world);
+    check("columns of a run", names_of(run) == names_of(reduced));
+    check("samples of a run", run["time"].size() == reduced["time"].size());
+    // Whole bodies deform nonlinearly, here 4e-4; the equilibrium's waves are differences over
+    // sectors there and exact here.
+    check_close("transmission error at the start", reduced["dte"][0] / run["dte"][0], 1., 2e-3);
+    check_close("its mean", mean(reduced["dte"]) / mean(run["dte"]), 1., 2e-3);
+    check_close("of the rim", mean(reduced["rim dte"]) / mean(run["rim dte"]), 1., 2e-3);
+    check_close("contact force",
+                mean(reduced["contact force total"]) / mean(run["contact force total"]),
+                1.,
+                3e-3);
+    double distance = 0, ripple = 0;
+    for (std::size_t i = 0; i < run["dte"].size(); ++i)
+      {
+        distance += std::pow(reduced["dte"][i] - run["dte"][i], 2);
+        ripple += std::pow(run["dte"][i] - mean(run["dte"]), 2);
+      }
+    check_below("curve of two tooth meshes over its ripple", std::sqrt(distance / ripple), .1);
+
+    const auto probes = read_columns("run_pair/probes.csv"),
+               same   = read_columns("reduced_pair/probes.csv");
+    // Displacements along theta are counted from other rotations: of the momentum here, of the hub
+    // at the start there.
+    for (const char *column : {"displacement r", "displacement z", "von mises"})
+      {
+        const std::string over = std::string(column) == "von mises" ? column : "displacement r";
+        double            difference = 0, largest = 0;
+        for (std::size_t i = 0; i < probes.at(column).size(); ++i)
+          {
+            difference += std::abs(same.at(column)[i] - probes.at(column)[i]);
+            largest = largest_of(largest, std::abs(probes.at(over)[i]));
+          }
+        check_below(std::string("probes: ") + column,
+                    difference / probes.at(column).size() / largest,
+                    5e-2);
+      }
+    const auto rim = read_columns("run_pair/rim.csv"), waves = read_columns("reduced_pair/rim.csv");
+    for (const char *column : {"r cos 0", "z cos 1", "z sin 1", "z cos 2", "r sin 3"})
+      {
+        // Over the largest of all waves.
+        double difference = 0, largest = 0;
+        for (std::size_t i = 0; i < rim.at(column).size(); ++i)
+          {
+            difference = largest_of(difference, std::abs(waves.at(column)[i] - rim.at(column)[i]));
+            largest    = largest_of(largest, std::abs(rim.at("z cos 1")[i]));
+          }
+        check_below(std::string("rim: ") + column, difference / largest, 3e-2);
+      }
+    check("teeth, pattern, summary",
+          std::filesystem::exists("reduced_pair/teeth.csv") &&
+            std::filesystem::exists("reduced_pair/pattern.csv") &&
+            read_summary("reduced_pair").at("status") == "finished");
+    const auto summary = read_summary("reduced_pair"), of_run = read_summary("run_pair");
+    const auto swing = [](const nlohmann::json &s) {
+      return s.at("figures").at("swing frequency, estimated").at("value").get<double>();
+    };
+    check_close("swing", swing(summary) / swing(of_run), 1., 1e-2);
+    check_below("energy", std::abs(reduced["energy error"].back()), 2e-3);
+  }
+
+  void refusals(Communicator &world)
+  {
+    const auto refuse = [&](const std::string &entry, const std::string &value) {
+      std::ofstream("refused.prm") << pair_text("reduced");
+      print_refusal([&]() { run_pair("refused.prm", "refused", world, {entry + "=" + value}); });
+    };
+    refuse("Dynamics/start", "ramp");
+    refuse("Dynamics/damping rate", "mean speed");
+    refuse("Contact/friction coefficient", "0.1");
+    refuse("Operation/driving member", "gear");
+    refuse("Reduced/cutof frequency", "3 kHz");
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  run_parts(argc, argv, {beside_run, refusals});
+}
