@@ -62,15 +62,15 @@ namespace vfife
     return table;
   }
 
-  void add_response(const LumpedModel    &model,
-                    const std::string    &direction,
+  void add_response(const std::string    &direction,
                     const double          speed,
+                    const unsigned int    teeth,
                     const LumpedResponse &response,
                     Table                &table)
   {
     table.add_row({direction,
                    speed * 30 / pi,
-                   speed * model.pair().driver_teeth / (2 * pi),
+                   speed * teeth / (2 * pi),
                    response.mean_error / arcsecond,
                    response.rms_error / arcsecond,
                    response.pp_error / arcsecond,
@@ -84,6 +84,19 @@ namespace vfife
                    response.energy_error});
   }
 
+  std::vector<double> list_speeds(const SpeedSweepOptions &options, const bool upwards)
+  {
+    std::vector<double> speeds;
+    for (unsigned int i = 0; i < options.n_speeds; ++i)
+      {
+        const unsigned int place = upwards ? i : options.n_speeds - 1 - i;
+        speeds.push_back(options.lowest_speed + place *
+                                                  (options.highest_speed - options.lowest_speed) /
+                                                  (options.n_speeds - 1));
+      }
+    return speeds;
+  }
+
   void sweep_speeds(const LumpedModel       &model,
                     const LumpedRunOptions  &run,
                     const SpeedSweepOptions &options,
@@ -95,19 +108,12 @@ namespace vfife
     // sweep turns round.
     LumpedSolver solver(model, run);
     const auto   pass = [&](const std::string &direction) {
-      for (unsigned int i = 0; i < options.n_speeds; ++i)
-        {
-          // Both passes meet the same speeds, so that their rows can be compared.
-          const unsigned int place = direction == "up" ? i : options.n_speeds - 1 - i;
-          const double       speed =
-            options.lowest_speed +
-            place * (options.highest_speed - options.lowest_speed) / (options.n_speeds - 1);
-          add_response(model,
-                       direction,
-                       speed,
-                       solver.run(speed * model.pair().driver_teeth / (2 * pi)),
-                       table);
-        }
+      for (const double speed : list_speeds(options, direction == "up"))
+        add_response(direction,
+                     speed,
+                     model.pair().driver_teeth,
+                     solver.run(speed * model.pair().driver_teeth / (2 * pi)),
+                     table);
     };
     pass("up");
     if (options.kind == SweepKind::up_and_down)

@@ -30,14 +30,24 @@ namespace vfife
                            const ModalDamping &damping,
                            const double        step)
     : body_(body)
-    , rate_(rate)
     , damping_(damping)
+    , harmonics_(body.harmonics.size())
     , turn_scale_(body.turns ? std::sqrt(body.turn_inertia) : 0.)
   {
-    const double further = rate * rate - body.rate * body.rate;
-    for (const ReducedBody::Harmonic &modes : body.harmonics)
+    for (std::size_t i = 0; i < harmonics_.size(); ++i)
+      harmonics_[i].position = harmonics_[i].velocity =
+        VectorXcd::Zero(body.harmonics[i].n_modes());
+    change(rate, step);
+  }
+
+  void ModalMotion::change(const double rate, const double step)
+  {
+    rate_                = rate;
+    const double further = rate * rate - body_.rate * body_.rate;
+    for (std::size_t i = 0; i < harmonics_.size(); ++i)
       {
-        Harmonic harmonic;
+        const ReducedBody::Harmonic &modes    = body_.harmonics[i];
+        Harmonic                    &harmonic = harmonics_[i];
         harmonic.stiffness = modes.eigenvalues.cast<std::complex<double>>().asDiagonal();
         harmonic.stiffness += further * modes.spin_stiffness;
         const Eigen::LLT<MatrixXcd> factor(harmonic.stiffness);
@@ -45,33 +55,27 @@ namespace vfife
           {
             std::ostringstream text;
             text << "a reduced body is not stable at " << rate * 30. / pi << " rpm: its modes with "
-                 << modes.number << " nodal diameters were found at " << body.rate * 30. / pi
+                 << modes.number << " nodal diameters were found at " << body_.rate * 30. / pi
                  << " rpm";
             throw NumericalError(text.str());
           }
-        harmonic.position = harmonic.velocity = VectorXcd::Zero(modes.n_modes());
-        harmonics_.push_back(std::move(harmonic));
-      }
-    // The rigid turn is one more coordinate of h = 0, scaled like the modes.
-    for (std::size_t i = 0; i < harmonics_.size(); ++i)
-      {
-        const MatrixXcd &G = body.harmonics[i].coriolis;
         if (!has_turn(i))
           {
-            find_propagator(harmonics_[i], 2. * rate * G, step);
+            find_propagator(harmonic, 2. * rate * modes.coriolis, step);
             continue;
           }
-        const Eigen::Index n         = G.rows();
+        // The rigid turn is one more coordinate of h = 0, scaled like the modes.
+        const Eigen::Index n         = modes.n_modes();
         MatrixXcd          coupling  = MatrixXcd::Zero(n + 1, n + 1);
-        coupling.topLeftCorner(n, n) = 2. * rate * G;
+        coupling.topLeftCorner(n, n) = 2. * rate * modes.coriolis;
         const Eigen::VectorXd turning =
-          n > 0 ? Eigen::VectorXd(2. * rate / turn_scale_ * body.turn_coriolis)
+          n > 0 ? Eigen::VectorXd(2. * rate / turn_scale_ * body_.turn_coriolis)
                 : Eigen::VectorXd(0);
         coupling.col(n).head(n) = -turning.cast<std::complex<double>>();
         coupling.row(n).head(n) = turning.transpose().cast<std::complex<double>>();
-        find_propagator(harmonics_[i], coupling, step);
-        turn_gain_ = harmonics_[i].gain(n, n).real() / body.turn_inertia;
-        harmonics_[i].gain.conservativeResize(n, n);
+        find_propagator(harmonic, coupling, step);
+        turn_gain_ = harmonic.gain(n, n).real() / body_.turn_inertia;
+        harmonic.gain.conservativeResize(n, n);
       }
   }
 

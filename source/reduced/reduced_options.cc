@@ -37,6 +37,14 @@ namespace vfife
                     "Teeth on each side of a loaded one whose residual flexibility is kept",
                     1,
                     1000);
+    declare_integer(prm,
+                    "settling meshes",
+                    settling_meshes,
+                    "Tooth meshes at each speed of a sweep before those that are counted",
+                    0,
+                    1000000);
+    declare_integer(
+      prm, "counted meshes", counted_meshes, "Tooth meshes at each speed of a sweep", 1, 1000000);
   }
 
   double ReducedOptions::find_cutoff(const double mesh_frequency) const

@@ -65,12 +65,20 @@ namespace vfife
                               const ReducedPairOptions &options)
     : body(std::move(reduced))
     , rate(model.bodies[b].rate)
-    , sector_rate(sector_sense(model.bodies[b]) * rate)
-    , spin(body.rate != 0 ? rate * rate / (body.rate * body.rate) : 0.)
+    , sense(sector_sense(model.bodies[b]))
     , torque(torque_on(model, b))
+    , inertia(body.turns ? body.turn_inertia : model.bodies[b].axial_inertia())
     , motion(body, rate, {options.damping, options.mesh_damping}, options.step)
     , rows(body, gains_of(motion, body.harmonics.size()))
   {
+    set_rate(rate);
+  }
+
+  void ReducedPair::Member::set_rate(const double new_rate)
+  {
+    rate        = new_rate;
+    sector_rate = sense * rate;
+    spin        = body.rate != 0 ? rate * rate / (body.rate * body.rate) : 0.;
   }
 
   ModalForces ReducedPair::Member::torque_forces() const
@@ -150,9 +158,9 @@ namespace vfife
         members_.push_back(std::make_unique<Member>(model, b, std::move(bodies[b]), options));
         rows.push_back(&members_.back()->rows);
       }
-    answers_ = std::make_unique<Answers>(rows);
-    search_steps_ =
-      std::max(1., std::floor(search_part / (model.transmission->mesh_frequency() * options.step)));
+    answers_     = std::make_unique<Answers>(rows);
+    driver_rate_ = model.transmission->driver_rate;
+    find_search_steps();
   }
 
   ReducedPair::~ReducedPair() = default;
@@ -162,9 +170,44 @@ namespace vfife
     return members_[b]->body;
   }
 
-  double ReducedPair::driver_turn(const double time) const
+  void ReducedPair::find_search_steps()
   {
-    return model_.transmission->driver_rate * time;
+    const double meshes = std::abs(driver_rate_) * model_.transmission->driver_teeth / (2. * pi);
+    search_steps_       = std::max(1., std::floor(search_part / (meshes * options_.step)));
+  }
+
+  void ReducedPair::set_speed(const double driver_rate, const double step)
+  {
+    const Transmission &t        = *model_.transmission;
+    const double        relative = driver_rate / t.driver_rate;
+    driver_rate_                 = driver_rate;
+    options_.step                = step;
+    for (unsigned int b = 0; b < members_.size(); ++b)
+      {
+        Member &member = *members_[b];
+        member.set_rate(relative * model_.bodies[b].rate);
+        member.motion.change(member.rate, step);
+        member.rows.set_gains(gains_of(member.motion, member.body.harmonics.size()));
+      }
+    // Steps of another length are no ground to go on from.
+    earlier_force_.resize(0);
+    find_search_steps();
+    if (nodes_.empty()) // before start()
+      return;
+    find_candidates(driver_turn(search_steps_));
+    since_search_   = 0;
+    now_.deflection = answers_->answer(now_.force);
+    restart_energy();
+  }
+
+  double ReducedPair::driver_turn(const double n_steps) const
+  {
+    return driver_turn_ + driver_rate_ * n_steps * options_.step;
+  }
+
+  double ReducedPair::driven_turn() const
+  {
+    return model_.transmission->ratio() * driver_turn_;
   }
 
   Eigen::Ref<const VectorXd> ReducedPair::rows_of(const Member &member, const VectorXd &x) const
@@ -253,10 +296,14 @@ namespace vfife
 
     // 1. Where the bodies would be with half the present contact forces alone.
     ++step_;
-    time_ = step_ * options_.step;
-    pair_.set_position(driver_turn(time_));
-    if (step_ % search_steps_ == 0)
-      find_candidates(driver_turn(time_ + search_steps_ * options_.step));
+    time_ += options_.step;
+    driver_turn_ = driver_turn(1.);
+    pair_.set_position(driver_turn_);
+    if (++since_search_ == search_steps_)
+      {
+        find_candidates(driver_turn(search_steps_));
+        since_search_ = 0;
+      }
     std::vector<ModalForces>            half = project(now_);
     std::vector<std::vector<VectorXcd>> coordinates(members_.size());
     TurnLoad                            load;

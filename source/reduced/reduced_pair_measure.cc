@@ -20,7 +20,7 @@ namespace vfife
     const Member       &driven = *members_[t.driven];
     // The turn with its kinematic part, and what the modes and the residual flexibility make of the
     // bore, as the torque sees it.
-    double way = driven.rate * time_ + driven.motion.turn() +
+    double way = t.driven_sense * driven_turn() + driven.motion.turn() +
                  driven.rows.torque().dot(rows_of(driven, now_.force));
     for (std::size_t i = 0; i < driven.body.harmonics.size(); ++i)
       if (driven.body.harmonics[i].number == 0 && driven.body.harmonics[i].n_modes() > 0)
@@ -55,19 +55,26 @@ namespace vfife
     energy_.torque_work += load_ * (torque_way() - way_before);
   }
 
+  void ReducedPair::restart_energy()
+  {
+    energy_ = EnergyLedger();
+    measure_energy();
+    energy_.start = energy_.kinetic + energy_.strain + energy_.contact;
+    energy_.scale = EnergyLedger::scale_floor * energy_.kinetic;
+    first_energy_ = energy_;
+  }
+
   void ReducedPair::measure_energy()
   {
     energy_.kinetic = energy_.kinetic_relative = energy_.strain = 0;
-    for (unsigned int b = 0; b < members_.size(); ++b)
+    for (const auto &one : members_)
       {
-        const Member  &member = *members_[b];
+        const Member  &member = *one;
         const VectorXd force  = rows_of(member, now_.force);
-        const double   inertia =
-          member.body.turns ? member.body.turn_inertia : model_.bodies[b].axial_inertia();
-        const double rate = member.rate + member.motion.turn_rate();
+        const double   rate   = member.rate + member.motion.turn_rate();
         energy_.kinetic_relative += member.motion.kinetic();
-        energy_.kinetic +=
-          .5 * inertia * rate * rate + member.rate * member.rate * member.motion.added_inertia();
+        energy_.kinetic += .5 * member.inertia * rate * rate +
+                           member.rate * member.rate * member.motion.added_inertia();
         energy_.strain += member.motion.strain();
         // What the residual flexibility stores: that at once, less the modes' part of it.
         energy_.strain += .5 * force.dot(rows_of(member, now_.deflection)) +
@@ -95,14 +102,14 @@ namespace vfife
     // and of the driver's bore.
     const Transmission &t           = *model_.transmission;
     const Member       &driven      = *members_[t.driven];
-    const double        turned      = t.driven_rate() * time_;
+    const double        turned      = driven_turn();
     const double        bore        = t.driven_sense * read_turn(driven, reading::bore_turn);
     const double        rim         = t.driven_sense * read_turn(driven, reading::rim_turn);
     const double        drive       = t.driver_bore.empty()
                                         ? 0.
                                         : t.driver_sense * read_turn(*members_[t.driver], reading::bore_turn);
     const double        start       = t.driven_start - t.ratio() * (t.driver_start + drive);
-    measured.driver_angle           = t.driver_start + t.driver_rate * time_ + drive;
+    measured.driver_angle           = t.driver_start + driver_turn_ + drive;
     measured.driven_angle           = t.driven_start + turned + bore;
     measured.rim_angle              = t.driven_start + turned + rim;
     measured.transmission_error     = start + bore;
@@ -171,34 +178,35 @@ namespace vfife
     return measured;
   }
 
-  std::vector<double> ReducedPair::measure_rim(const unsigned int largest) const
+  std::vector<double> ReducedPair::measure_rim(const unsigned int largest)
   {
     // A wave is the sum over sectors k of exp(i n k alpha) (a_k + i b_k), a and b its readings
     // [mm]: of all nodes of the rim, share u exp(i n alpha).
-    const Member                &member      = *members_[model_.transmission->driven];
+    Member                      &member      = *members_[model_.transmission->driven];
     const ReducedBody           &body        = member.body;
     const std::vector<VectorXcd> coordinates = member.coordinates();
     const VectorXd               force       = rows_of(member, now_.force);
-    const std::size_t            first       = 3 * body.touch_nodes.size();
-    const auto                   read = [&](const unsigned int k, const unsigned int sector) {
-      return member.spin * body.spin[first + k] +
-             member.rows.read(k, sector, coordinates, force, member.torque);
-    };
-    std::vector<double> coefficients;
+    std::vector<double>          coefficients;
     for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int n = 0; n <= largest; ++n)
-        {
-          const unsigned int real = body.find_reading(reading::of_rim(c, n, false)),
-                             imaginary =
-                               n > 0 ? body.find_reading(reading::of_rim(c, n, true)) : real;
-          std::complex<double> sum = 0;
-          for (unsigned int k = 0; k < body.n_sectors; ++k)
-            sum += std::polar(1., n * k * body.sector_angle) *
-                   std::complex<double>(read(real, k), n > 0 ? read(imaginary, k) : 0.);
-          coefficients.push_back((n > 0 ? 2e3 : 1e3) * sum.real());
-          if (n > 0)
+      {
+        const unsigned int mean = body.find_reading(reading::of_rim(c, 0, false));
+        coefficients.push_back(
+          1e3 * (body.n_sectors * member.spin * body.spin[3 * body.touch_nodes.size() + mean] +
+                 member.rows.read_all(mean, coordinates, force, member.torque)));
+        for (unsigned int n = 1; n <= largest; ++n)
+          {
+            const auto read = [&](const bool imaginary) {
+              return member.rows.read_wave(body.find_reading(reading::of_rim(c, n, imaginary)),
+                                           n,
+                                           coordinates,
+                                           force);
+            };
+            const std::complex<double> sum =
+              read(false) + std::complex<double>(0., 1.) * read(true);
+            coefficients.push_back(2e3 * sum.real());
             coefficients.push_back(2e3 * sum.imag());
-        }
+          }
+      }
     return coefficients;
   }
 } // namespace vfife

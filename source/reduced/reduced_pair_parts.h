@@ -12,10 +12,12 @@ namespace vfife
   struct ReducedPair::Member
   {
     ReducedBody  body;
-    double       rate;        ///< about Body::axis [rad/s]
-    double       sector_rate; ///< about the axis of its sectors [rad/s]
-    double       spin;        ///< what the state of spin is multiplied by
-    double       torque;      ///< of the model about Body::axis [N mm]
+    double       rate;            ///< about Body::axis [rad/s]
+    double       sense;           ///< of Body::axis about the axis of its sectors
+    double       sector_rate = 0; ///< about the axis of its sectors [rad/s]
+    double       spin        = 0; ///< what the state of spin is multiplied by
+    double       torque;          ///< of the model about Body::axis [N mm]
+    double       inertia;         ///< about Body::axis [t mm^2]
     ModalMotion  motion;
     TouchRows    rows;
     Eigen::Index first = 0; ///< of its rows
@@ -25,6 +27,7 @@ namespace vfife
            ReducedBody             &&reduced,
            const ReducedPairOptions &options);
 
+    void set_rate(double new_rate);
     /** Of its modes under the torque alone. */
     ModalForces torque_forces() const;
     /** Coordinates of its modes now. */

@@ -19,12 +19,13 @@ namespace vfife
 
   ReducedEquilibrium ReducedPair::start()
   {
-    time_ = 0;
-    step_ = 0;
-    now_  = PressedState();
+    time_ = driver_turn_ = 0;
+    step_                = 0;
+    now_                 = PressedState();
     earlier_force_.resize(0);
     pair_.set_position(0.);
-    find_candidates(driver_turn(search_steps_ * options_.step));
+    find_candidates(driver_turn(search_steps_));
+    since_search_ = 0;
 
     // Modes give way as they do to forces that stand still in space.
     std::vector<TouchRows>              rows;
@@ -68,11 +69,7 @@ namespace vfife
     // From now on contact may be lost.
     now_.unit       = std::abs(load_) / model_.transmission->arm;
     now_.deflection = answers_->answer(now_.force);
-    energy_         = EnergyLedger();
-    measure_energy();
-    energy_.start = energy_.kinetic + energy_.strain + energy_.contact;
-    energy_.scale = EnergyLedger::scale_floor * energy_.kinetic;
-    first_energy_ = energy_;
+    restart_energy();
     return found;
   }
 

@@ -83,18 +83,23 @@ namespace vfife
                                "and was not among the nodes that forces act on");
         row += 3;
       }
-    shapes_.clear();
-    for (const ReducedBody::Harmonic &harmonic : body_.harmonics)
-      shapes_.emplace_back(row, harmonic.n_modes());
+    const Eigen::Index n_modes = body_.n_modes();
+    shapes_.resize(2 * n_modes, row);
     spin_.resize(row);
     torque_.resize(row);
     for (const Run &run : runs_)
       for (std::size_t k = 0; k < run.places.size(); ++k)
         {
           const Eigen::Index to = run.first + 3 * k, from = 3 * run.places[k];
-          for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
-            shapes_[i].middleRows<3>(to) = phase(body_, body_.harmonics[i].number, run.sector) *
-                                           body_.harmonics[i].shapes.middleRows<3>(from);
+          Eigen::Index       mode = 0;
+          for (const ReducedBody::Harmonic &harmonic : body_.harmonics)
+            {
+              const MatrixXcd z =
+                phase(body_, harmonic.number, run.sector) * harmonic.shapes.middleRows<3>(from);
+              shapes_.block(mode, to, z.cols(), 3)           = z.real().transpose();
+              shapes_.block(n_modes + mode, to, z.cols(), 3) = -z.imag().transpose();
+              mode += z.cols();
+            }
           spin_.segment<3>(to)   = body_.spin.segment<3>(from);
           torque_.segment<3>(to) = body_.torque_residual.segment<3>(from);
         }
@@ -107,6 +112,13 @@ namespace vfife
       });
     if (!same)
       fill_flexibility();
+  }
+
+  void TouchRows::set_gains(std::vector<MatrixXcd> gains)
+  {
+    gains_ = std::move(gains);
+    blocks_.clear();
+    fill_flexibility();
   }
 
   void TouchRows::fill_flexibility()
@@ -128,17 +140,35 @@ namespace vfife
 
   VectorXd TouchRows::displace(const std::vector<VectorXcd> &coordinates) const
   {
-    VectorXd u = VectorXd::Zero(n_rows());
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-      u += (shapes_[i] * coordinates[i]).real();
-    return u;
+    const Eigen::Index n_modes = shapes_.rows() / 2;
+    VectorXd           parts(2 * n_modes);
+    Eigen::Index       mode = 0;
+    for (const VectorXcd &c : coordinates)
+      {
+        parts.segment(mode, c.size())           = c.real();
+        parts.segment(n_modes + mode, c.size()) = c.imag();
+        mode += c.size();
+      }
+    return shapes_.transpose() * parts;
   }
 
   std::vector<VectorXcd> TouchRows::project(const VectorXd &forces) const
   {
+    // Few rows have forces.
+    VectorXd parts = VectorXd::Zero(shapes_.rows());
+    for (Eigen::Index k = 0; k < forces.size(); ++k)
+      if (forces[k] != 0.)
+        parts += forces[k] * shapes_.col(k);
     std::vector<VectorXcd> modal;
-    for (const MatrixXcd &shapes : shapes_)
-      modal.emplace_back(shapes.adjoint() * forces);
+    const Eigen::Index     n_modes = shapes_.rows() / 2;
+    Eigen::Index           mode    = 0;
+    for (const ReducedBody::Harmonic &harmonic : body_.harmonics)
+      {
+        VectorXcd &g = modal.emplace_back(harmonic.n_modes());
+        g.real()     = parts.segment(mode, g.size());
+        g.imag()     = parts.segment(n_modes + mode, g.size());
+        mode += g.size();
+      }
     return modal;
   }
 
@@ -189,6 +219,45 @@ namespace vfife
         value += body_.summed_residual.row(reading)
                    .segment<3>(3 * run.places[k])
                    .dot(forces.segment<3>(run.first + 3 * k));
+    return value;
+  }
+
+  const Eigen::RowVectorXcd &TouchRows::find_wave(const unsigned int reading, const unsigned int n)
+  {
+    Eigen::RowVectorXcd &wave = waves_[{reading, n}];
+    if (wave.size() > 0)
+      return wave;
+    wave          = Eigen::RowVectorXcd::Zero(3 * body_.touch_nodes.size());
+    const int far = body_.reach;
+    // Half a turn away lies one sector in both senses.
+    for (int d = 2 * body_.reach == body_.n_sectors ? 1 - far : -far; d <= far; ++d)
+      wave += phase(body_, n, d) *
+              body_.find_residual(d)->row(reading_row(reading)).cast<std::complex<double>>();
+    return wave;
+  }
+
+  std::complex<double> TouchRows::read_wave(const unsigned int            reading,
+                                            const unsigned int            n,
+                                            const std::vector<VectorXcd> &coordinates,
+                                            const VectorXd               &forces)
+  {
+    // Sums over the sectors of exp(i n k alpha) Re(x exp(i h k alpha)) are conj(x) N/2 for h = n,
+    // otherwise zero.
+    std::complex<double> value = 0;
+    for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
+      if (body_.harmonics[i].number == n)
+        value +=
+          .5 * body_.n_sectors *
+          std::conj((body_.harmonics[i].shapes.row(reading_row(reading)) * coordinates[i])(0));
+    const Eigen::RowVectorXcd &wave = find_wave(reading, n);
+    for (const Run &run : runs_)
+      {
+        std::complex<double> sum = 0;
+        for (std::size_t k = 0; k < run.places.size(); ++k)
+          for (unsigned int c = 0; c < 3; ++c)
+            sum += wave[3 * run.places[k] + c] * forces[run.first + 3 * k + c];
+        value += phase(body_, n, run.sector) * sum;
+      }
     return value;
   }
 } // namespace vfife

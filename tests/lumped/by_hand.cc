@@ -162,7 +162,7 @@ namespace
   {
     const LumpedModel model(linear_pair());
     Table             table = make_resonance_response_table();
-    add_response(model, "down", 100 * pi, made_up_response(), table);
+    add_response("down", 100 * pi, model.pair().driver_teeth, made_up_response(), table);
     check("response: direction", table.column("direction").texts[0] == "down");
     const auto close = [&table](const char *name, const double expected) {
       check_close(std::string("response: ") + name,

@@ -43,6 +43,7 @@
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/gear/lumped_study.h>
+#include <vfife/study/reduced/speed_response.h>
 #include <vfife/study/sweep/sweep_study.h>
 
 #include <nlohmann/json.hpp>
@@ -130,6 +131,8 @@ namespace
     add("resonances.csv", modal, make_resonance_table());
     add("lumped.csv", "lumped", make_motion_table(LumpedModel(linear_pair())));
     add("resonance.csv", "lumped", make_resonance_response_table());
+    add("resonance.csv", "reduced", make_resonance_response_table());
+    add("wave_response.csv", "reduced", make_wave_response_table());
     add("mesh.csv", "mesh", body_figures_table({}));
     add("meridian.csv", "mesh", make_meridian_table());
     const GearPair    gears(paper::options());
@@ -202,7 +205,7 @@ namespace
     LumpedResponse    apart;
     apart.time_apart = 1.;
     Table resonance  = make_resonance_response_table();
-    add_response(model, "up", 1., apart, resonance);
+    add_response("up", 1., 20, apart, resonance);
     return make_lumped_json(model, apart, 1., resonance);
   }
 

@@ -17,7 +17,8 @@ TABLES = {
     "data/beside.py": {"table": "coupled_modes.csv"},
     "page/sweep_chapter.py": {"table": "resonance.csv"},
     "plots/campbell.py": {"branches": "campbell.csv", "resonances": "resonances.csv"},
-    "plots/lumped.py": {"motion": "lumped.csv", "sweep": "resonance.csv"},
+    "plots/lumped.py": {"motion": "lumped.csv"},
+    "plots/speed_response.py": {"sweep": "resonance.csv", "waves": "wave_response.csv"},
     "plots/meridian.py": {"table": "meridian.csv"},
     "plots/resonance.py": {"table": "resonance.csv"},
 }
@@ -29,7 +30,8 @@ TABLES_IN = {
 # Names of columns that are handed on: of which table, in which file.
 NAMED = {
     "data/columns.py": {None: "history.csv"},
-    "plots/lumped.py": {"MOTIONS": "lumped.csv", "RESPONSES": "resonance.csv"},
+    "plots/lumped.py": {"MOTIONS": "lumped.csv"},
+    "plots/speed_response.py": {"RESPONSES": "resonance.csv"},
     "plots/loaded_contact.py": {"plot_columns": "loaded_contact.csv", "plot_deviations": "loaded_contact.csv",
                                 "stresses": "loaded_contact.csv"},
     "plots/meridian.py": {"read_parts": "meridian.csv"},

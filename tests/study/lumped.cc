@@ -46,7 +46,7 @@ namespace
         LumpedResponse at_speed;
         at_speed.pp_error   = swings[i] * arcsecond;
         at_speed.time_apart = i == 4 ? .3 : 0;
-        add_response(model, i < 3 ? "up" : "down", speeds[i], at_speed, sweep);
+        add_response(i < 3 ? "up" : "down", speeds[i], model.pair().driver_teeth, at_speed, sweep);
       }
     const nlohmann::json json = make_lumped_json(model, made_up_response(), 100 * pi, sweep);
     const auto close          = [&json](const char *part, const char *name, const double expected) {

@@ -114,6 +114,53 @@ namespace
     check_below("energy", std::abs(reduced["energy error"].back()), 2e-3);
   }
 
+  /** Upwards and downwards: each speed from the motion at the one before, so nothing jumps. */
+  void speeds(Communicator &world)
+  {
+    std::ofstream("sweep.prm") << pair_text("reduced");
+    run_pair("sweep.prm",
+             "sweep",
+             world,
+             {"Reduced/sweep=up and down",
+              "Reduced/lowest speed=12000 rpm",
+              "Reduced/highest speed=20000 rpm",
+              "Reduced/speeds=2",
+              "Reduced/settling meshes=12",
+              "Reduced/counted meshes=3",
+              "Reduced/cutoff frequency=20 kHz",
+              "Output/history every=10"});
+    const Columns response = read_columns("sweep/resonance.csv"),
+                  waves    = read_columns("sweep/wave_response.csv");
+    check("a row a speed and direction", response.at("speed").size() == 4);
+    const std::vector<double> expected = {12000, 20000, 20000, 12000};
+    double                    worst    = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      {
+        worst = largest_of(worst, std::abs(response.at("speed")[i] / expected[i] - 1.));
+        worst =
+          largest_of(worst, std::abs(response.at("mesh frequency")[i] / (.45 * expected[i]) - 1.));
+      }
+    check_below("speeds in their order", worst, 1e-12);
+    // What is left of the swing when speeds change, here after 1.3 ms.
+    check_close("the same speed again: transmission error",
+                response.at("mean dte")[2] / response.at("mean dte")[1],
+                1.,
+                4e-3);
+    check_close("the first speed again",
+                response.at("mean dte")[3] / response.at("mean dte")[0],
+                1.,
+                2e-3);
+    // Spin takes both flanks outwards.
+    check("faster, less lag", response.at("mean dte")[1] > response.at("mean dte")[0] + 1.);
+    check_close("a wave that stands in space does so at all speeds",
+                waves.at("standing wave 1")[3] / waves.at("standing wave 1")[1],
+                1.,
+                2e-2);
+    check("waves run little beside it",
+          waves.at("running wave 1")[2] < .2 * waves.at("standing wave 1")[2]);
+    check("contact is not lost", response.at("losses of contact")[3] == 0);
+  }
+
   void refusals(Communicator &world)
   {
     const auto refuse = [&](const std::string &entry, const std::string &value) {
@@ -124,11 +171,12 @@ namespace
     refuse("Dynamics/damping rate", "mean speed");
     refuse("Contact/friction coefficient", "0.1");
     refuse("Operation/driving member", "gear");
+    refuse("Reduced/sweep", "up");
     refuse("Reduced/cutof frequency", "3 kHz");
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {beside_run, refusals});
+  run_parts(argc, argv, {beside_run, speeds, refusals});
 }

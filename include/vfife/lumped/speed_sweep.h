@@ -35,10 +35,13 @@ namespace vfife
                     const SpeedSweepOptions &options,
                     Table                   &table);
 
-  /** Adds a row for one speed [rad/s]. */
-  void add_response(const LumpedModel    &model,
-                    const std::string    &direction,
+  /** All speeds of a pass, upwards or downwards [rad/s]; both meet the same ones. */
+  std::vector<double> list_speeds(const SpeedSweepOptions &options, bool upwards);
+
+  /** Adds a row for one speed [rad/s] of a driver with @p teeth. */
+  void add_response(const std::string    &direction,
                     double                speed,
+                    unsigned int          teeth,
                     const LumpedResponse &response,
                     Table                &table);
 } // namespace vfife

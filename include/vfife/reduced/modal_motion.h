@@ -41,6 +41,9 @@ namespace vfife
      * NumericalError where the body is not stable at that rate. */
     ModalMotion(const ReducedBody &body, double rate, const ModalDamping &damping, double step);
 
+    /** Goes on at another rate and step from the motion as it is. Throws as the constructor. */
+    void change(double rate, double step);
+
     /** No forces. */
     ModalForces no_forces() const;
 
@@ -114,7 +117,7 @@ namespace vfife
     void find_propagator(Harmonic &harmonic, const Eigen::MatrixXcd &coupling, double step) const;
 
     const ReducedBody    &body_;
-    double                rate_;
+    double                rate_ = 0;
     ModalDamping          damping_;
     std::vector<Harmonic> harmonics_;
     double                turn_scale_ = 0; ///< root of the inertia; 0: no turn

@@ -17,6 +17,10 @@ namespace vfife
     unsigned int steps_per_mode = 6;   ///< at least, in the shortest period of a kept mode
     unsigned int reach          = 4;   ///< sectors on each side whose residual flexibility is kept
 
+    // Of sweeps over speed, tooth meshes at each of them:
+    unsigned int settling_meshes = 40; ///< before what is counted
+    unsigned int counted_meshes  = 20;
+
     void declare(dealii::ParameterHandler &prm);
 
     /** The cut-off of the entry, or six orders of the mesh frequency and at least 25 kHz [Hz]. */

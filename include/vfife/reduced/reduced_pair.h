@@ -56,6 +56,10 @@ namespace vfife
     /** The equilibrium at time zero, which stands still in space. Throws NumericalError. */
     ReducedEquilibrium start();
 
+    /** From now on the driver turns at @p driver_rate [rad/s, drive direction], in steps of @p step
+     * [s]; the motion relative to it goes on. Throws NumericalError where a body is not stable. */
+    void set_speed(double driver_rate, double step);
+
     /** One step. Throws NumericalError, naming the position. */
     void step();
 
@@ -67,7 +71,7 @@ namespace vfife
 
     /** Coefficients of the rim's waves [um] with up to @p largest diameters, by component r, theta,
      * z: c_0, c_1, s_1, c_2 ... as RimWaves has them. */
-    std::vector<double> measure_rim(unsigned int largest) const;
+    std::vector<double> measure_rim(unsigned int largest);
 
     /** Newton iterations of all steps. */
     std::uint64_t n_iterations() const
@@ -86,7 +90,9 @@ namespace vfife
     class Answers;
     using NodeOfBody = std::pair<unsigned int, unsigned int>;
 
-    double driver_turn(double time) const;
+    /** Of the driver since time zero after @p n_steps more steps [rad]. */
+    double driver_turn(double n_steps) const;
+    double driven_turn() const; ///< kinematic, in the drive direction [rad]
     /** Looks for what may touch until @p later_turn of the driver; forces at nodes that stay go
      * with them. */
     void find_candidates(double later_turn);
@@ -104,6 +110,8 @@ namespace vfife
     void         measure_transmission(Measurements &measured) const;
     void         measure_contact(State &state) const;
     void         measure_energy();
+    void         restart_energy();
+    void         find_search_steps();
     /** Mean rotation of bore or rim about the axis beyond the kinematic turn [rad]. */
     double read_turn(const Member &member, const char *reading) const;
 
@@ -117,10 +125,12 @@ namespace vfife
     Eigen::VectorXd                      earlier_force_; ///< a step before, at the rows, or empty
     double                               earlier_torque_ = 0;
     double                               load_           = 0; ///< torque on the driven body [N mm]
+    double                               driver_rate_    = 0; ///< [rad/s]
+    double                               driver_turn_    = 0; ///< since time zero [rad]
     double                               time_           = 0;
     std::uint64_t                        step_           = 0;
     std::uint64_t                        n_iterations_   = 0;
-    unsigned int                         search_steps_   = 1; ///< between searches
+    unsigned int                         search_steps_ = 1, since_search_ = 0;
     EnergyLedger                         energy_, first_energy_;
   };
 } // namespace vfife

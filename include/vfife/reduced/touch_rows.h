@@ -4,7 +4,9 @@
 
 #include <vfife/reduced/modal_motion.h>
 
+#include <complex>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace vfife
@@ -22,6 +24,9 @@ namespace vfife
     /** @p gains: what a modal force does at once to the coordinates of its harmonic, in the order
      * of ReducedBody::harmonics. The body must outlive the object. */
     TouchRows(const ReducedBody &body, std::vector<Eigen::MatrixXcd> gains);
+
+    /** From now on modal forces do this at once. */
+    void set_gains(std::vector<Eigen::MatrixXcd> gains);
 
     /** The nodes of the body, sorted. Throws NumericalError where one is none that forces may act
      * on. */
@@ -66,6 +71,11 @@ namespace vfife
                     const std::vector<Eigen::VectorXcd> &coordinates,
                     const Eigen::VectorXd               &forces,
                     double                               torque) const;
+    /** Its sum over the sectors k times exp(i n k alpha), 0 < n < N/2. */
+    std::complex<double> read_wave(unsigned int                         reading,
+                                   unsigned int                         n,
+                                   const std::vector<Eigen::VectorXcd> &coordinates,
+                                   const Eigen::VectorXd               &forces);
 
   private:
     /** Consecutive rows on one sector. */
@@ -81,15 +91,20 @@ namespace vfife
     const Eigen::MatrixXd &find_block(int distance);
     void                   fill_flexibility();
     Eigen::Index           reading_row(unsigned int reading) const;
+    /** What the waves of a reading are under unit forces at the touch nodes of sector 0. */
+    const Eigen::RowVectorXcd &find_wave(unsigned int reading, unsigned int n);
 
     const ReducedBody             &body_;
     std::vector<Eigen::MatrixXcd>  gains_;
     std::vector<unsigned int>      place_of_; ///< of the nodes of a sector among the touch nodes
     std::map<int, Eigen::MatrixXd> blocks_;   ///< by distance, at all touch nodes of both sectors
-    std::vector<Run>               runs_;
-    std::vector<Eigen::MatrixXcd>  shapes_; ///< of each harmonic at the rows
-    Eigen::MatrixXd                flexibility_;
-    Eigen::VectorXd                spin_, torque_;
+    std::map<std::pair<unsigned int, unsigned int>, Eigen::RowVectorXcd> waves_; ///< reading, n
+    std::vector<Run>                                                     runs_;
+    /** Of all harmonics, a column a row: real parts, and behind them minus the imaginary ones, so
+     * that a real product is what complex coordinates displace. */
+    Eigen::MatrixXd shapes_;
+    Eigen::MatrixXd flexibility_;
+    Eigen::VectorXd spin_, torque_;
   };
 } // namespace vfife
 

@@ -67,7 +67,8 @@ namespace vfife
    * nodes', all at those rows alone at which one of them acts. */
   struct PressedPair::Tangent
   {
-    std::vector<unsigned int> rows; ///< at which something acts, ascending
+    std::vector<unsigned int> rows;        ///< at which something acts, ascending
+    Eigen::MatrixXd           flexibility; ///< of the bodies at `rows`
     std::vector<Spring>       springs;
     PressedSprings            others;
     double                    arm = 1; ///< scale of the turn [mm]
@@ -125,10 +126,11 @@ namespace vfife
       return force;
     }
 
-    void factorize(const Eigen::MatrixXd &flexibility);
+    Eigen::VectorXd at_rows(const Eigen::VectorXd &x) const;
+    void            factorize();
 
     /** Change of the springs' and rows' forces (first) and of the turn (second) for an
-     * imbalance of displacements at all rows and of torque. */
+     * imbalance of displacements at `rows` and of torque. */
     std::pair<Eigen::VectorXd, double> solve(const Eigen::VectorXd &u, double torque) const;
   };
 } // namespace vfife

@@ -11,6 +11,10 @@ namespace vfife
   namespace
   {
     constexpr unsigned int largest_iterations = 60;
+    /** Where contact may be lost: iterations after which a balance to this residual will do. A
+     * point on the edge between two facets may be pressed by either, with forces that differ. */
+    constexpr unsigned int patient_iterations = 12;
+    constexpr double       edge_jump          = 1e-4;
     /** Halvings of a Newton step. */
     constexpr unsigned int largest_halvings = 8;
     /** Round-off of the potential energy over its largest part. */
@@ -38,7 +42,7 @@ namespace vfife
     return !touching || unit > 0 || acting.contact_energy > 0;
   }
 
-  void PressedPair::Tangent::factorize(const Eigen::MatrixXd &flexibility)
+  void PressedPair::Tangent::factorize()
   {
     // [D^-1 + B^T A B, -b; b^T, k], the turn counted as a way at the arm: what the springs give
     // way by themselves and the compliance A of the bodies, and the balance of torques. Of other
@@ -75,13 +79,18 @@ namespace vfife
     system.compute(matrix);
   }
 
+  Eigen::VectorXd PressedPair::Tangent::at_rows(const Eigen::VectorXd &x) const
+  {
+    Eigen::VectorXd values(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      values[i] = x[rows[i]];
+    return values;
+  }
+
   std::pair<Eigen::VectorXd, double> PressedPair::Tangent::solve(const Eigen::VectorXd &u,
                                                                  const double torque) const
   {
-    Eigen::VectorXd at_rows(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      at_rows[i] = u[rows[i]];
-    Eigen::VectorXd right = respond(at_rows);
+    Eigen::VectorXd right = respond(u);
     if (symmetric)
       {
         // x - turned y = S^-1 h,  b^T x + k y = torque/arm
@@ -172,7 +181,8 @@ namespace vfife
     tangent.turn_stiffness =
       (touching ? load.stiffness + tangent.others.turn_twice : tangent.arm * tangent.arm) /
       (tangent.arm * tangent.arm);
-    tangent.factorize(bodies.flexibility(tangent.rows));
+    tangent.flexibility = bodies.flexibility(tangent.rows);
+    tangent.factorize();
     return tangent;
   }
 
@@ -221,7 +231,8 @@ namespace vfife
       {
         const double residual = now.residual(load, model_.transmission->arm);
         history << " " << residual;
-        if (residual < tolerance)
+        if (residual < tolerance ||
+            (now.unit > 0 && i >= patient_iterations && residual < edge_jump))
           return i;
         if (i >= largest_iterations || !now.presses() || !std::isfinite(residual))
           {
@@ -234,8 +245,10 @@ namespace vfife
         // balances the torque. Eliminating dv gives the system of the tangent. The first step goes
         // by the bodies' own springs: those of undisplaced bearings may have no stiffness at all.
         const Tangent tangent = linearize(bodies, base + now.deflection, load, now.touching, i > 0);
-        const Eigen::VectorXd imbalance = bodies.answer(now.acting.force) - now.deflection;
-        const auto            change =
+        // All forces that act are at the tangent's rows.
+        const Eigen::VectorXd imbalance =
+          tangent.flexibility * tangent.at_rows(now.acting.force) - tangent.at_rows(now.deflection);
+        const auto change =
           tangent.solve(imbalance, now.touching ? now.acting.torque + load.at(now.turn) : 0.);
         PressedState full = now;
         full.force        = now.acting.force + tangent.spread(change.first, base.size());
@@ -252,7 +265,7 @@ namespace vfife
                                                              const double           torque)
   {
     const Tangent tangent = linearize(bodies, u, load, true, true);
-    const auto    change  = tangent.solve(base, torque);
+    const auto    change  = tangent.solve(tangent.at_rows(base), torque);
     return {tangent.spread(change.first, u.size()), change.second};
   }
 } // namespace vfife

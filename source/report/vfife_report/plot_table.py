@@ -12,7 +12,7 @@ from .pictures.bodies import draw_bodies
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
 from .pictures.scene import Scene, is_in_mesh
 from .pictures.teeth_in_mesh import draw_teeth_in_mesh
-from .plots import bearings, campbell, comparisons, histories, lumped, rim, spectra, tooth_contact
+from .plots import bearings, campbell, comparisons, histories, lumped, rim, spectra, speed_response, tooth_contact
 from .plots.curves import draw_curves
 from .plots.loaded_contact import draw_loaded_contact
 from .plots.plot_row import PlotRow, draw_rows
@@ -88,6 +88,13 @@ TABLE_PLOTS = (
             "Motion of the lumped model at the speed of operation.", "Lumped model"),
     PlotRow("lumped_response.svg", (has_file("lumped.csv"), has_file("resonance.csv")),
             lumped.draw_response, "Response of the lumped model over speed.", "Lumped model"),
+    PlotRow("reduced_response.svg", (has_file("resonance.csv"), has_file("wave_response.csv")),
+            speed_response.draw_reduced_response,
+            "Response of the reduced pair over speed, each speed from the motion at the one before.",
+            "Response over speed", data="resonance.csv"),
+    PlotRow("wave_response.svg", (has_file("wave_response.csv"),), speed_response.draw_wave_response,
+            "Waves of the rim over speed: where a mesh order meets one, it runs.", "Response over speed",
+            data="wave_response.csv"),
 )
 
 # Of a study: all its runs on shared axes.

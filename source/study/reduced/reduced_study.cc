@@ -6,9 +6,11 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/fem_options.h>
+#include <vfife/lumped/speed_sweep.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
@@ -20,6 +22,7 @@
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/reduced/reduced_study.h>
+#include <vfife/study/reduced/speed_response.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
@@ -42,7 +45,9 @@ namespace vfife
         gear_case_.set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
         output_.declare(prm);
-        declare_section(prm, "Reduced", options_);
+        Subsection section(prm, "Reduced");
+        options_.declare(prm);
+        sweep_.declare(prm);
       }
 
       void check() const override
@@ -51,6 +56,7 @@ namespace vfife
         gear_case_.operation().require_driving_pinion("Operation", "reduced pair");
         dynamics_.check("Dynamics");
         output_.check("Output");
+        sweep_.check("Reduced");
         if (dynamics_.start != Start::static_preload)
           throw InputError("Dynamics/start", "a reduced pair starts from its static preload");
         if (dynamics_.damping_rate != DampingRate::momentum)
@@ -73,9 +79,15 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
+      /** The largest speed of the driver [rad/s]. */
+      double largest_speed() const
+      {
+        return sweep_.kind == SweepKind::none ? gear_case_.operation().speed : sweep_.highest_speed;
+      }
       double cutoff() const
       {
-        return options_.find_cutoff(gear_case_.mesh_frequency());
+        return options_.find_cutoff(gear_case_.mesh_frequency() * largest_speed() /
+                                    gear_case_.operation().speed);
       }
       unsigned int n_steps_of_mesh() const
       {
@@ -85,13 +97,24 @@ namespace vfife
       {
         return find_run_penalties(gear_case_, dynamics_, output_.history_every, communicator, log);
       }
+      void move(Model                     &model,
+                const std::vector<double> &penalties,
+                const ReducedPairOptions  &options,
+                OutputFolder              &folder,
+                Log                       &log) const;
+      void sweep(Model                     &model,
+                 const std::vector<double> &penalties,
+                 ReducedPairOptions         options,
+                 OutputFolder              &folder,
+                 Log                       &log) const;
       std::vector<ReducedBody>
       reduce(const Model &model, const Communicator &communicator, Log &log) const;
 
-      GearCase        gear_case_;
-      DynamicsOptions dynamics_;
-      OutputOptions   output_;
-      ReducedOptions  options_;
+      GearCase          gear_case_;
+      DynamicsOptions   dynamics_;
+      OutputOptions     output_;
+      ReducedOptions    options_;
+      SpeedSweepOptions sweep_;
     };
 
     std::vector<ReducedBody>
@@ -133,27 +156,65 @@ namespace vfife
       return bodies;
     }
 
-    void ReducedStudy::run(OutputFolder &folder, Log &log)
+    void ReducedStudy::sweep(Model                     &model,
+                             const std::vector<double> &penalties,
+                             ReducedPairOptions         options,
+                             OutputFolder              &folder,
+                             Log                       &log) const
     {
-      log.set_verbosity(output_.verbosity);
-      const Communicator       &communicator = folder.communicator();
-      Model                     model        = gear_case_.make_model(log);
-      const std::vector<double> penalties    = find_penalties(communicator, log);
-      const double              frequency    = gear_case_.mesh_frequency();
-      const unsigned int        per_mesh     = n_steps_of_mesh();
-      const std::uint64_t       n_steps = std::uint64_t(gear_case_.operation().meshes) * per_mesh;
-      ReducedPairOptions        options;
-      options.step         = 1. / (frequency * per_mesh);
-      options.damping      = dynamics_.damping;
-      options.mesh_damping = dynamics_.mesh_damping;
-      log.line("penalty ",
-               penalties.front(),
-               " N/mm^3, ",
-               per_mesh,
-               " steps of ",
-               1e9 * options.step,
-               " ns in a tooth mesh");
-      ReducedPair pair(model, reduce(model, communicator, log), penalties, options);
+      // Bodies are reduced at the highest speed: what lies below is between it and rest.
+      const double faster = largest_speed() / gear_case_.operation().speed;
+      model.transmission->driver_rate *= faster;
+      for (Body &body : model.bodies)
+        body.rate *= faster;
+      options.step /= faster;
+      const auto  start = WallClock::now();
+      ReducedPair pair(model, reduce(model, folder.communicator(), log), penalties, options);
+      pair.set_speed(sweep_.lowest_speed, options.step);
+      const ReducedEquilibrium found = pair.start();
+      log.line("equilibrium at the lowest speed: ", found.iterations, " iterations");
+      Table      resonance = make_resonance_response_table(), waves = make_wave_response_table();
+      const auto write = [&]() {
+        write_csv(folder, "resonance.csv", resonance);
+        write_csv(folder, "wave_response.csv", waves);
+      };
+      RunSummary summary = start_summary("reduced", model, folder);
+      try
+        {
+          sweep_speeds(model,
+                       options_,
+                       cutoff(),
+                       sweep_,
+                       output_.history_every,
+                       pair,
+                       resonance,
+                       waves,
+                       write,
+                       log);
+        }
+      catch (const NumericalError &error)
+        {
+          summary.status  = "failed";
+          summary.failure = error.what();
+        }
+      summary.run_time = seconds_since(start);
+      summary.figures  = {{"cut-off frequency", {cutoff(), "Hz"}},
+                          {"speeds", {double(resonance.n_rows()), "-"}}};
+      write_summary(folder, summary);
+      if (summary.status == "failed")
+        throw NumericalError(summary.failure);
+      log.line(resonance.n_rows(), " speeds in ", duration_text(summary.run_time));
+    }
+
+    void ReducedStudy::move(Model                     &model,
+                            const std::vector<double> &penalties,
+                            const ReducedPairOptions  &options,
+                            OutputFolder              &folder,
+                            Log                       &log) const
+    {
+      const unsigned int  per_mesh = n_steps_of_mesh();
+      const std::uint64_t n_steps  = std::uint64_t(gear_case_.operation().meshes) * per_mesh;
+      ReducedPair pair(model, reduce(model, folder.communicator(), log), penalties, options);
 
       ReducedRun          run(folder, log, model, pair);
       const std::uint64_t history_steps = per_mesh / output_.history_every;
@@ -213,6 +274,31 @@ namespace vfife
                " ms a step, ",
                double(pair.n_iterations()) / n_steps,
                " iterations a step");
+    }
+
+    void ReducedStudy::run(OutputFolder &folder, Log &log)
+    {
+      log.set_verbosity(output_.verbosity);
+      const Communicator       &communicator = folder.communicator();
+      Model                     model        = gear_case_.make_model(log);
+      const std::vector<double> penalties    = find_penalties(communicator, log);
+      const double              frequency    = gear_case_.mesh_frequency();
+      const unsigned int        per_mesh     = n_steps_of_mesh();
+      ReducedPairOptions        options;
+      options.step         = 1. / (frequency * per_mesh);
+      options.damping      = dynamics_.damping;
+      options.mesh_damping = dynamics_.mesh_damping;
+      log.line("penalty ",
+               penalties.front(),
+               " N/mm^3, ",
+               per_mesh,
+               " steps of ",
+               1e9 * options.step,
+               " ns in a tooth mesh");
+      if (sweep_.kind != SweepKind::none)
+        sweep(model, penalties, options, folder, log);
+      else
+        move(model, penalties, options, folder, log);
       if (output_.pictures)
         draw_pictures(folder, log);
     }

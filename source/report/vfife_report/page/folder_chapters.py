@@ -54,4 +54,5 @@ TABLE_CHAPTERS = (
     Chapter("Loaded tooth contact by finite elements"),
     Chapter("Bearings", tell_bearings),
     Chapter("Natural frequencies"),
+    Chapter("Response over speed"),
     Chapter("Lumped model", tell_lumped_model))

@@ -1,15 +1,13 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Plots of a lumped model's results: motion at the speed of operation, response over speed."""
-import numpy as np
-
 from ..data.files import read_json
 from ..data.shapes import LUMPED
 from ..data.table import Table
-from .style import COLOURS, GREY, add_legend, plt
+from .speed_response import draw_sweep
+from .style import COLOURS, GREY, plt
 
 SHOWN_MESHES = 10
 MOTIONS = (("dte", "transmission error [arcsec]"), ("mesh force", "mesh force [N]"))
-RESPONSES = (("peak to peak dte", "DTE, peak to peak [arcsec]"), ("largest force", "largest mesh force [N]"))
 
 
 def draw_motion(run):
@@ -28,22 +26,11 @@ def draw_motion(run):
 
 def draw_response(run):
     """Over speed, upwards and downwards."""
-    sweep = Table(run.path / "resonance.csv")
+    plot, panels, speeds = draw_sweep(run)
     modes = read_json(run.path / "lumped.json", LUMPED)["modes"]
-    plot, panels = plt.subplots(2, 1, sharex=True, figsize=(8, 7))
-    for axes, (column, label) in zip(panels, RESPONSES):
-        for direction, marker, colour in (("up", "o", COLOURS[1]), ("down", "x", COLOURS[2])):
-            rows = sweep["direction"] == direction
-            if np.any(rows):
-                axes.plot(sweep["speed"][rows], sweep[column][rows], marker=marker, markersize=4,
-                          color=colour, label=f"speed {direction}")
-        axes.set(ylabel=label)
-        axes.set_ylim(bottom=0)
-        axes.margins(x=0.01)
-        mark_critical_speeds(axes, modes, sweep["speed"])
-    add_legend(panels[0])
+    for axes in panels:
+        mark_critical_speeds(axes, modes, speeds)
     panels[0].set_title("Response over speed; dotted: a mesh order meets a natural frequency")
-    panels[1].set_xlabel("pinion speed [rpm]")
     return plot
 
 
