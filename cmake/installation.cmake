@@ -19,7 +19,7 @@ install(
   PATTERN *.html
   PATTERN *.css
   PATTERN __pycache__ EXCLUDE)
-install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife)
+install(DIRECTORY prm meshes DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife)
 install(EXPORT vfifeTargets NAMESPACE vfife:: DESTINATION ${package_folder})
 
 configure_package_config_file(cmake/vfifeConfig.cmake.in ${PROJECT_BINARY_DIR}/vfifeConfig.cmake

@@ -34,6 +34,24 @@ missing_packages() {
   done
 }
 
+# How many packages that makes with all that they need, what is fetched and what they take.
+describe_amount() {
+  local text
+  text=$(env LC_ALL=C apt-get install --assume-no --no-install-recommends "$@" 2>/dev/null </dev/null || true)
+  printf '%s\n' "$text" | sed -n -e 's/^[0-9]* upgraded, \([0-9]* newly installed\).*/  \1/p' \
+    -e 's/^\(Need to get .*\)$/  \1/p' -e 's/^\(After this operation.*\)$/  \1/p' >&2
+}
+
+# Why apt-get failed, by its log.
+describe_failure() {
+  if grep -q -i -e 'could not resolve' -e 'temporary failure resolving' -e 'network is unreachable' \
+    -e 'could not connect' -e 'no route to host' "$1"; then
+    echo "there is no way to the network, from which packages come"
+  else
+    grep '^E:' "$1" | tail -n 1
+  fi
+}
+
 # Installs what is missing, also of the packages given here, which are wanted: as root, else by sudo.
 install_packages() {
   command -v dpkg-query >/dev/null || return 0 # no Debian: CMake says what it does not find
@@ -50,17 +68,18 @@ install_packages() {
     root=(sudo)
   fi
 
-  say "Installing ${required[*]} ${wanted[*]} ..."
   mkdir -p build
   log=build/install.log
   local apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get)
   "${apt[@]}" update >"$log" 2>&1 </dev/null ||
     say "$program: apt-get update failed (see $log), going on with the lists that are there"
+  say "Installing ${required[*]} ${wanted[*]} ..."
+  describe_amount "${required[@]}" "${wanted[@]}"
   if ! "${apt[@]}" install -y --no-install-recommends "${required[@]}" "${wanted[@]}" \
     >>"$log" 2>&1 </dev/null; then
     if [ ${#required[@]} -gt 0 ]; then
       "${apt[@]}" install -y --no-install-recommends "${required[@]}" >>"$log" 2>&1 </dev/null ||
-        fail "apt-get could not install ${required[*]}: $(grep '^E:' "$log" | tail -n 1) (see $log)"
+        fail "apt-get could not install ${required[*]}: $(describe_failure "$log") (see $log)"
     fi
     # One at a time: a package that cannot be had keeps no other one away.
     local package

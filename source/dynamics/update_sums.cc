@@ -61,6 +61,18 @@ namespace vfife
       *numbers[i] = values[i];
   }
 
+  double compute_axial_inertia(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
+  {
+    if (axis.use_axis)
+      return sums.axial_inertia;
+    // I = tr S - a S a of the second moments S = sum m (x - p) (x - p)^T about a point p of the axis
+    const Vector3 &p     = axis.point;
+    const Matrix3  cross = p * sums.first_moment.transpose();
+    const Matrix3  second =
+      sums.second_moment - cross - cross.transpose() + mass * p * p.transpose();
+    return second.trace() - axis.direction.dot(second * axis.direction);
+  }
+
   double
   compute_rigid_kinetic_energy(const UpdateAxis &axis, const double mass, const UpdateSums &sums)
   {

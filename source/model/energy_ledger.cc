@@ -11,14 +11,14 @@ namespace vfife
     // What is stored now, less what was at the start and what has been supplied,
     // plus what was lost.
     return kinetic + strain + contact - start - drive_work - torque_work + damping_loss +
-           mesh_damping_loss + contact_loss;
+           mesh_damping_uptake + contact_loss;
   }
 
   double EnergyLedger::exchanged_since(const EnergyLedger &first) const
   {
     const double within = std::abs(strain - first.strain) + std::abs(contact - first.contact) +
                           std::abs(kinetic_relative - first.kinetic_relative) +
-                          std::abs(damping_loss + mesh_damping_loss + contact_loss);
+                          std::abs(damping_loss + mesh_damping_uptake + contact_loss);
     return std::max(
       {within, std::abs(drive_work + torque_work), std::abs(kinetic - first.kinetic)});
   }

@@ -38,9 +38,10 @@ namespace vfife
         const auto losses = member->motion.losses();
         powers.damping_loss += losses.first;
         // The damper's torque acts on a body that turns as a whole.
+        powers.swing_loss += losses.second;
         if (member->body.turns && member->motion.turn_rate() != 0.)
-          powers.mesh_damping_loss += losses.second / member->motion.turn_rate() *
-                                      (member->rate + member->motion.turn_rate());
+          powers.mesh_damping_uptake += losses.second / member->motion.turn_rate() *
+                                        (member->rate + member->motion.turn_rate());
       }
     return powers;
   }
@@ -51,7 +52,8 @@ namespace vfife
     const double       half  = .5 * options_.step;
     energy_.drive_work += half * (before.drive_work + after.drive_work);
     energy_.damping_loss += half * (before.damping_loss + after.damping_loss);
-    energy_.mesh_damping_loss += half * (before.mesh_damping_loss + after.mesh_damping_loss);
+    energy_.mesh_damping_uptake += half * (before.mesh_damping_uptake + after.mesh_damping_uptake);
+    energy_.swing_loss += half * (before.swing_loss + after.swing_loss);
     energy_.torque_work += load_ * (torque_way() - way_before);
   }
 

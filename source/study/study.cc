@@ -3,18 +3,24 @@
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/case_runner.h>
+#include <vfife/study/gear/pair_geometry.h>
 #include <vfife/study/other_sections.h>
 #include <vfife/study/study.h>
 #include <vfife/study/study_kinds.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -60,6 +66,36 @@ namespace vfife
         log.line("not read by this kind of study: ", list_of(others.passed_over));
     }
 
+    /** Of the gear pair that this kind of study reads, if it does: entries alone do not tell what
+     * was derived or proposed. */
+    std::optional<PairGeometry> find_geometry(const ParameterFile            &file,
+                                              const dealii::ParameterHandler &prm)
+    {
+      const auto reads = [entries = find_declared(prm).list_values()](const std::string &path) {
+        return std::any_of(entries.begin(), entries.end(), [&path](const auto &entry) {
+          return entry.first == path;
+        });
+      };
+      if (!reads("Gear pair/Gear/Blank/number of teeth"))
+        return {};
+      GearPairOptions      options;
+      PairGeometry::Bodies bodies;
+      bodies[0] = pinion_body_defaults();
+      file.read_known([&](dealii::ParameterHandler &known) {
+        const Subsection section(known, "Gear pair");
+        options.declare(known);
+        for (unsigned int b = 0; b < 2; ++b)
+          {
+            const Subsection member(known, b == 0 ? "Pinion" : "Gear");
+            bodies[b].leave_sizes_open();
+            bodies[b].declare(known);
+          }
+      });
+      const bool has_bodies = reads("Gear pair/Gear/Body/web");
+      return PairGeometry(options,
+                          has_bodies ? std::optional<PairGeometry::Bodies>(bodies) : std::nullopt);
+    }
+
     void read_and_run(const CommandLine   &command_line,
                       const ParameterFile &file,
                       const CaseRunner    &runner,
@@ -79,9 +115,12 @@ namespace vfife
       // Values that contradict each other, which no single entry shows; still before any folder is
       // made.
       study->check();
+      const std::optional<PairGeometry> geometry = find_geometry(file, prm);
       if (command_line.check)
         {
           log_passed_over(read.others, log);
+          if (geometry)
+            geometry->show(log);
           study->inspect(communicator, log);
           return;
         }
@@ -101,6 +140,11 @@ namespace vfife
       absolute.reset();
       log.line("vfife: ", file.path(), ", results in ", folder.path());
       log_passed_over(read.others, log);
+      if (geometry)
+        {
+          geometry->show(log);
+          write_json(folder, "geometry.json", geometry->json());
+        }
       // 4. The study itself, on all ranks.
       study->run(folder, log);
     }

@@ -51,6 +51,12 @@ void check_values()
   check_value("1000", "1/s", 1000.);
   check_value("800 N m", "N mm", 8e5);
   check_value("0.8  kN   m", "N m", 8e5);
+  check_value("800 Nm", "N mm", 8e5);
+  check_value("0.8 kNm", "N m", 8e5);
+  check_value("12000 1/min", "rad/s", 400. * pi);
+  check_value("12000 min^-1", "rpm", 400. * pi);
+  check_value("60\u00b0", "rad", pi / 3.);
+  check_value("5 \u00b5m", "mm", 5e-3);
   check_value("206 GPa", "MPa", 206000.);
   check_value("206000 N/mm^2", "Pa", 206000.);
   check_value("7850 kg/m^3", "t/mm^3", 7.85e-9);
@@ -179,7 +185,7 @@ int main()
 
   refuse("5 kg", "mm");
   refuse("5 nm", "mm");
-  refuse("800 Nm", "N m");
+  refuse("800 NM", "N m");
   refuse("20 furlongs", "mm");
   refuse("5 RPM", "rpm");
   refuse("5 mm", "-");

@@ -142,8 +142,14 @@ namespace
     // I int zeta (omega - omega_k) omega dt
     const double loss = driven.axial_inertia() * (t.driven_rate() * excess * (1 - left) +
                                                   excess * excess * (1 - left * left) / 2);
-    check_close(name + "mesh damping loss over that of the spin",
-                run.state.measured.energy.mesh_damping_loss / loss,
+    check_close(name + "taken by the mesh damping over what the spin gives",
+                run.state.measured.energy.mesh_damping_uptake / loss,
+                1.,
+                2 * zeta * dt);
+    // I int zeta (omega - omega_k)^2 dt: the excess alone, whatever the sense of rotation
+    check_close(name + "of that from the swing over what the excess gives",
+                run.state.measured.energy.swing_loss /
+                  (driven.axial_inertia() * excess * excess * (1 - left * left) / 2),
                 1.,
                 2 * zeta * dt);
     check(name + "nothing else is lost", run.state.measured.energy.damping_loss == 0);

@@ -71,11 +71,12 @@ namespace
                                 l.drive_work,
                                 l.torque_work,
                                 l.damping_loss,
-                                l.mesh_damping_loss,
+                                l.mesh_damping_uptake,
                                 l.contact_loss,
                                 l.start,
                                 l.scale,
-                                l.friction_loss})
+                                l.friction_loss,
+                                l.swing_loss})
       text << number << ' ';
     text << '\n';
     return text.str();
@@ -120,6 +121,7 @@ namespace
     powers.torque  = -100;
     powers.damping = 40;
     powers.mesh    = 20;
+    powers.swing   = 5;
     powers.contact = 10;
     book.add_work(powers, 0.06);
     book.add_work(powers, 0.04);
@@ -127,7 +129,8 @@ namespace
     check_close("ring: work of the drive [mJ]", now.drive_work, 30, 1e-12);
     check_close("ring: work of the torque [mJ]", now.torque_work, -10, 1e-12);
     check_close("ring: damping loss [mJ]", now.damping_loss, 4, 1e-12);
-    check_close("ring: mesh damping loss [mJ]", now.mesh_damping_loss, 2, 1e-12);
+    check_close("ring: taken by the mesh damping [mJ]", now.mesh_damping_uptake, 2, 1e-12);
+    check_close("ring: of that from the swing [mJ]", now.swing_loss, 0.5, 1e-12);
     check_close("ring: contact loss, that of friction with it [mJ]", now.contact_loss, 1.5, 1e-12);
     check_close("ring: friction loss [mJ]", now.friction_loss, 0.5, 1e-12);
 

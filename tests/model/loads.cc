@@ -283,7 +283,7 @@ namespace
     ledger.drive_work        = 80;
     ledger.torque_work       = -50;
     ledger.damping_loss      = 11;
-    ledger.mesh_damping_loss = 5;
+    ledger.mesh_damping_uptake = 5;
     ledger.contact_loss      = 2;
     // 157 stored less 100 at the start, 18 lost, 30 received
     check_close("residual [mJ]", ledger.residual(), 45., 1e-13);

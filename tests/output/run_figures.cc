@@ -23,18 +23,19 @@ namespace
   EnergyLedger make_ledger()
   {
     EnergyLedger ledger;
-    ledger.kinetic           = 101;
-    ledger.kinetic_relative  = 102;
-    ledger.strain            = 103;
-    ledger.contact           = 104;
-    ledger.drive_work        = 205;
-    ledger.torque_work       = -56;
-    ledger.damping_loss      = 7;
-    ledger.mesh_damping_loss = 8;
-    ledger.contact_loss      = 9;
-    ledger.start             = 110;
-    ledger.scale             = 200;
-    ledger.friction_loss     = 4;
+    ledger.kinetic             = 101;
+    ledger.kinetic_relative    = 102;
+    ledger.strain              = 103;
+    ledger.contact             = 104;
+    ledger.drive_work          = 205;
+    ledger.torque_work         = -56;
+    ledger.damping_loss        = 7;
+    ledger.mesh_damping_uptake = 8;
+    ledger.swing_loss          = 6;
+    ledger.contact_loss        = 9;
+    ledger.start               = 110;
+    ledger.scale               = 200;
+    ledger.friction_loss       = 4;
     return ledger;
   }
 
@@ -71,6 +72,8 @@ namespace
     part.cycles            = 72;
     part.period            = 6;
     part.largest_change    = .007;
+    part.ripple.judged     = true;
+    part.ripple.columns    = {{"dte", "arcsec", 1.5, 2.5, .4}};
     part.columns           = {{"contact force total", "N", 8900, 310, 80},
                               {"dte", "arcsec", -88, 2.5, .6},
                               {"rim dte", "arcsec", -61, 2.25, .5}};
@@ -101,6 +104,11 @@ namespace
     close("/steady part/mesh cycles", 72);
     close("/steady part/swing period", 6);
     close("/steady part/largest change of the means", .007);
+    close("/steady part/ripple/judged", 1);
+    close("/steady part/ripple/steady", 0);
+    close("/steady part/ripple/columns/dte/peak to peak of the first half", 1.5);
+    close("/steady part/ripple/columns/dte/peak to peak of the second half", 2.5);
+    close("/steady part/ripple/columns/dte/largest change", .4);
     close("/steady part/columns/dte/mean", -88);
     close("/steady part/columns/dte/peak to peak", 2.5);
     close("/steady part/columns/dte/standard deviation", .6);
@@ -112,7 +120,8 @@ namespace
     close("/energy/work of the drive", 205);
     close("/energy/work of the torques", -56);
     close("/energy/damping loss", 7);
-    close("/energy/mesh damping loss", 8);
+    close("/energy/taken by the mesh damping", 8);
+    close("/energy/taken by the mesh damping from the swing", 6);
     close("/energy/contact loss", 9);
     close("/energy/contact loss by friction", 4);
     close("/energy/residual", residual);
@@ -134,6 +143,7 @@ namespace
                                                     {"energy error", {residual / 200, "-"}},
                                                     {"contact losses", {3, "-"}},
                                                     {"steady", {1, "-"}},
+                                                    {"ripple steady", {0, "-"}},
                                                     {"contact force mean", {8900, "N"}},
                                                     {"contact force peak to peak", {310, "N"}},
                                                     {"dte mean", {-88, "arcsec"}},

@@ -78,7 +78,7 @@ namespace
     const double A = 9000, B = 4000, tau = 5;
     const int    period = 4;
     const auto   force  = [=](const double t) {
-      return A + B * std::exp(-t / tau) + 500 * std::sin(2 * pi * t);
+      return A + B * std::exp(-t / tau) + 5000 * std::sin(2 * pi * t);
     };
     const double w     = tau / period * (1 - std::exp(-period / tau));
     unsigned int first = 0;
@@ -180,6 +180,70 @@ namespace
       }
     check("no samples per mesh: refused", refused);
   }
+
+  void check_ripple()
+  {
+    // Means are those of every mesh; what ripples about them is not the same everywhere.
+    const auto flat = [](double) { return 9000.; };
+    const auto find = [&flat](const std::function<double(const double)> &ripple) {
+      return find_steady_part(
+        make_history(14, 50, flat, [&](const double t) { return -270 + ripple(t); }), 50, 1, 0);
+    };
+    const SteadyPart even = find([](const double t) { return 4 * std::sin(2 * pi * t); });
+    check("even ripple: steady from the start",
+          even.found && even.ripple.steady && even.start_time == 0);
+    check("even ripple: said so", even.explain().rfind("steady from", 0) == 0);
+
+    // 3.2 to 8.8 peak to peak over 14 meshes: each half ends at its largest crest.
+    const auto       growth = [](const double t) { return 1.6 * std::pow(2.75, t / 14); };
+    const SteadyPart grows = find([&](const double t) { return growth(t) * std::sin(2 * pi * t); });
+    check("growing ripple: the means are steady", grows.found);
+    check("growing ripple: it is not", grows.ripple.judged && !grows.ripple.steady);
+    check("growing ripple: figures stay those of the whole part", grows.start_time == 0);
+    const RippleChange &dte = grows.ripple.columns.back();
+    check("growing ripple: of the dte", dte.name == "dte" && dte.unit == "arcsec");
+    // Crest at t = 0.25 and trough at 0.75 of a mesh, to the second order of the growth in it.
+    check_close("growing ripple: first half", dte.peak_to_peak_before, 2 * growth(6.5), .01);
+    check_close("growing ripple: second half", dte.peak_to_peak_after, 2 * growth(13.5), .02);
+    check_close("growing ripple: change", dte.change, 1 - std::pow(2.75, -.5), 1e-3);
+    check("growing ripple: said so",
+          grows.explain().rfind("means steady from", 0) == 0 &&
+            grows.explain().find("the ripple is NOT steady") != std::string::npos);
+    check("shrinking ripple: neither is it", !find([&](const double t) {
+                                                return growth(14 - t) * std::sin(2 * pi * t);
+                                              }).ripple.steady);
+
+    // As high all along, with the mesh and in the last two meshes twice a mesh: amplitudes of the
+    // second half are 5/7 and 2/7 of it.
+    const SteadyPart other =
+      find([](const double t) { return 4 * std::sin((t < 12 ? 2 : 4) * pi * t); });
+    check("other harmonics: not steady", !other.ripple.steady && other.start_time == 0);
+    check_close("other harmonics: change", other.ripple.columns.back().change, 2. / 7, .01);
+
+    // What the start leaves behind dies out: steady once it has.
+    const SteadyPart settled =
+      find([](const double t) { return (4 + 8 * std::exp(-2 * t)) * std::sin(2 * pi * t); });
+    check("ripple of the start: steady later on",
+          settled.ripple.steady && settled.start_time > 0 && settled.cycles >= 7);
+
+    check("ripple of round-off: none", find([](const double t) {
+                                         return t < 7 ? 0. : 1e-9 * std::sin(2 * pi * t);
+                                       }).ripple.steady);
+    const SteadyPart tiny = find_steady_part(make_history(1.5, 20, flat, constant_dte), 20, 1, 0);
+    check("a single mesh: not judged", !tiny.ripple.judged && !tiny.ripple.steady);
+    const SteadyPart exploded =
+      find_steady_part(make_history(30,
+                                    20,
+                                    flat,
+                                    [](const double t) {
+                                      return t < 25 ? -35.
+                                                    : std::numeric_limits<double>::quiet_NaN();
+                                    }),
+                       20,
+                       2,
+                       0);
+    check("not a number: not steady", exploded.ripple.judged && !exploded.ripple.steady);
+  }
 } // namespace
 
 int main()
@@ -187,4 +251,5 @@ int main()
   check_means();
   check_start();
   check_none();
+  check_ripple();
 }

@@ -123,7 +123,7 @@ class Periodicity(unittest.TestCase):
 
 
 class Checks(unittest.TestCase):
-    def check(self, errors, mean, losses):
+    def check(self, errors, mean, losses, swing=0.3):
         """Verdict and value of each check of a run with energy errors before and in its steady part, a mean
         contact torque [N m] under a load of 800 N m, and losses of contact."""
         with tempfile.TemporaryDirectory() as name:
@@ -135,6 +135,7 @@ class Checks(unittest.TestCase):
             summary["steady part"]["columns"]["contact torque on the gear"] = {
                 "mean": mean, "peak to peak": 1, "standard deviation": 1, "unit": "N m"}
             summary["contact losses"]["count"] = losses
+            summary["energy"]["taken by the mesh damping from the swing"] = {"value": swing, "unit": "mJ"}
             (folder / "summary.json").write_text(json.dumps(summary))
             return {name: (verdict, value) for name, value, _, verdict in list_checks(RunFolder(name))}
 
@@ -153,6 +154,12 @@ class Checks(unittest.TestCase):
         self.assertEqual(found["mean contact torque against the load"], ("not met", "+0.550 %"))
         self.assertEqual(found["losses of contact"], ("not met", "2"))
 
+    def test_mesh_damping(self):
+        """It takes from the swing; where it gives, it feeds it."""
+        name = "mesh damping: energy taken from the swing"
+        self.assertEqual(self.check((0,) * 5, 800, 0)[name], ("met", "0.3 mJ"))
+        self.assertEqual(self.check((0,) * 5, 800, 0, -0.3)[name], ("not met", "-0.3 mJ"))
+
 
 class Passages(unittest.TestCase):
     def test_bump(self):
@@ -162,8 +169,20 @@ class Passages(unittest.TestCase):
         self.assertAlmostEqual(found.peak, 100, places=6)
         self.assertAlmostEqual(found.peak_time, 3, delta=0.002)
         self.assertAlmostEqual(found.steady, 20, delta=0.01)
+        self.assertFalse(found.is_dip)
+        self.assertLess(found.least, 20.001)
         self.assertAlmostEqual(found.duration, 0.2 * np.sqrt(2 * np.log(10)), delta=0.004)
         self.assertTrue(found.whole)
+
+    def test_dip(self):
+        """The stress falls from 59 to 38 MPa while the probe passes: its peak is not what it falls to."""
+        time = np.linspace(0, 4, 2001)
+        ripple = 0.9 * np.sin(2 * np.pi * 3 * time)
+        found = find_passage(time, 58 + ripple - 19 * np.exp(-0.5 * ((time - 2.25) / 0.1) ** 2))
+        self.assertAlmostEqual(found.peak, 58.9, places=3)
+        self.assertGreater(found.peak, found.steady)
+        self.assertAlmostEqual(found.least, 58 - 0.9 - 19, places=6)
+        self.assertTrue(found.is_dip)
 
     def test_cut(self):
         time = np.linspace(0, 3.05, 1000)

@@ -55,6 +55,47 @@ class Pages(unittest.TestCase):
         self.assertNotRegex(text, "(?i)<script|@import|url[(]")
         return text
 
+    def test_geometry(self):
+        """Of a proposed pair what was proposed is shown, not the entries that were left alone."""
+        proposed = {**make_parameters(), "Gear pair/Proposal/pinion teeth": ("17", "-"),
+                    "Gear pair/Proposal/gear teeth": ("43", "-"), "Gear pair/Pinion/Blank/number of teeth": ("0", "-"),
+                    "Gear pair/Pinion/Blank/hand of spiral": ("right", ""), "Gear pair/Gear/Blank/hand of spiral": ("right", ""),
+                    "Gear pair/Gear/Blank/mean cone distance": ("0", "mm"), "Gear pair/Gear/Blank/face width": ("0", "mm")}
+        geometry = {"pair": {"outer transverse module": quantity(4, "mm")},
+                    "pinion": {"hand of spiral": "left", "face width": quantity(27.7, "mm")},
+                    "gear": {"hand of spiral": "right", "face width": quantity(27.7, "mm")}}
+        for known in (True, False):
+            with tempfile.TemporaryDirectory() as name:
+                write_run(Path(name), fields=False)
+                write_parameters(Path(name), proposed)
+                if known:
+                    (Path(name) / "geometry.json").write_text(json.dumps(geometry))
+                main([name])
+                text = self.read(name)
+                self.assertIn("Spiral bevel gear pair 17/43", text)
+                for wrong in ("right, right", "<td>0 mm</td>", "hand of pinion and gear"):
+                    self.assertNotIn(wrong, text)
+                self.assertEqual("<td>left</td><td>right</td>" in text, known)
+                self.assertEqual(text.count("27.7"), 2 * known)
+
+    def test_unsteady_ripple(self):
+        """Figures of a ripple that is not steady are marked, means are not."""
+        for steady in (True, False):
+            with tempfile.TemporaryDirectory() as name:
+                write_run(Path(name), fields=False)
+                summary = make_summary()
+                summary["steady part"]["ripple"] = {"judged": True, "steady": steady}
+                (Path(name) / "summary.json").write_text(json.dumps(summary))
+                main([name])
+                text = self.read(name)
+                # Three figures of the ripple in each column: none of the means.
+                marks = re.findall("<td>([^<]*)</td><td[^>]*>[^<]*</td><td>[^<]*</td><td>ripple not steady</td>", text)
+                self.assertEqual(marks, [] if steady else [
+                    f"{column}, {what}" for column in ("dte", "rim dte") for what in ("peak to peak", "standard deviation")])
+                self.assertEqual("The ripple is not steady" in text, not steady)
+                self.assertIn("✓ met" if steady else "✗ not met",
+                              text[text.index("ripple, first half against second"):].split("</tr>")[0])
+
     def test_run(self):
         with tempfile.TemporaryDirectory() as name:
             write_run(Path(name), fields=False)
@@ -140,7 +181,8 @@ class Pages(unittest.TestCase):
     MARKUP = 'a"\'><x y="1">&lt;'
     KNOWN = {"html", "html lang", "head", "meta", "meta charset", "meta name", "meta content", "title",
              "style", "body", "main", "h1", "h2", "h2 id", "p", "p class", "nav", "a", "a href", "div",
-             "div class", "table", "thead", "tbody", "tr", "th", "th class", "td", "td class", "figure",
+             "div class", "table", "table class", "thead", "tbody", "tr", "tr class", "th", "th class", "td", "td class",
+             "td colspan", "figure",
              "label", "input", "input type", "input aria-label", "img", "img alt", "img src",
              "figcaption", "code"}
 

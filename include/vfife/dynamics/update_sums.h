@@ -52,6 +52,9 @@ namespace vfife
   /** Replaces the sums by those over all ranks. Collective. */
   void sum_over_ranks(BodySums &sums, const Communicator &communicator);
 
+  /** Inertia about the axis, whether the body is held on it or not [t mm^2]. */
+  double compute_axial_inertia(const UpdateAxis &axis, double mass, const UpdateSums &sums);
+
   /** Kinetic energy of the rigid motion of compute_momentum_rate() [mJ]. */
   double compute_rigid_kinetic_energy(const UpdateAxis &axis, double mass, const UpdateSums &sums);
 

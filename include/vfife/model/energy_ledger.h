@@ -8,20 +8,26 @@ namespace vfife
    * dissipation as lost. */
   struct EnergyLedger
   {
-    double kinetic           = 0; ///< now
-    double kinetic_relative  = 0; ///< of the motion relative to the rigidly turning bodies, now
-    double strain            = 0; ///< of bodies and springs to the ground, now
-    double contact           = 0; ///< stored in the contact's springs, those of stick included, now
-    double drive_work        = 0;
-    double torque_work       = 0;
-    double damping_loss      = 0;
-    double mesh_damping_loss = 0;
-    double contact_loss      = 0; ///< contact damping and friction
-    double start             = 0; ///< kinetic + strain + contact at the start
-    double scale             = 0; ///< largest value so far that the error is divided by; at least
-                                  ///< scale_floor of the kinetic energy at the start, and the
-                                  ///< energy of approach of flying bodies that have touched
-    double friction_loss = 0;     ///< part of contact_loss; last, as checkpoints keep the order
+    double kinetic          = 0; ///< now
+    double kinetic_relative = 0; ///< of the motion relative to the rigidly turning bodies, now
+    double strain           = 0; ///< of bodies and springs to the ground, now
+    double contact          = 0; ///< stored in the contact's springs, those of stick included, now
+    double drive_work       = 0;
+    double torque_work      = 0;
+    double damping_loss     = 0;
+    /** Taken by the mesh damping, a speed controller: negative where it has given. */
+    double mesh_damping_uptake = 0;
+    double contact_loss        = 0; ///< contact damping and friction
+    double start               = 0; ///< kinetic + strain + contact at the start
+    double scale               = 0; ///< largest value so far that the error is divided by; at least
+                                    ///< scale_floor of the kinetic energy at the start, and the
+                                    ///< energy of approach of flying bodies that have touched
+    // From here on in the order in which versions have added them, as checkpoints keep it.
+    double friction_loss = 0; ///< part of contact_loss
+    /** Part of mesh_damping_uptake that comes from motion relative to the kinematic rotation, a
+     * loss; the rest passes through the rotation. Counted from where a run of a version without it
+     * went on. */
+    double swing_loss = 0;
     /** Round-off of the kinetic energy of rigid flight or spin is some 1e-15 of it and must not be
      * the measure of itself. */
     static constexpr double scale_floor = 1e-10;

@@ -68,6 +68,10 @@ namespace vfife
           line.output_folder = *folder;
           files.erase(folder);
         }
+      else
+        for (const std::string &file : files)
+          if (std::filesystem::path(file).extension() != ".prm" && !std::filesystem::exists(file))
+            throw InputError("there is no folder \"" + file + "\" in which a run could go on");
       if (files.empty() && !line.output_folder.empty())
         files.push_back(line.output_folder + "/parameters.prm");
     }

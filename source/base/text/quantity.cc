@@ -5,6 +5,7 @@
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/types.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -24,10 +25,23 @@ namespace vfife
       return result;
     }
 
+    /** How units are written elsewhere, and here. */
+    constexpr std::array<std::pair<const char *, const char *>, 7> other_spellings = {
+      {{"Nm", "N m"},
+       {"kNm", "kN m"},
+       {"Nmm", "N mm"},
+       {"1/min", "rpm"},
+       {"min^-1", "rpm"},
+       {"\u00b0", "deg"},
+       {"\u00b5m", "um"}}};
+
     /** nullptr if it is not known. */
     const Unit *find_known(const std::string &name)
     {
-      const std::string wanted = single_blanks(name);
+      std::string wanted = single_blanks(name);
+      for (const auto &[spelling, own] : other_spellings)
+        if (wanted == spelling)
+          wanted = own;
       for (const Unit &unit : known_units())
         if (unit.name == wanted)
           return &unit;

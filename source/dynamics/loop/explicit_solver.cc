@@ -330,6 +330,17 @@ namespace vfife
         powers.damping += sums.update.damping_power;
         powers.mesh += sums.update.mesh_power;
       }
+    if (model_.transmission)
+      {
+        // The mesh damping's torque takes from the swing what its power takes beyond that of the
+        // kinematic rotation: sum m slip . (v - omega_kinematic axis x r).
+        const Transmission &t    = *model_.transmission;
+        const Body         &body = model_.bodies[t.driven];
+        const double        torque =
+          body.axis.direction.dot(damping_[t.driven].mesh.omega) *
+          compute_axial_inertia(UpdateAxis::of(body), body.mass(), sums_[t.driven].update);
+        powers.swing = powers.mesh - torque * t.driven_sense * t.driven_rate();
+      }
     powers.contact = contact_.lost_power();
     return powers;
   }

@@ -38,7 +38,8 @@ namespace vfife
     ledger_.drive_work += time * powers.drive;
     ledger_.torque_work += time * powers.torque;
     ledger_.damping_loss += time * powers.damping;
-    ledger_.mesh_damping_loss += time * powers.mesh;
+    ledger_.mesh_damping_uptake += time * powers.mesh;
+    ledger_.swing_loss += time * powers.swing;
     ledger_.contact_loss += time * powers.contact;
   }
 

@@ -161,12 +161,14 @@ namespace vfife
       const Subsection section(prm, "Body");
       declare_choice(
         prm, "web", web, web_kinds, "What carries the rim; none: its underside is held");
-      declare_quantity(prm,
-                       "web thickness",
-                       web_thickness,
-                       "mm",
-                       "Thickness of the web, normal to it",
-                       Range::not_negative());
+      declare_quantity(
+        prm,
+        "web thickness",
+        web_thickness,
+        "mm",
+        "Thickness of the web, normal to it; 0, as of the other sizes: in proportion to the "
+        "blank, as that of the pair 27/79 (1.587 modules)",
+        Range::not_negative());
       declare_quantity(prm,
                        "web angle",
                        web_angle,
@@ -184,8 +186,8 @@ namespace vfife
                        "rim thickness",
                        rim_thickness,
                        "mm",
-                       "Metal under the root of a rim",
-                       Range::positive());
+                       "Metal under the root of a rim; 0: 2.7 modules",
+                       Range::not_negative());
       declare_quantity(prm,
                        "rim fillet radius",
                        rim_fillet_radius,
@@ -198,24 +200,30 @@ namespace vfife
                        "mm",
                        "Radius between the faces of the web and the hub; 0: sharp corners",
                        Range::not_negative());
-      declare_quantity(prm,
-                       "hub radius",
-                       hub_radius,
-                       "mm",
-                       "Outer radius of the hub ring that carries the web",
-                       Range::positive());
-      declare_quantity(prm,
-                       "bore radius",
-                       bore_radius,
-                       "mm",
-                       "Radius of the bore of hub or solid body",
-                       Range::positive());
-      declare_quantity(prm,
-                       "hub length",
-                       hub_length,
-                       "mm",
-                       "Length of the hub ring along the axis, centred on the web",
-                       Range::positive());
+      declare_quantity(
+        prm,
+        "hub radius",
+        hub_radius,
+        "mm",
+        "Outer radius of the hub ring that carries the web; 0: 0.632 of the root's radius at "
+        "the toe",
+        Range::not_negative());
+      declare_quantity(
+        prm,
+        "bore radius",
+        bore_radius,
+        "mm",
+        "Radius of the bore of hub or solid body; 0: 5/6 of the hub radius, 0.64 of the "
+        "root's radius at the toe of a solid body",
+        Range::not_negative());
+      declare_quantity(
+        prm,
+        "hub length",
+        hub_length,
+        "mm",
+        "Length of the hub ring along the axis, centred on the web; 0: 0.379 of the root's "
+        "radius at the toe",
+        Range::not_negative());
     }
     declare_counts(prm);
     shaft.declare(prm);

@@ -29,6 +29,30 @@ namespace vfife
     return teeth * n * std::pow(8., refinements);
   }
 
+  void GearBodyOptions::leave_sizes_open()
+  {
+    web_thickness = rim_thickness = hub_radius = hub_length = bore_radius = 0.;
+  }
+
+  GearBodyOptions GearBodyOptions::with_open_sizes(const BlankOutline &blank) const
+  {
+    GearBodyOptions sized = *this;
+    const auto      fill  = [](double &size, const double proposed) {
+      if (size == 0.)
+        size = std::round(10. * proposed) / 10.;
+    };
+    const double inner = blank.inner_cone_distance();
+    const double root  = blank.meridian_point({inner, -blank.dedendum(inner)})[0];
+    const double module =
+      2. * blank.meridian_point({blank.outer_cone_distance, 0.})[0] / blank.teeth;
+    fill(sized.web_thickness, 1.587 * module);
+    fill(sized.rim_thickness, 2.7 * module);
+    fill(sized.hub_radius, 0.632 * root);
+    fill(sized.hub_length, 0.379 * root);
+    fill(sized.bore_radius, web == WebKind::solid ? 0.64 * root : sized.hub_radius * 5. / 6.);
+    return sized;
+  }
+
   GearBodyOptions GearBodyOptions::with_counts_of_size(const GearGeometry &gear) const
   {
     GearBodyOptions sized = *this;

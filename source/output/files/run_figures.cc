@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 
@@ -28,6 +29,7 @@ namespace vfife
               {column::energy_error, "-", energy_error},
               {"contact losses", "-", n_contact_losses},
               {"steady", "-", is_steady},
+              {"ripple steady", "-", is_ripple_steady},
               {"contact force mean", "N", steady_mean(column::contact_force_total)},
               {"contact force peak to peak", "N", steady_peak_to_peak(column::contact_force_total)},
               {"dte mean", "arcsec", steady_mean(column::dte)},
@@ -91,5 +93,35 @@ namespace vfife
     for (const Place &place : list_places())
       run.figures.emplace_back(place.name, Figure{read_number(json, place.pointer), place.unit});
     return run;
+  }
+
+  void write_own_figures(const OutputFolder &folder, const NamedFigures &figures)
+  {
+    write_json(folder, "figures.json", figures_json(figures));
+  }
+
+  std::vector<NamedFigures> read_own_figures(const std::vector<std::string> &folders)
+  {
+    // Names in the order in which cases have them, each with the unit of the first that has it.
+    std::vector<Json> files;
+    NamedFigures      names;
+    for (const std::string &folder : folders)
+      {
+        files.push_back(read_json(folder + "/figures.json"));
+        if (!files.back().is_object())
+          files.back() = Json::object();
+        for (const auto &[name, figure] : files.back().items())
+          if (figure.is_object() &&
+              std::none_of(names.begin(), names.end(), [&name = name](const auto &known) {
+                return known.first == name;
+              }))
+            names.push_back(
+              {name, {std::numeric_limits<double>::quiet_NaN(), figure.value("unit", "-")}});
+      }
+    std::vector<NamedFigures> all(folders.size(), names);
+    for (std::size_t i = 0; i < folders.size(); ++i)
+      for (auto &[name, figure] : all[i])
+        figure.value = read_number(files[i], (Json::json_pointer() / name).to_string());
+    return all;
   }
 } // namespace vfife

@@ -71,17 +71,30 @@ namespace vfife
         run["timers"] = figures_json(summary.timers);
     }
 
+    Json ripple_json(const Ripple &ripple)
+    {
+      Json columns = Json::object();
+      for (const RippleChange &column : ripple.columns)
+        columns[column.name] = {
+          {"peak to peak of the first half", figure_json(column.peak_to_peak_before, column.unit)},
+          {"peak to peak of the second half", figure_json(column.peak_to_peak_after, column.unit)},
+          {"largest change", figure_json(column.change, "-")}};
+      return {{"judged", ripple.judged}, {"explanation", ripple.explain()}, {"columns", columns}};
+    }
+
     void add_steady_part(const SteadyPart &part, Json &json)
     {
       Json &steady                       = json["steady part"];
       steady["compared"]                 = part.by_cycles ? "single mesh cycles" : "swing periods";
       at(summary_place::is_steady, json) = part.found;
       steady["explanation"]              = part.explain();
-      at(summary_place::steady_start, json) = figure_json(part.start_time, "s");
-      steady["end"]                         = figure_json(part.end_time, "s");
-      steady["mesh cycles"]                 = part.cycles;
-      steady["swing period"]                = figure_json(part.period, "mesh cycles");
-      steady["largest change of the means"] = figure_json(part.largest_change, "-");
+      at(summary_place::steady_start, json)     = figure_json(part.start_time, "s");
+      steady["end"]                             = figure_json(part.end_time, "s");
+      steady["mesh cycles"]                     = part.cycles;
+      steady["swing period"]                    = figure_json(part.period, "mesh cycles");
+      steady["largest change of the means"]     = figure_json(part.largest_change, "-");
+      steady["ripple"]                          = ripple_json(part.ripple);
+      at(summary_place::is_ripple_steady, json) = part.ripple.steady;
       Json &columns = at(summary_place::steady_columns, json) = Json::object();
       for (const ColumnStatistics &column : part.columns)
         columns[column.name] = {{"mean", column.mean},
@@ -112,17 +125,18 @@ namespace vfife
       energy["kinetic"] = figure_json(ledger.kinetic, "mJ");
       energy["kinetic, relative to the turning bodies"] =
         figure_json(ledger.kinetic_relative, "mJ");
-      energy["strain"]                      = figure_json(ledger.strain, "mJ");
-      energy["contact"]                     = figure_json(ledger.contact, "mJ");
-      energy["start"]                       = figure_json(ledger.start, "mJ");
-      energy["work of the drive"]           = figure_json(ledger.drive_work, "mJ");
-      energy["work of the torques"]         = figure_json(ledger.torque_work, "mJ");
-      energy["damping loss"]                = figure_json(ledger.damping_loss, "mJ");
-      energy["mesh damping loss"]           = figure_json(ledger.mesh_damping_loss, "mJ");
-      energy["contact loss"]                = figure_json(ledger.contact_loss, "mJ");
-      energy["contact loss by friction"]    = figure_json(ledger.friction_loss, "mJ");
-      energy["residual"]                    = figure_json(ledger.residual(), "mJ");
-      at(summary_place::energy_error, json) = figure_json(ledger.error(), "-");
+      energy["strain"]                    = figure_json(ledger.strain, "mJ");
+      energy["contact"]                   = figure_json(ledger.contact, "mJ");
+      energy["start"]                     = figure_json(ledger.start, "mJ");
+      energy["work of the drive"]         = figure_json(ledger.drive_work, "mJ");
+      energy["work of the torques"]       = figure_json(ledger.torque_work, "mJ");
+      energy["damping loss"]              = figure_json(ledger.damping_loss, "mJ");
+      energy["taken by the mesh damping"] = figure_json(ledger.mesh_damping_uptake, "mJ");
+      energy["taken by the mesh damping from the swing"] = figure_json(ledger.swing_loss, "mJ");
+      energy["contact loss"]                             = figure_json(ledger.contact_loss, "mJ");
+      energy["contact loss by friction"]                 = figure_json(ledger.friction_loss, "mJ");
+      energy["residual"]                                 = figure_json(ledger.residual(), "mJ");
+      at(summary_place::energy_error, json)              = figure_json(ledger.error(), "-");
     }
 
     Json damping(const std::vector<DampingAudit> &audits)

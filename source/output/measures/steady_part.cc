@@ -4,8 +4,8 @@
 #include <vfife/base/text/table.h>
 #include <vfife/output/measures/steady_part.h>
 
-#include <algorithm>
-#include <cmath>
+#include "sample_integral.h"
+
 #include <functional>
 #include <limits>
 #include <sstream>
@@ -14,36 +14,6 @@ namespace vfife
 {
   namespace
   {
-    /** Integral over the row index of the samples joined by straight lines. */
-    class SampleIntegral
-    {
-    public:
-      explicit SampleIntegral(std::vector<double> samples)
-        : samples_(std::move(samples))
-        , sums_(samples_.size(), 0.)
-      {
-        for (std::size_t i = 1; i < samples_.size(); ++i)
-          sums_[i] = sums_[i - 1] + 0.5 * (samples_[i - 1] + samples_[i]);
-      }
-
-      /** Mean between two row indices, which need not be whole. */
-      double mean(const double begin, const double end) const
-      {
-        return (integral(end) - integral(begin)) / (end - begin);
-      }
-
-    private:
-      double integral(const double row) const
-      {
-        const std::size_t i = std::min(static_cast<std::size_t>(row), samples_.size() - 2);
-        // The trapezoidal rule up to a place between two samples.
-        const double s = row - static_cast<double>(i);
-        return sums_[i] + s * (samples_[i] + 0.5 * s * (samples_[i + 1] - samples_[i]));
-      }
-
-      std::vector<double> samples_, sums_;
-    };
-
     /** Rows [begin, end] by fractional index, of which means are taken. */
     struct Window
     {
@@ -75,13 +45,7 @@ namespace vfife
       statistics.standard_deviation =
         std::sqrt(SampleIntegral(std::move(squares)).mean(window.begin, window.end));
 
-      // Of peaks only whole samples count: those in the window, its ends included to round-off.
-      const auto first =
-        values.begin() + static_cast<std::ptrdiff_t>(std::ceil(window.begin - 1e-6));
-      const auto last =
-        values.begin() + static_cast<std::ptrdiff_t>(std::floor(window.end + 1e-6)) + 1;
-      const auto range        = std::minmax_element(first, last);
-      statistics.peak_to_peak = *range.second - *range.first;
+      statistics.peak_to_peak = compute_peak_to_peak(values, window.begin, window.end);
       return statistics;
     }
 
@@ -135,6 +99,38 @@ namespace vfife
     }
   } // namespace
 
+  namespace
+  {
+    /**
+     * Judges the ripple of the part [start, end) of whole mesh cycles. Where the means are steady
+     * and the ripple is not yet, the part begins later, as far as half of what was judged and what
+     * the means ask for remain. Returns where it begins.
+     */
+    unsigned int judge_ripple(const Table                    &history,
+                              const std::vector<std::string> &names,
+                              const double                    samples_per_mesh,
+                              const unsigned int              start,
+                              const unsigned int              end,
+                              SteadyPart                     &part)
+    {
+      part.ripple = compare_halves(history, names, samples_per_mesh, start, end);
+      if (!part.found || part.ripple.steady)
+        return start;
+      const unsigned int least =
+        std::max((part.by_cycles ? 1 : 2) * part.period, (part.judged_cycles + 1) / 2);
+      for (unsigned int later = start + 1; later + least <= end; ++later)
+        {
+          const Ripple ripple = compare_halves(history, names, samples_per_mesh, later, end);
+          if (ripple.steady)
+            {
+              part.ripple = ripple;
+              return later;
+            }
+        }
+      return start;
+    }
+  } // namespace
+
   SteadyPart find_steady_part(const Table                    &history,
                               const double                    samples_per_mesh,
                               const double                    swing_period_meshes,
@@ -164,10 +160,14 @@ namespace vfife
     // A period longer than the run is never compared, however long.
     part.period =
       static_cast<unsigned int>(std::clamp(std::ceil(swing_period_meshes - 1e-6), 1., 1e6));
+    std::vector<std::string>    names;
     std::vector<SampleIntegral> judged;
     for (const std::string &name : judged_names)
       if (has_numbers(history, name))
-        judged.emplace_back(history.numbers(name));
+        {
+          names.push_back(name);
+          judged.emplace_back(history.numbers(name));
+        }
     if (judged.empty())
       throw InputError("the history has none of the columns by which a steady part is judged");
 
@@ -196,6 +196,7 @@ namespace vfife
     // The last third in whole cycles; a history shorter than one cycle has rows only.
     if (!part.found && n_cycles > 0)
       start = n_cycles - std::max(1U, n_cycles / 3);
+    start = judge_ripple(history, names, samples_per_mesh, start, n_cycles, part);
 
     Window window{2. / 3. * last_row, last_row};
     if (n_cycles > 0)
@@ -235,8 +236,8 @@ namespace vfife
     const auto   milliseconds = [](const double t) { return 1e3 * t; };
     const double percent      = 100 * largest_change;
     if (found)
-      text << "steady from " << milliseconds(start_time) << " ms to " << milliseconds(end_time)
-           << " ms (" << cycles << " mesh cycles): ";
+      text << (ripple.steady ? "steady from " : "means steady from ") << milliseconds(start_time)
+           << " ms to " << milliseconds(end_time) << " ms (" << cycles << " mesh cycles): ";
     else
       text << "no steady part: ";
     if (by_cycles)
@@ -252,6 +253,7 @@ namespace vfife
     if (!found)
       text << "; figures are of the last third, " << milliseconds(start_time) << " ms to "
            << milliseconds(end_time) << " ms";
+    text << "; " << ripple.explain();
     return text.str();
   }
 } // namespace vfife

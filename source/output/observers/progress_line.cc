@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -14,6 +15,17 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /** Whether somebody looks at a terminal. Ranks of mpirun have one of its own: whoever starts it
+     * tells by VFIFE_TERMINAL = no that its output goes to a file. */
+    bool shows_terminal()
+    {
+      const char *const told = std::getenv("VFIFE_TERMINAL");
+      return isatty(STDOUT_FILENO) != 0 && !(told != nullptr && std::string(told) == "no");
+    }
+  } // namespace
+
   std::string duration_text(const double seconds)
   {
     if (!(seconds >= 0) || seconds > 1e8)
@@ -39,7 +51,7 @@ namespace vfife
                              const std::uint64_t steps_between)
     : log_(log)
     , is_writer_(communicator.is_root())
-    , is_terminal_(isatty(STDOUT_FILENO) != 0 && log.verbosity() != Verbosity::quiet)
+    , is_terminal_(shows_terminal() && log.verbosity() != Verbosity::quiet)
     , start_time_(start_time)
     , end_time_(end_time)
     , whole_end_time_(whole_end_time)

@@ -3,7 +3,7 @@
 from functools import partial
 
 from .data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
-from .data.fields import read_last_fields
+from .data.fields import read_fields_of_bodies, read_last_fields
 from .data.needs import (has_axis, has_bearings, has_file, has_history, has_misalignment, has_pair,
                          has_pairs, has_pairs_with, has_pattern, has_probes, has_rim, has_rim_over_meshes, has_speeds,
                          has_tooth_mesh, has_tooth_pressures)
@@ -17,6 +17,7 @@ from .plots.curves import draw_curves
 from .plots.loaded_contact import draw_loaded_contact
 from .plots.plot_row import PlotRow, draw_rows
 from .plots.resonance import draw_resonance
+from .plots.static_curve import draw_static_curve, has_static_curve
 from .plots.tooth_contact_analysis import draw_tooth_contact_analysis
 from .plots.waterfalls import draw_waterfall
 
@@ -28,12 +29,13 @@ RUN_PLOTS = (
     PlotRow("contact_force.svg", (has_history,), histories.draw_contact_force,
             "Contact force: sum, and each tooth pair.", "Contact"),
     PlotRow("tooth_engagement.svg", (has_tooth_pressures,), tooth_contact.draw_tooth_engagement,
-            "One tooth pair through its engagement. The largest pressure of a point depends on mesh and "
-            "penalty, the mean and Hertz's do not.", "Contact"),
+            "One tooth pair through its engagement. Hertz's pressure follows from its force, whatever mesh and penalty are.",
+            "Contact"),
     PlotRow("load_sharing.svg", (has_tooth_pressures,), tooth_contact.draw_load_sharing,
-            "Share of each tooth pair and its pressures, all pairs laid over each other.", "Contact"),
+            "Share of each tooth pair and Hertz's pressure, all pairs laid over each other.", "Contact"),
     PlotRow("contact_pattern.svg", (has_pattern,), tooth_contact.draw_contact_pattern,
-            "Contact pattern on the drive flanks over the last tooth mesh, axial sections.", "Contact",
+            "Contact pattern on the drive flanks over the last tooth mesh, along and over the pitch cone: where the flanks carry. Pressures of "
+            "nodes are spread over their facets; how large the pressure is says Hertz's.", "Contact",
             data="pattern.csv"),
     PlotRow("spectra.svg", (has_tooth_mesh,), spectra.draw_spectra,
             "Amplitudes over the whole tooth meshes of the steady part, no window.",
@@ -99,9 +101,11 @@ TABLE_PLOTS = (
 
 # Of a study: all its runs on shared axes.
 STUDY_PLOTS = (
+    PlotRow("static_curve.svg", (has_static_curve,), draw_static_curve,
+            "Transmission error of the run beside that of the static pair in the same positions.", "Comparison ledger"),
     PlotRow("resonance.svg", (has_speeds,), draw_resonance,
-            "Ripple of transmission error and contact force over speed. Circles: runs without steady part. "
-            "Vertical: speeds at which a mesh order meets a coupled mode.", "Over what is varied"),
+            "Ripple of transmission error and contact force over speed. Circles: runs without steady part or "
+            "with a ripple that is not steady. Vertical: speeds at which a mesh order meets a coupled mode.", "Over what is varied"),
     PlotRow("waterfall_dte.svg", (has_speeds,), partial(draw_waterfall, column=TRANSMISSION_ERROR),
             "Spectra of the transmission error at each speed (Hann's window, whole meshes of the steady "
             "part); rows are equally far from each other whatever the speeds.", "Over what is varied"),
@@ -137,7 +141,8 @@ def draw_folder(source, names=()):
         return (draw_rows(STUDY_PLOTS, source, source.path, names)
                 + draw_rows(TABLE_PLOTS, source.folder, source.path, names))
     drawn = draw_rows(RUN_PLOTS, source, source.path, names)
-    fields = read_last_fields(source.fields) if source.fields.is_file() else None
+    fields = (read_last_fields(source.fields) if source.fields.is_file() else
+              read_fields_of_bodies(sorted((source.path / "fields").glob("*.vtu"))))
     if fields is not None:
         drawn += draw_rows(FIELD_PICTURES, Scene(source, fields), source.path, names)
     return drawn + draw_rows(TABLE_PLOTS, source, source.path, names)

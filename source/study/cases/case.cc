@@ -26,6 +26,16 @@ namespace vfife
     return {};
   }
 
+  std::optional<Vector2> Case::arm_range() const
+  {
+    return {};
+  }
+
+  std::optional<EdgesUnderLoad> Case::edges_under_load() const
+  {
+    return {};
+  }
+
   std::vector<std::string> Case::find_contradictions(const RunPlan &) const
   {
     return {};

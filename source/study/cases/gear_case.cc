@@ -6,6 +6,7 @@
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
 #include <vfife/mesh/gear/gear_shaft_builder.h>
@@ -16,6 +17,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -40,9 +42,9 @@ namespace vfife
                                 : std::vector<ShaftSection>();
   }
 
-  GearBodyOptions GearCase::Member::with_levels() const
+  GearBodyOptions GearCase::Member::with_levels(const BlankOutline &blank) const
   {
-    GearBodyOptions options = body;
+    GearBodyOptions options = body.with_open_sizes(blank);
     options.shaft.levels    = supports.levels();
     return options;
   }
@@ -52,6 +54,8 @@ namespace vfife
     members_[0].name = "Pinion";
     members_[0].body = pinion_body_defaults();
     members_[1].name = "Gear";
+    for (Member &member : members_)
+      member.body.leave_sizes_open();
     // Teeth have a length and a material from which the springs follow, the same for any mesh.
     contact_.penalty.from_step  = false;
     contact_.penalty.value      = 0.;
@@ -144,13 +148,15 @@ namespace vfife
         // The shaft by itself, then what sits on it, then the cells that end there.
         const Member     &member  = members_[b];
         const std::string section = member.shaft_section();
-        const auto        check   = [&](const GearBodyOptions &body) {
-          if (pair)
-            check_gear_shaft(section, b == 0 ? pair->pinion() : pair->gear(), body);
+        const auto        check   = [&](const auto &body_of) {
+          if (!pair)
+            return;
+          const GearMember &gear = b == 0 ? pair->pinion() : pair->gear();
+          check_gear_shaft(section, gear, body_of(gear.blank()));
         };
-        check(member.body);
+        check([&](const Blank &blank) { return member.body.with_open_sizes(blank); });
         member.supports.check(section, member.shaft_sections());
-        check(member.with_levels());
+        check([&](const Blank &blank) { return member.with_levels(blank); });
       }
   }
 
@@ -158,9 +164,12 @@ namespace vfife
   {
     pair_.check("Gear pair");
     // Bodies are checked against blanks with everything that is derived from other entries.
-    const GearPairOptions completed = pair_.completed();
-    members_[0].body.check("Gear pair/Pinion", completed.pinion.blank);
-    members_[1].body.check("Gear pair/Gear", completed.gear.blank);
+    const GearPairOptions completed  = pair_.completed();
+    const auto            check_body = [](const Member &member, const Blank &blank) {
+      member.body.with_open_sizes(blank).check("Gear pair/" + member.name, blank);
+    };
+    check_body(members_[0], completed.pinion.blank);
+    check_body(members_[1], completed.gear.blank);
     check_shafts();
     for (const Material &m : materials_)
       m.check("Material " + m.name);
@@ -222,6 +231,33 @@ namespace vfife
     return HertzContact(curvatures, pair_modulus());
   }
 
+  std::optional<Vector2> GearCase::arm_range() const
+  {
+    const ContactAnalysis analysis =
+      analyse_contact(GearPair(pair_), working_side(), ContactAnalysisOptions());
+    // (P x n) . a about the gear's axis, in its own frame; that of the pinion is in proportion.
+    const auto arm = [](const PathPoint &point) {
+      const GeneratedPoint &gear = point.contact.gear;
+      return std::abs(gear.position.cross(gear.normal)[2]);
+    };
+    double least = arm(analysis.mean), largest = least;
+    for (const PathPoint &point : analysis.path)
+      {
+        least   = std::min(least, arm(point));
+        largest = std::max(largest, arm(point));
+      }
+    return Vector2(least, largest) / arm(analysis.mean);
+  }
+
+  std::optional<EdgesUnderLoad> GearCase::edges_under_load() const
+  {
+    if (operation_.driving != DrivingMember::pinion || working_side() != MeshSide::drive)
+      return {};
+    const GearPair pair(pair_);
+    return EdgesUnderLoad(analyse_contact(pair, MeshSide::drive, ContactAnalysisOptions()),
+                          pair.pinion().blank().teeth);
+  }
+
   double GearCase::pair_modulus() const
   {
     const Material &pinion = material(members_[0].material), &gear = material(members_[1].material);
@@ -249,16 +285,21 @@ namespace vfife
   std::vector<BodyFigures> GearCase::measure_bodies(const Model &model) const
   {
     const GearPair pair(pair_);
-    return {BodyFigures(model.bodies[0], pair.pinion(), members_[0].body),
-            BodyFigures(model.bodies[1], pair.gear(), members_[1].body)};
+    return {BodyFigures(model.bodies[0], pair.pinion(), body_of(pair.pinion(), 0)),
+            BodyFigures(model.bodies[1], pair.gear(), body_of(pair.gear(), 1))};
+  }
+
+  GearBodyOptions GearCase::body_of(const GearMember &gear, const unsigned int b) const
+  {
+    return members_[b].body.with_open_sizes(gear.blank());
   }
 
   Table GearCase::meridian_table() const
   {
     const GearPair pair(pair_);
     Table          table = make_meridian_table();
-    add_meridian_rows(pair.pinion(), members_[0].body, table);
-    add_meridian_rows(pair.gear(), members_[1].body, table);
+    add_meridian_rows(pair.pinion(), body_of(pair.pinion(), 0), table);
+    add_meridian_rows(pair.gear(), body_of(pair.gear(), 1), table);
     return table;
   }
 } // namespace vfife

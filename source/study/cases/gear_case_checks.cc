@@ -97,6 +97,20 @@ namespace vfife
       return "";
     }
 
+    std::string check_pressure(const GearCase &gear_case, const RunPlan &plan)
+    {
+      const double limit    = gear_case.operation().pressure_limit;
+      const double pressure = gear_case.hertz_contact().largest_pressure(
+        load_torque(plan.model) / plan.model.transmission->arm);
+      if (limit == 0 || pressure <= limit)
+        return "";
+      return text("Hertz's pressure of one tooth pair under all the torque, ",
+                  pressure,
+                  " MPa, is above the allowed ",
+                  limit,
+                  " MPa (Operation/allowed contact pressure)");
+    }
+
     std::string check_hub(const GearCase &gear_case, const RunPlan &)
     {
       if (gear_case.has_web() || gear_case.operation().hub != HubKind::free_rotation)
@@ -159,6 +173,7 @@ namespace vfife
                                            &check_damping_rate,
                                            &check_ramp,
                                            &check_hertz,
+                                           &check_pressure,
                                            &check_step,
                                            &check_samples,
                                            &check_fields,

@@ -112,7 +112,7 @@ namespace vfife
     // Seats begin and end where the mesh has levels.
     const GearMember &teeth = body == 0 ? pair.pinion() : pair.gear();
     return {body == 0 ? "pinion" : "gear",
-            make_gear_body(teeth, members_[body].with_levels()),
+            make_gear_body(teeth, members_[body].with_levels(teeth.blank())),
             material(members_[body].material)};
   }
 

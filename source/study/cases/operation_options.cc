@@ -31,6 +31,14 @@ namespace vfife
                    "Tooth meshes over which the torque grows linearly, with Dynamics/start = ramp "
                    "(whole swing periods)",
                    Range::not_negative());
+    declare_quantity(prm,
+                     "allowed contact pressure",
+                     pressure_limit,
+                     "MPa",
+                     "Beyond which Hertz's pressure of one tooth pair under all the torque is said "
+                     "to be too large; 1500: endurance limit of case-hardened steel, quality MQ "
+                     "(ISO 6336-5); 0: none is known",
+                     Range::not_negative());
     declare_driving(prm, driving, direction);
     declare_choice(
       prm,

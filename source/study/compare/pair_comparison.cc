@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
 #include <vfife/output/files/result_places.h>
+#include <vfife/study/compare/arm_range.h>
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/pair_comparison.h>
 #include <vfife/study/compare/probe_passages.h>
@@ -51,12 +52,18 @@ namespace vfife
         , mesh_frequency(summary(summary_place::figure(figure_name::mesh_frequency)))
         , start(summary(summary_place::steady_start))
         , is_steady_(summary(summary_place::is_steady) == 1)
+        , is_ripple_unsteady_(summary(summary_place::is_ripple_steady) == 0)
       {
       }
 
       double summary(const std::string &pointer) const
       {
         return run_.number("summary.json", pointer);
+      }
+
+      const ComparedCase &folder() const
+      {
+        return run_;
       }
 
       /** Mean of a column of the history over the steady part. */
@@ -118,6 +125,15 @@ namespace vfife
           row.tolerance = tolerance;
       }
 
+      /** The same for figures of the ripple. */
+      void judge_slow_ripple(const double tolerance, ComparisonRow &row, const double swing) const
+      {
+        if (is_ripple_unsteady_)
+          row.reason += "; the run's ripple is not steady";
+        else
+          judge_slow(tolerance, row, swing);
+      }
+
       /** The tolerance of what holds on average at any speed. */
       void judge_steady(const double tolerance, ComparisonRow &row) const
       {
@@ -139,7 +155,7 @@ namespace vfife
       const double start;          ///< of the steady part [s]
 
     private:
-      bool is_steady_;
+      bool is_steady_, is_ripple_unsteady_;
     };
 
     /** How much the transmission error swings over a tooth mesh, and how far the run is from the
@@ -182,7 +198,7 @@ namespace vfife
                         {},
                         where + "; tolerance of the mean on both ends"};
       // The largest and the least value may each be off, to opposite sides.
-      run.judge_slow(2 * run.tolerances.error * std::abs(mean(curve)), row, 2 * swing);
+      run.judge_slow_ripple(2 * run.tolerances.error * std::abs(mean(curve)), row, 2 * swing);
       rows.push_back(row);
 
       row = {"dte over the tooth mesh, largest distance from the static curve",
@@ -280,7 +296,9 @@ namespace vfife
                         {},
                         ""};
       row.reason = "torque over the arm of the unloaded mean contact";
-      run.judge_steady(run.tolerances.force * row.reference, row);
+      const ArmRange arms(run.folder());
+      row.reason += arms.describe();
+      run.judge_steady((run.tolerances.force + arms.spread()) * row.reference, row);
       rows.push_back(row);
 
       row        = {"mean contact torque on the gear",

@@ -15,6 +15,7 @@
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/bearing_writer.h>
@@ -33,19 +34,6 @@ namespace vfife
 {
   namespace
   {
-    /** Largest von Mises stress of some named sets of a body [MPa], 0 where it has none. */
-    double largest_stress(const Body                      &body,
-                          const std::vector<Stress>       &stresses,
-                          const std::vector<const char *> &sets)
-    {
-      double largest = 0;
-      for (const char *set : sets)
-        if (body.has_node_set(set))
-          for (const unsigned int node : body.node_set(set))
-            largest = std::max(largest, von_mises(stresses[body.first_node + node]));
-      return largest;
-    }
-
     class LoadedContactStudy : public StudyKind
     {
     public:
@@ -57,7 +45,6 @@ namespace vfife
       {
         fem_.mass = MassKind::lumped; // as the mass points of a run
       }
-
 
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
@@ -199,6 +186,7 @@ namespace vfife
       }
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
+    write_edge_contact(gear_case_.edges_under_load(), teeth_, column::position, 1., folder, log);
     if (!model.bearings.empty())
       {
         write_csv(folder, "bearings.csv", bearings_);
@@ -206,6 +194,7 @@ namespace vfife
       }
     if (PairMounting::changes(model))
       write_csv(folder, "misalignment.csv", misalignments_);
+    write_own_figures(folder, list_loaded_figures(positions_, misalignments_));
     write_tables(folder, "loaded_contact", positions_);
   }
 
@@ -341,21 +330,22 @@ namespace vfife
     // Where teeth break: the largest stress of either fillet, and of the web's faces.
     const std::vector<const char *> fillets = {node_set::concave_fillet, node_set::convex_fillet};
     const Body &driver = model.bodies[t.driver], &driven = model.bodies[t.driven];
-    positions_.add_row({position,
-                        (t.driver_start + result.driver_turn) * 180. / pi,
-                        unloaded / arcsecond,
-                        loaded / arcsecond,
-                        1e-3 * result.contact_torque,
-                        force,
-                        result.teeth.size(),
-                        pressure,
-                        1e-3 * secant,
-                        1e-3 * tangent,
-                        largest_stress(driver, stresses, fillets),
-                        largest_stress(driven, stresses, fillets),
-                        largest_stress(driven, stresses, {node_set::web_front, node_set::web_back}),
-                        result.iterations,
-                        result.residual});
+    positions_.add_row(
+      {position,
+       (t.driver_start + result.driver_turn) * 180. / pi,
+       unloaded / arcsecond,
+       loaded / arcsecond,
+       1e-3 * result.contact_torque,
+       force,
+       result.teeth.size(),
+       pressure,
+       1e-3 * secant,
+       1e-3 * tangent,
+       find_largest_stress(driver, stresses, fillets),
+       find_largest_stress(driven, stresses, fillets),
+       find_largest_stress(driven, stresses, {node_set::web_front, node_set::web_back}),
+       result.iterations,
+       result.residual});
     log.line("position ",
              position,
              ": transmission error ",

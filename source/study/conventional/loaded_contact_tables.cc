@@ -1,7 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
+#include <vfife/model/body.h>
 #include <vfife/output/measures/bearing_columns.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace vfife
 {
@@ -55,5 +59,49 @@ namespace vfife
     table.add_column(column::position, "tooth meshes");
     list_bearing_columns().add_to(table);
     return table;
+  }
+
+  double find_largest_stress(const Body                      &body,
+                             const std::vector<Stress>       &stresses,
+                             const std::vector<const char *> &sets)
+  {
+    double largest = 0;
+    for (const char *set : sets)
+      if (body.has_node_set(set))
+        for (const unsigned int node : body.node_set(set))
+          largest = std::max(largest, von_mises(stresses[body.first_node + node]));
+    return largest;
+  }
+
+  NamedFigures list_loaded_figures(const Table &positions, const Table &misalignments)
+  {
+    NamedFigures figures;
+    const auto add = [&figures](const Table::Column &column, const char *what, const double value) {
+      figures.push_back({column.name + what, {value, column.unit}});
+    };
+    const auto mean = [](const std::vector<double> &values) {
+      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
+    };
+    // Each position of a tooth mesh counts alike.
+    for (const char *name : {column::transmission_error, column::unloaded_transmission_error})
+      {
+        const Table::Column &error = positions.column(name);
+        const auto           ends = std::minmax_element(error.numbers.begin(), error.numbers.end());
+        add(error, " mean", mean(error.numbers));
+        add(error, " peak to peak", *ends.second - *ends.first);
+      }
+    for (const char *name :
+         {column::contact_force_total, "secant stiffness", column::tangent_stiffness})
+      add(positions.column(name), " mean", mean(positions.numbers(name)));
+    for (const char *name : {"pinion fillet von mises", "gear fillet von mises", "web von mises"})
+      {
+        const Table::Column &stress = positions.column(name);
+        add(stress, " largest", *std::max_element(stress.numbers.begin(), stress.numbers.end()));
+      }
+    if (misalignments.n_rows() > 0)
+      for (const Table::Column &column : misalignments.columns())
+        if (column.name != column::position)
+          add(column, " mean", mean(column.numbers));
+    return figures;
   }
 } // namespace vfife

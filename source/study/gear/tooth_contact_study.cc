@@ -9,6 +9,7 @@
 #include <vfife/gear/unloaded_contact/unequal_teeth.h>
 #include <vfife/output/files/figures.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/study/gear/tooth_contact_study.h>
 
@@ -283,6 +284,20 @@ namespace vfife
                " (convex)");
     }
 
+    /** For tables of several analyses. */
+    NamedFigures list_figures(const std::vector<ContactAnalysis> &sides)
+    {
+      NamedFigures figures;
+      for (const ContactAnalysis &a : sides)
+        {
+          const std::string of = side_name(a.side) + std::string(" side, ");
+          figures.push_back({of + "contact ratio", {a.contact_ratio, "-"}});
+          if (a.hands_over)
+            figures.push_back({of + "peak to peak", {a.peak_to_peak / arcsecond, "arcsec"}});
+        }
+      return figures;
+    }
+
     bool has_equal_teeth(const GearPair &pair)
     {
       return pair.pinion().has_equal_teeth() && pair.gear().has_equal_teeth();
@@ -369,6 +384,7 @@ namespace vfife
     if (!has_equal_teeth(pair))
       write_csv(folder, "transmission_meshes.csv", follow_teeth(pair, options_, json, log));
     write_pair(pair, folder);
+    write_own_figures(folder, list_figures(sides));
     write_csv(folder, "ease_off.csv", ease_off_table(pair));
     write_csv(folder, "transmission.csv", transmission_table(pair, options_));
     write_csv(folder, "tca.csv", lag_table(pair, sides, options_));

@@ -229,7 +229,7 @@ namespace vfife
       results.add_observers(run.observers(),
                             [&](const unsigned int n) { return pair.measure_rim(n); });
       RunSummary summary = start_summary("reduced", model, folder);
-      summary.figures    = results.list_figures(penalties.front());
+      summary.figures    = results.list_figures(penalties.front(), gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {cutoff(), "Hz"}});
       summary.figures.push_back({"steps in a tooth mesh", {double(per_mesh), "-"}});
       results.log_hertz(log);
@@ -260,6 +260,7 @@ namespace vfife
         if (summary.status == "failed")
           return;
         results.add_contact(penalty_lag, history.n_rows(), summary);
+        results.write_edges(gear_case_, folder, log);
         summary.probes = probes.judge(run.state().time, results.probe_rows());
         summary.figures.push_back(
           {"iterations a step", {double(pair.n_iterations()) / n_steps, "-"}});

@@ -11,6 +11,7 @@
 #include <vfife/output/observers/rim_writer.h>
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/output/output_options.h>
+#include <vfife/study/cases/case.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_observers.h>
 
@@ -45,18 +46,35 @@ namespace vfife
       observers.add<MisalignmentWriter>(model_, history_steps_);
   }
 
-  NamedFigures PairResults::list_figures(const double penalty) const
+  NamedFigures PairResults::list_figures(const double                  penalty,
+                                         const std::optional<Vector2> &arm_range) const
   {
     // Of the case, not of its motion: known before the first step, and stated after a failure too.
-    const Transmission &t      = *model_.transmission;
-    const double        torque = load_torque(model_);
-    return {{figure_name::mesh_frequency, {t.mesh_frequency(), "Hz"}},
-            {figure_name::speed_of(model_.bodies[t.driver].name()),
-             {t.driver_rate * 30. / pi, "rpm"}},
-            {figure_name::torque_of(model_.bodies[t.driven].name()), {1e-3 * torque, "N m"}},
-            {"effective arm", {t.arm, "mm"}},
-            {figure_name::force_on_arm, {torque / t.arm, "N"}},
-            {"contact penalty", {penalty, "N/mm^3"}}};
+    const Transmission &t       = *model_.transmission;
+    const double        torque  = load_torque(model_);
+    NamedFigures        figures = {
+             {figure_name::mesh_frequency, {t.mesh_frequency(), "Hz"}},
+             {figure_name::speed_of(model_.bodies[t.driver].name()), {t.driver_rate * 30. / pi, "rpm"}},
+             {figure_name::torque_of(model_.bodies[t.driven].name()), {1e-3 * torque, "N m"}},
+             {figure_name::effective_arm, {t.arm, "mm"}},
+             {figure_name::force_on_arm, {torque / t.arm, "N"}},
+             {"contact penalty", {penalty, "N/mm^3"}}};
+    if (arm_range)
+      {
+        figures.push_back({figure_name::least_arm, {t.arm * (*arm_range)[0], "mm"}});
+        figures.push_back({figure_name::largest_arm, {t.arm * (*arm_range)[1], "mm"}});
+      }
+    return figures;
+  }
+
+  void PairResults::write_edges(const Case &pair_case, const OutputFolder &folder, Log &log) const
+  {
+    write_edge_contact(pair_case.edges_under_load(),
+                       *teeth_,
+                       column::time,
+                       1. / model_.transmission->mesh_frequency(),
+                       folder,
+                       log);
   }
 
   void PairResults::log_hertz(Log &log) const
@@ -98,7 +116,8 @@ namespace vfife
                  ", peak to peak ",
                  c.peak_to_peak,
                  " ",
-                 c.unit);
+                 c.unit,
+                 summary.steady->ripple.steady ? "" : " (ripple not steady)");
       }
   }
 

@@ -57,6 +57,16 @@ namespace vfife
         pair.add_contact(preload.penalty_lag, history.n_rows(), summary);
     }
 
+    void log_early_end(const double end_time, const double whole_time, Log &log)
+    {
+      if (end_time < whole_time)
+        log.line("ended after Dynamics/largest number of steps, ",
+                 1e3 * end_time,
+                 " of ",
+                 1e3 * whole_time,
+                 " ms");
+    }
+
     /** Nothing that the past of a run depends on. */
     const std::vector<std::string> changeable_entries = {"Study/output folder",
                                                          "Operation/tooth meshes",
@@ -234,7 +244,8 @@ namespace vfife
                        std::lround(whole_time * transmission->mesh_frequency()));
         pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time);
         pair->add_observers(observers);
-        summary.figures = pair->list_figures(stepped.solver.contact().penalties().front());
+        summary.figures =
+          pair->list_figures(stepped.solver.contact().penalties().front(), case_->arm_range());
         summary.figures.push_back(
           {"stable step of the elements", {1e9 * stepped.solver.element_step(), "ns"}});
         pair->log_hertz(log);
@@ -265,15 +276,12 @@ namespace vfife
           *pair, *start->preload(), history, PairMounting::changes(model), summary, log);
       if (summary.status == "failed")
         return;
+      if (pair)
+        pair->write_edges(*case_, folder, log);
       if (probes)
         summary.probes = probes->judge(stepping.state().time, pair->probe_rows());
       summary.timers = list_times(stepped.timers.report(communicator));
-      if (end_time < whole_time)
-        log.line("ended after Dynamics/largest number of steps, ",
-                 1e3 * end_time,
-                 " of ",
-                 1e3 * whole_time,
-                 " ms");
+      log_early_end(end_time, whole_time, log);
     };
     stepping.run(
       checkpoint_ ? &*checkpoint_ : nullptr, end_time, whole_time, *start, prepared, complete);

@@ -35,6 +35,8 @@ namespace vfife
       {
         case_.declare(prm, file);
         case_.set_defaults(dynamics_, output_);
+        // Few load steps, and a report without a picture of the bodies says little.
+        output_.fields_every = 1;
         dynamics_.declare(prm);
         output_.declare(prm);
         // The end time of a run, whose file may be that of its equilibrium as well.

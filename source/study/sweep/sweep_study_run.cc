@@ -97,14 +97,19 @@ namespace vfife
   {
     // 1. What each summary says; a run that has not finished has no figures of its history.
     std::vector<NamedFigures> all;
-    std::vector<std::string>  finished;
+    std::vector<std::string>  paths, finished;
     for (std::size_t i = 0; i < runs.size(); ++i)
       {
         const std::string path = folder.file(folder_of_run(i));
         all.push_back(read_run_figures(path).figures);
+        paths.push_back(path);
         finished.push_back(reports[i].outcome == Outcome::finished ? path : "");
       }
-    // 2. Figures of the histories, each with its error and the order of convergence over the run
+    // 2. What studies without a summary state.
+    const std::vector<NamedFigures> own = read_own_figures(paths);
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      all[i].insert(all[i].end(), own[i].begin(), own[i].end());
+    // 3. Figures of the histories, each with its error and the order of convergence over the run
     // before.
     for (const HistoryFigure &figure : figures_)
       {

@@ -82,6 +82,17 @@ namespace vfife
       return columns() % 3 == 0;
     }
 
+    /** Leaves the sizes of the body open, to follow from the blank: web, rim, hub, bore. */
+    void leave_sizes_open();
+
+    /**
+     * The same with the sizes that are open (0), in tenths of a millimetre and in the proportions
+     * of the reference pair 27/79, whose own come out: thicknesses of web and rim 1.587 and 2.7
+     * outer transverse modules; hub radius and length 0.632 and 0.379 of the root's radius at the
+     * toe; the bore 5/6 of the hub radius, or 0.64 of that radius of a solid body.
+     */
+    GearBodyOptions with_open_sizes(const BlankOutline &blank) const;
+
   private:
     void declare_counts(dealii::ParameterHandler &prm);
     void declare_gradings(dealii::ParameterHandler &prm);

@@ -19,6 +19,7 @@ namespace vfife
     constexpr char steps[]            = "/run/steps";
     constexpr char run_time[]         = "/run/run time";
     constexpr char is_steady[]        = "/steady part/found";
+    constexpr char is_ripple_steady[] = "/steady part/ripple/steady";
     constexpr char steady_start[]     = "/steady part/start";
     constexpr char energy_error[]     = "/energy/error";
     constexpr char n_contact_losses[] = "/contact losses/count";
@@ -54,6 +55,9 @@ namespace vfife
   {
     constexpr char mesh_frequency[]  = "mesh frequency";
     constexpr char swing_frequency[] = "swing frequency, estimated";
+    constexpr char effective_arm[]   = "effective arm"; ///< of the unloaded mean contact
+    constexpr char least_arm[]       = "least arm on the path of contact";
+    constexpr char largest_arm[]     = "largest arm on the path of contact";
     constexpr char force_on_arm[]    = "torque over effective arm"; ///< of the contact
 
     /** "pinion speed" */

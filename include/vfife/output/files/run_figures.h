@@ -8,6 +8,8 @@
 
 namespace vfife
 {
+  class OutputFolder;
+
   /** What summary.json tells of a run, for tables of several runs. */
   struct RunFigures
   {
@@ -23,6 +25,14 @@ namespace vfife
   /** The number at a JSON pointer of a JSON file (result_places.h), which may be that of a figure
    * or a switch (0 or 1); NaN where there is none. */
   double read_figure(const std::string &path, const std::string &pointer);
+
+  /** figures.json: what a study without a summary has found, for tables of cases. Only the writing
+   * rank writes. */
+  void write_own_figures(const OutputFolder &folder, const NamedFigures &figures);
+
+  /** The same of the folder of each case, all of them with the same names and units: NaN where a
+   * case has no such figure. */
+  std::vector<NamedFigures> read_own_figures(const std::vector<std::string> &folders);
 } // namespace vfife
 
 #endif

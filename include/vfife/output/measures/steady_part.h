@@ -3,6 +3,7 @@
 #define vfife_output_measures_steady_part_h
 
 #include <vfife/base/text/column_names.h>
+#include <vfife/output/measures/ripple.h>
 
 #include <cstddef>
 #include <string>
@@ -39,7 +40,10 @@ namespace vfife
     bool by_cycles = false;
     /** Largest relative difference of consecutive means in the part (of the last pair when not
      * found). */
-    double                        largest_change = 0;
+    double largest_change = 0;
+    /** Of the columns by which the part is judged. Where it is not steady, peak to peak values and
+     * standard deviations are those of this record only. */
+    Ripple                        ripple;
     std::vector<ColumnStatistics> columns;
 
     /** Throws InputError where there is no such column. */
@@ -61,6 +65,10 @@ namespace vfife
    * is steady where the means of all single mesh cycles lie within @p tolerance of each other over
    * at least a whole swing period (SteadyPart::by_cycles): a period shows crest and trough of the
    * swing, and means over longer spans lie between those of the cycles, so this asks for more.
+   *
+   * Of means that are steady the ripple is judged as well (compare_halves()). The part begins later
+   * where the ripple is steady from then on, as long as half the cycles after the ramp and as many
+   * as the means ask for remain; otherwise it stays and says so (SteadyPart::ripple).
    *
    * Means and standard deviations are integrals (trapezoidal rule over the equally spaced samples)
    * over whole mesh cycles, counted from the first row; they are exact for whole cycles also when

@@ -4,7 +4,9 @@
 
 #include <vfife/contact/law/hertz.h>
 #include <vfife/model/model.h>
+#include <vfife/study/cases/edges_under_load.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,14 @@ namespace vfife
 
     /** Of one tooth pair at the mean contact of the unloaded flanks; of no size without teeth. */
     virtual HertzContact hertz_contact() const;
+
+    /** Least and largest arm of the contact force over the unloaded path of contact, parts of that
+     * at the mean contact; nothing without teeth. */
+    virtual std::optional<Vector2> arm_range() const;
+
+    /** What tells whether edges of teeth carry; nothing where no pinion drives by its drive side.
+     */
+    virtual std::optional<EdgesUnderLoad> edges_under_load() const;
 
     /** Sentences about entries that contradict each other or will not give what the user expects,
      * although each of them is allowed; empty when nothing is found. */

@@ -31,7 +31,9 @@ namespace vfife
     double       ramp_time() const override;
     double       choose_step(double stable_step, unsigned int samples) const override;
     HertzContact hertz_contact() const override;
-    std::vector<std::string> find_contradictions(const RunPlan &plan) const override;
+    std::optional<Vector2>        arm_range() const override;
+    std::optional<EdgesUnderLoad> edges_under_load() const override;
+    std::vector<std::string>      find_contradictions(const RunPlan &plan) const override;
 
     /** The pair with everything derived. */
     GearPair make_pair() const;
@@ -66,8 +68,9 @@ namespace vfife
       /** Its section Gear pair/NAME/Shaft. */
       std::string               shaft_section() const;
       std::vector<ShaftSection> shaft_sections() const;
-      /** The body with levels of the mesh where seats begin and end. */
-      GearBodyOptions with_levels() const;
+      /** The body under these teeth with all its sizes, and levels of the mesh where seats begin
+       * and end. */
+      GearBodyOptions with_levels(const BlankOutline &blank) const;
     };
     /** Throws InputError for shafts that do not go with their bodies or with what holds them. */
     void            check_shafts() const;
@@ -75,6 +78,8 @@ namespace vfife
     /** E* of both members [MPa]. */
     double       pair_modulus() const;
     Transmission make_transmission(const GearPair &pair) const;
+    /** Of a body (0 pinion, 1 gear) with all its sizes. */
+    GearBodyOptions body_of(const GearMember &gear, unsigned int body) const;
     /** Node set by which a body (0 pinion, 1 gear) is driven or held, or sits on its shaft. */
     const char *held_set(unsigned int body) const;
     Body        make_body(const GearPair &pair, unsigned int body) const;

@@ -30,6 +30,10 @@ namespace vfife
     double       ramp   = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
     HubKind      hub    = HubKind::rigid_hub;
 
+    /** Endurance limit for contact stress of case-hardened steel, quality MQ (ISO 6336-5); 0: none
+     * is known [MPa]. */
+    double pressure_limit = 1500;
+
     DrivingMember    driving   = DrivingMember::pinion;
     TurningDirection direction = TurningDirection::forward;
 

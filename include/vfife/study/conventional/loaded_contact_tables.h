@@ -3,9 +3,15 @@
 #define vfife_study_conventional_loaded_contact_tables_h
 
 #include <vfife/base/text/table.h>
+#include <vfife/element/stress.h>
+#include <vfife/output/files/figures.h>
+
+#include <vector>
 
 namespace vfife
 {
+  class Body;
+
   /** Columns of loaded_contact.csv: a row a position of the pair. The lumped model reads the file
    * as its mesh law. */
   Table make_loaded_contact_table();
@@ -19,6 +25,15 @@ namespace vfife
 
   /** Columns of misalignment.csv of a loaded tooth contact analysis. */
   Table make_loaded_misalignment_table();
+
+  /** Largest von Mises stress of some named sets of a body [MPa], 0 where it has none. */
+  double find_largest_stress(const Body                      &body,
+                             const std::vector<Stress>       &stresses,
+                             const std::vector<const char *> &sets);
+
+  /** Figures of an analysis for tables of several, over its positions: means, peak to peak of the
+   * transmission errors, largest stresses, mean misalignment where there are rows of one. */
+  NamedFigures list_loaded_figures(const Table &positions, const Table &misalignments);
 } // namespace vfife
 
 #endif

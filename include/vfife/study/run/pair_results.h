@@ -7,10 +7,13 @@
 #include <vfife/output/observers/rim_writer.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace vfife
 {
+  class Case;
   class Log;
+  class OutputFolder;
   class RunObservers;
   class Table;
   struct Model;
@@ -31,8 +34,8 @@ namespace vfife
     /** Adds the writers of the pair; @p measure_rim: RimWriter's. */
     void add_observers(RunObservers &observers, RimWriter::Measure measure_rim = nullptr);
 
-    /** What is known before the first step: speeds, torque, penalty. */
-    NamedFigures list_figures(double penalty) const;
+    /** What is known before the first step: speeds, torque, penalty, Case::arm_range(). */
+    NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
 
     /** Says what Hertz expects of one tooth pair under all the torque. */
     void log_hertz(Log &log) const;
@@ -43,6 +46,9 @@ namespace vfife
 
     /** Adds figures of the contact to the summary of a run that has ended; @p penalty_lag [rad]. */
     void add_contact(double penalty_lag, std::size_t n_samples, RunSummary &summary) const;
+
+    /** Says whether edges of the teeth of @p pair_case have carried: write_edge_contact(). */
+    void write_edges(const Case &pair_case, const OutputFolder &folder, Log &log) const;
 
     /** Rows of probes.csv. */
     const Table &probe_rows() const

@@ -14,7 +14,7 @@ class Fields:
     """Hexahedra at one instant, corners in VTK's order of vertices."""
     points: np.ndarray  # (cells, 8, 3) [mm]
     data: dict  # by name, (cells, 8) or (cells, 8, 3)
-    time: float  # [s]
+    time: float  # [s]; None at rest
 
     def __len__(self):
         return len(self.points)
@@ -64,6 +64,17 @@ def read_piece(path):
         raise DamagedFile(f"{path} is damaged: coordinates are no numbers")
     data = {name: np.asarray(values, dtype=float)[corners] for name, values in grid.point_data.items()}
     return np.asarray(grid.points, dtype=float)[corners], data
+
+
+def read_fields_of_bodies(paths):
+    """The fields of files of a body each that name no instants; None where one has no von Mises stress."""
+    pieces = []
+    for number, path in enumerate(paths):
+        points, data = read_piece(path)
+        if "von mises" not in data:
+            return None
+        pieces.append((points, {"von mises": data["von mises"], "body": np.full(points.shape[:2], float(number))}))
+    return join_pieces(pieces, None) if pieces else None
 
 
 def read_last_fields(pvd):

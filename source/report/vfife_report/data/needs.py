@@ -18,7 +18,7 @@ def has_tooth_mesh(run):
 
 
 def has_tooth_pressures(run):
-    return has_tooth_mesh(run) and run.teeth is not None and "mean pressure" in run.teeth
+    return has_tooth_mesh(run) and run.teeth is not None and "hertz pressure" in run.teeth
 
 
 def has_pattern(run):

@@ -6,7 +6,7 @@ import numpy as np
 
 from .files import DamagedFile, read_json
 from .parameters import read_parameters
-from .shapes import SUMMARY
+from .shapes import EDGE_CONTACT, GEOMETRY, STATED, SUMMARY
 from .table import read_table
 
 
@@ -32,7 +32,23 @@ class RunFolder:
         summary = self.path / "summary.json"
         self.summary = read_json(summary, SUMMARY) if summary.is_file() else {}
         self.parameters = read_parameters(self.path)
+        geometry = self.path / "geometry.json"
+        self.geometry = read_json(geometry, GEOMETRY) if geometry.is_file() else {}
+        self.fill_sizes()
+        stated = self.path / "figures.json"
+        self.stated = read_json(stated, STATED) if stated.is_file() else {}
+        edges = self.path / "edge_contact.json"
+        self.edge_contact = read_json(edges, EDGE_CONTACT) if edges.is_file() else {}
         self.fields = self.path / "fields.pvd"
+
+    def fill_sizes(self):
+        """Sizes of bodies that entries leave open (0): as they were derived from the blank."""
+        for section in ("Pinion", "Gear"):
+            for name, one in self.geometry.get(section.lower(), {}).items():
+                path = f"Gear pair/{section}/Body/{name}"
+                if isinstance(one, dict) and one["value"] is not None and self.parameters.get(path, "").split()[:1] in (
+                        ["0"], ["0.0"]):
+                    self.parameters[path] = f"{one['value']:g} {one['unit']}"
 
     def has_file(self, name):
         return (self.path / name).is_file()
@@ -63,6 +79,12 @@ class RunFolder:
         """Whether a steady part was found; else means are of the last third."""
         part = self.steady_part()
         return bool(part and part[2])
+
+    def is_ripple_steady(self):
+        """Whether peak to peak and harmonics stay over that part; None where nothing was judged (also by versions
+        that judged the means alone)."""
+        ripple = self.summary.get("steady part", {}).get("ripple")
+        return ripple["steady"] if ripple and ripple["judged"] else None
 
     def steady_rows(self, table):
         """Which rows of a table with a column of times lie in that part; all without one."""

@@ -31,10 +31,14 @@ SUMMARY = {
              "element-steps per second": {"value": float, "unit": str}, "timers?": Each(QUANTITY),
              "instruction set?": str},
     "steady part?": {"start": {"value": float, "unit": str}, "end": {"value": float, "unit": str}, "found": bool,
-                     "mesh cycles": COUNT, "explanation": str, "columns?": Each(STATISTICS)},
+                     "mesh cycles": COUNT, "explanation": str, "ripple?": {"judged": bool, "steady": bool}, "columns?": Each(STATISTICS)},
     "damping audit?": [{"body": str, "net torque": QUANTITY, "power": QUANTITY, "spin drift": QUANTITY}],
     "contact losses?": {"count": COUNT},
     "contradictions?": [str], "warnings?": [str]}
+STATED = Each(QUANTITY)  # figures.json
+EDGE_CONTACT = {"edges carry": bool, "explanation": str}
+# Members have one entry that is a word.
+GEOMETRY = {"pair": Each(QUANTITY), "pinion": {"hand of spiral": str}, "gear": {"hand of spiral": str}}
 PARAMETERS = Each({"value": str, "unit": str})
 COMPARISON = {"title?": str, "rows": [
     {"quantity?": str, "unit?": str, "value?": NUMBER, "reference?": NUMBER, "reference kind?": str,

@@ -28,7 +28,7 @@ class Axis:
 def find_axis(variants):
     """None unless the runs differ in one number (and how long they are), with one unit and three values
     or more. Runs without results do not count."""
-    variants = [v for v in variants if v.run.parameters and v.run.history is not None]
+    variants = [v for v in variants if v.run.parameters and (v.run.history is not None or v.run.stated)]
     names = [n for n in find_differences([v.run for v in variants]) if n not in LENGTHS]
     if len(names) != 1:
         return None

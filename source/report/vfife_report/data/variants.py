@@ -15,7 +15,7 @@ class Variant:
 
 
 def is_run(folder):
-    return (folder / "summary.json").is_file() or (folder / "history.csv").is_file()
+    return any((folder / name).is_file() for name in ("summary.json", "history.csv", "figures.json"))
 
 
 def list_sweep_order(folder):
@@ -29,7 +29,7 @@ def list_sweep_order(folder):
 
 def find_variants(folder):
     """Empty where the folder is a run itself or has none below."""
-    if (folder / "history.csv").is_file():
+    if (folder / "history.csv").is_file() or (folder / "figures.json").is_file():
         return []
     below = sorted(path for path in folder.iterdir() if path.is_dir())
     folders = list(dict.fromkeys([path for path in list_sweep_order(folder) + below if is_run(path)]))

@@ -2,6 +2,8 @@
 """Checks of a run against itself: name, value, what is asked for, verdict (met, not met)."""
 import numpy as np
 
+from .pressures import find_allowed_pressure, find_largest_pressure
+
 LARGEST_ENERGY_ERROR = 0.5  # [%], doc/verification.md
 LARGEST_TORQUE_DIFFERENCE = 0.5  # [%]
 
@@ -18,6 +20,9 @@ def list_checks(run):
     if part:
         yield ("steady part", f"{part['mesh cycles']} tooth meshes" if part["found"] else "none",
                "found", judge(part["found"]))
+        ripple = {True: "steady", False: "not steady"}.get(run.is_ripple_steady())
+        yield ("ripple, first half against second", ripple or "none judged", "steady",
+               judge(ripple == "steady") if ripple else "not judged")
     if run.history is not None and "energy error" in run.history:
         # At the first touch of an impact the energies that the error is divided by are still tiny.
         error = 100 * np.abs(run.history["energy error"])
@@ -27,6 +32,15 @@ def list_checks(run):
                judge(error[rows].max() < LARGEST_ENERGY_ERROR))
         yield "largest energy error on the way", f"{error.max():.3g} %", "", "not judged"
     yield from check_torque(run)
+    pressure, allowed = find_largest_pressure(run), find_allowed_pressure(run)
+    if pressure is not None and allowed:
+        yield "contact pressure (Hertz)", f"{pressure:.0f} MPa", f"{allowed:.0f} MPa", judge(pressure <= allowed)
+    if run.edge_contact:
+        carry = run.edge_contact["edges carry"]
+        yield "contact inside the flanks", "edges carry" if carry else "no edges carry", "no edges carry", judge(not carry)
+    taken = summary.get("energy", {}).get("taken by the mesh damping from the swing")
+    if taken and taken["value"] is not None:
+        yield "mesh damping: energy taken from the swing", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
     losses = summary.get("contact losses")
     if losses and run.value("mesh frequency"):
         yield "losses of contact", str(losses["count"]), "0", judge(losses["count"] == 0)

@@ -4,8 +4,7 @@ from ..data.files import DamagedFile, read_json
 from ..data.shapes import COMPARISON
 
 VERDICTS = ("agrees", "differs", "not judged")
-HEADER = ["quantity", "value", "reference", "unit", "difference", "%", "tolerance", "verdict",
-          "compared with", "why"]
+HEADER = ["quantity", "value", "reference", "unit", "difference", "%", "tolerance", "verdict"]
 
 
 def read_ledger(path):
@@ -47,4 +46,9 @@ def list_ledger_rows(rows):
         reference, difference = row["reference"], row["difference"]
         per_cent = 100 * difference / abs(reference) if reference and difference is not None else None
         yield [row["quantity"], row["value"], reference, row["unit"], difference, per_cent,
-               row["tolerance"], row["verdict"], row["reference kind"], row["reason"]]
+               row["tolerance"], row["verdict"]]
+
+
+def list_reasons(rows):
+    """What each row is compared with, and why its difference is expected or nothing is judged."""
+    return [f"{row['reference kind']}{': ' * bool(row['reason'])}{row['reason']}" for row in rows]

@@ -5,16 +5,17 @@ from dataclasses import dataclass
 import numpy as np
 
 DURATION_LEVEL, DURATION_LEVEL_IN_WORDS = 0.1, "a tenth"  # of the rise over the steady value
-LEAST_FORCE, LEAST_FORCE_IN_WORDS = 0.05, "a twentieth"  # of the tooth's largest force
 
 
 @dataclass
 class Passage:
-    """Stress at a probe [MPa] while its sector passes the mesh."""
-    peak: float
+    """Stress at a probe [MPa] while its sector passes the mesh: a rise above the steady stress, or a dip below it."""
+    peak: float  # largest of the record
     peak_time: float  # [s]
+    least: float  # of the record
     steady: float  # median of the record outside the passage
-    duration: float  # time around the peak with |stress - steady| above the level [s]
+    is_dip: bool  # the passage is where the stress is least
+    duration: float  # time around the largest deviation with |stress - steady| above the level [s]
     whole: bool  # begins and ends within the record
 
 
@@ -36,7 +37,8 @@ def find_passage(time, stress):
             break
         outside = ~inside
     whole = bool(len(before) and len(after))
-    return Passage(stress[top], time[top], steady, time[last] - time[first], whole)
+    peak = np.argmax(stress)
+    return Passage(stress[peak], time[peak], stress.min(), steady, bool(stress[top] < steady), time[last] - time[first], whole)
 
 
 def find_passages(run):
@@ -80,10 +82,3 @@ def find_engagement(teeth, start, end):
     if whole:
         return whole[-1]
     return max(found, key=lambda one: len(one.rows), default=None)
-
-
-def is_loaded(teeth, rows):
-    """Rows of one tooth pair at which it carries so much that its mean pressure says something: a
-    single point that barely touches has hardly any area."""
-    force = teeth["force"][rows]
-    return force >= LEAST_FORCE * force.max()

@@ -4,8 +4,17 @@ to peak and standard deviations are the program's own (summary.json), the others
 import numpy as np
 
 from ..data.columns import CONTACT_FORCE, JUDGED, TRANSMISSION_ERROR
-from .passages import find_passages, find_run_engagement, is_loaded
+from .passages import find_passages, find_run_engagement
 from .periodicity import measure_column
+from .pressures import find_allowed_pressure, find_largest_pressure
+
+
+OF_THE_RIPPLE = ("peak to peak", "standard deviation")
+
+
+def remark(run, name):
+    """What has to be known of a quantity of that name: figures of a ripple that is not steady are those of the record."""
+    return "ripple not steady" if name.endswith(OF_THE_RIPPLE) and run.is_ripple_steady() is False else ""
 
 
 def list_history_quantities(run):
@@ -30,15 +39,12 @@ def list_tooth_quantities(run):
     one = find_run_engagement(run)
     if one is None:
         return
-    loaded = one.rows[is_loaded(run.teeth, one.rows)]
-    for name in ("force", "mean pressure", "hertz pressure"):
-        if name in run.teeth:
-            value = run.teeth[name][loaded].max()
-            yield f"one tooth, largest {name}", value, run.teeth.units[name]
-    if "mean pressure" in run.teeth:
-        half = run.teeth["force"][loaded] > 0.5 * run.teeth["force"][loaded].max()
-        yield ("one tooth, median of the mean pressure above half the force",
-               np.median(run.teeth["mean pressure"][loaded[half]]), "MPa")
+    yield "one tooth, largest force", run.teeth["force"][one.rows].max(), run.teeth.units["force"]
+    pressure, allowed = find_largest_pressure(run), find_allowed_pressure(run)
+    if pressure is not None:
+        yield "largest contact pressure (Hertz, inside the flanks)", pressure, "MPa"
+        if allowed:
+            yield "allowed contact pressure", allowed, "MPa"
     frequency = run.value("mesh frequency")
     if frequency and one.whole:
         time = run.teeth["time"][one.rows]
@@ -48,6 +54,7 @@ def list_tooth_quantities(run):
 def list_probe_quantities(run):
     for name, passage in find_passages(run):
         yield f"{name}, peak von Mises stress", passage.peak, "MPa"
+        yield f"{name}, least von Mises stress", passage.least, "MPa"
         # A record of a part of a turn has a median of its own: that of all sectors is no matter of it.
         turn = run.summary.get("probes", {}).get(name)
         if turn:
@@ -75,6 +82,8 @@ def list_model_quantities(run):
 
 def list_quantities(run):
     """All of them, as far as the run has the files."""
+    for name, one in run.stated.items():
+        yield name, one["value"], one["unit"]
     yield from list_history_quantities(run)
     yield from list_model_quantities(run)
     yield from list_tooth_quantities(run)

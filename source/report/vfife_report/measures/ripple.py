@@ -17,3 +17,8 @@ def read_ripple(axis, column, what):
 def find_steady(axis):
     """Which runs have a steady part."""
     return np.array([v.run.is_steady() for v in axis.variants])
+
+
+def find_steady_ripple(axis):
+    """Which runs have a steady part whose ripple has not been found to change."""
+    return np.array([v.run.is_steady() and v.run.is_ripple_steady() is not False for v in axis.variants])

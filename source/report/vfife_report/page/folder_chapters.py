@@ -3,10 +3,13 @@
 natural frequencies, lumped model."""
 from ..data.files import read_json
 from ..data.shapes import LUMPED
-from ..measures.ledger import HEADER, list_ledger_rows, read_ledger
+from ..data.table import read_table
+from ..measures.ledger import HEADER, list_ledger_rows, list_reasons, read_ledger
 from ..plots.bearings import list_bearings
 from .chapter import Chapter
 from .parts import Cells, Paragraph, list_values
+
+SHOWN_MODES = 12  # of a body at a speed
 
 
 def tell_ledger(run, plots):
@@ -18,8 +21,10 @@ def tell_ledger(run, plots):
     differing = sum(row["verdict"] == "differs" for row in rows)
     yield Paragraph(f"{len(rows)} comparisons, {differing} differ by more than their tolerance.",
                     "alarm" if differing else "")
+    yield from plots
     yield Cells(HEADER, list(list_ledger_rows(rows)),
-                "Difference: value less reference, and over the reference's magnitude.")
+                "Difference: value less reference, and over the reference's magnitude. Below each row what it is compared with, "
+                "and why.", list_reasons(rows))
 
 
 def tell_lumped_model(run, plots):
@@ -48,11 +53,44 @@ def tell_bearings(run, plots):
                  for bearing in list_bearings(run.bearings)])
 
 
+def tell_rows(table, columns, rows, caption):
+    """Some columns of a table as they are named in its file."""
+    return Cells([table.label(name) for name in columns],
+                 [[cell(table[name][k]) for name in columns] for k in rows], caption)
+
+
+def cell(value):
+    return str(value) if isinstance(value, str) else float(value)
+
+
+def tell_loaded_contact(run, plots):
+    yield from plots
+    table = read_table(run.path / "coupled_modes.csv")
+    if table is not None:
+        yield tell_rows(table, ("axes", "frequency", "share of the static turn", "energy in the gear",
+                                "nodal diameter of the gear", "share of the diameter"), range(table.n_rows),
+                        "Natural vibrations of the loaded pair in contact at the reference position: in the axes that turn with the "
+                        "bodies, and of those that stand in space, as the load does. Modes that take part in the static turn show in the "
+                        "transmission error.")
+
+
+def tell_frequencies(run, plots):
+    table = read_table(run.path / "modes.csv")
+    if table is not None:
+        shown = [k for k in range(table.n_rows) if table["mode"][k] <= SHOWN_MODES]
+        text = "Lowest natural frequencies of each body at each speed, in axes that turn with it."
+        if len(shown) < table.n_rows:
+            text += f" {SHOWN_MODES} each of {table.n_rows} rows of modes.csv."
+        yield tell_rows(table, ("body", "speed", "mode", "frequency", "nodal diameter", "nodal circles", "direction",
+                                "fixed frequency", "whirl"), shown, text)
+    yield from plots
+
+
 LEDGER = Chapter("Comparison ledger", tell_ledger)
 TABLE_CHAPTERS = (
     Chapter("Unloaded tooth contact"),
-    Chapter("Loaded tooth contact by finite elements"),
+    Chapter("Loaded tooth contact by finite elements", tell_loaded_contact),
     Chapter("Bearings", tell_bearings),
-    Chapter("Natural frequencies"),
+    Chapter("Natural frequencies", tell_frequencies),
     Chapter("Response over speed"),
     Chapter("Lumped model", tell_lumped_model))

@@ -40,6 +40,7 @@ class Cells:
     header: list
     rows: list
     caption: str = ""
+    notes: list = None  # a text below each row, as wide as the table may be seen
     template = "cells"
 
     def is_empty(self):

@@ -5,14 +5,14 @@ from ..data.needs import has_rim_over_meshes
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
 from ..measures.periodicity import measure_column
-from ..measures.quantities import list_quantities
+from ..measures.quantities import list_quantities, remark
 from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
                                   list_other_lines)
 from ..measures.sidebands import SIDEBANDS_HEADER, list_sidebands
 from ..measures.waves import list_wave_lines
 from .chapter import Chapter
 from .parts import Cells, Paragraph, list_values
-from .words import list_case_rows, list_sentences
+from .words import list_case_rows, list_geometry_rows, list_sentences
 
 
 def tell_case(run, plots):
@@ -22,13 +22,21 @@ def tell_case(run, plots):
     for sentence in list_sentences(run):
         yield Paragraph(sentence)
     yield Cells(["", "in force"], list(list_case_rows(run)))
+    if run.geometry:
+        yield Cells(["geometry", "unit", "pinion", "gear"], list(list_geometry_rows(run.geometry)),
+                    "Given, derived or proposed; in the first rows of the pair.")
     if run.parameters:
         yield Paragraph("All parameters in force: parameters.prm in the run's folder.", "soft")
     yield from plots
 
 
 def tell_quantities(run, plots):
-    yield Cells(["quantity", "value", "unit"], list(list_quantities(run)),
+    rows = [[name, value, unit, remark(run, name)] for name, value, unit in list_quantities(run)]
+    marked = any(row[-1] for row in rows)
+    if marked:
+        yield Paragraph("The ripple is not steady: its figures are those of this record, and half of it gives others.", "alarm")
+    yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],
+                "Definitions in doc/report.md." if run.history is None else
                 "Of the steady part, largest values of the whole run; definitions in doc/report.md.")
 
 
@@ -37,6 +45,13 @@ def tell_transmission_error(run, plots):
     if plots:
         yield Cells(["part", "value", "unit"], list_values(run.summary.get("transmission error", {})),
                     "Parts of the transmission error in the equilibrium before the start.")
+
+
+def tell_contact(run, plots):
+    if run.edge_contact:
+        text = run.edge_contact["explanation"]
+        yield Paragraph(text[0].upper() + text[1:] + ".", "alarm" if run.edge_contact["edges carry"] else "")
+    yield from plots
 
 
 def tell_spectra(run, plots):
@@ -61,12 +76,14 @@ def tell_spectra(run, plots):
 
 def tell_probes(run, plots):
     yield from plots
-    yield Cells(["probe", "peak [MPa]", "at [ms]", "steady [MPa]", "duration [ms]", "record"],
-                [[name, p.peak, 1e3 * p.peak_time, p.steady, 1e3 * p.duration if p.whole else None,
+    yield Cells(["probe", "peak [MPa]", "at [ms]", "least [MPa]", "steady [MPa]", "passage", "duration [ms]", "record"],
+                [[name, p.peak, 1e3 * p.peak_time, p.least, p.steady, "dip" if p.is_dip else "rise",
+                  1e3 * p.duration if p.whole else None,
                   "whole passage" if p.whole else "passage cut by the record"]
                  for name, p in find_passages(run)],
-                f"Passage through the mesh: duration above {DURATION_LEVEL_IN_WORDS} of the rise over the "
-                "steady stress, which is the median of the record outside it.")
+                "Peak and least: of the whole record. The passage through the mesh is where the stress is farthest from the "
+                "steady stress, the median of the record outside it: a rise above it or a dip below it; duration: "
+                f"farther than {DURATION_LEVEL_IN_WORDS} of that.")
     for probe in run.summary.get("probes", {}).values():
         yield Paragraph(probe["explanation"] + ".")
 
@@ -114,7 +131,7 @@ RUN_CHAPTERS = (
     Chapter("The case", tell_case),
     Chapter("Key figures", tell_quantities),
     Chapter("Transmission error", tell_transmission_error),
-    Chapter("Contact"),
+    Chapter("Contact", tell_contact),
     Chapter("Spectra and periodicity", tell_spectra),
     Chapter("Stress at the probes", tell_probes),
     Chapter("Motion of the rim", tell_rim),

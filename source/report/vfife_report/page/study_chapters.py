@@ -11,8 +11,10 @@ from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resol
 from .chapter import Chapter
 from .parts import Cells, Paragraph
 from .sweep_chapter import tell_sweep, title_sweep
+from .words import list_geometry_rows
 
 SHOWN_DIFFERENCES = 6
+RIPPLE_WORDS = {True: "steady", False: "not steady", None: "not judged"}
 
 
 def tell_variants(study, plots):
@@ -20,10 +22,14 @@ def tell_variants(study, plots):
     rows = []
     for variant in study.variants:
         summary = variant.run.summary
-        status = summary.get("failure") or summary.get("status", "no summary")
+        status = summary.get("failure") or summary.get("status", "finished" if variant.run.stated else "no summary")
         rows.append([variant.name, variant.run.path.name]
                     + [read_parameter(variant.run, name) for name in names] + [status])
     yield Cells(["variant", "folder"] + [name.split("/")[-1] for name in names] + ["status"], rows)
+    geometries = [v.run.geometry for v in study.variants]
+    if geometries[0] and all(one == geometries[0] for one in geometries):
+        yield Cells(["geometry of all variants", "unit", "pinion", "gear"], list(list_geometry_rows(geometries[0])),
+                    "Given, derived or proposed; in the first rows of the pair.")
     yield Paragraph("A variant's own report is made by make_report.py with its folder.", "soft")
 
 
@@ -48,9 +54,10 @@ def tell_means(study, plots):
         if statistics:
             rows.append([column, variant.name, statistics["mean"], statistics["peak to peak"],
                          statistics["standard deviation"],
-                         periodicity.trend if periodicity else None, statistics["unit"]])
+                         periodicity.trend if periodicity else None, statistics["unit"],
+                         RIPPLE_WORDS[variant.run.is_ripple_steady()]])
     yield Cells(["history", "variant", "mean", "peak to peak", "standard deviation",
-                 "trend a tooth mesh", "unit"], rows, "Over the steady part of each run.")
+                 "trend a tooth mesh", "unit", "ripple"], rows, "Over the steady part of each run.")
 
 
 def tell_periodicity(study, plots):

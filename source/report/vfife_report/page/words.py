@@ -2,12 +2,14 @@
 """A case in words: titles, sentences and rows made from the parameters in force."""
 from ..data.naming import GEAR, PINION, describe_pair, describe_web
 
-ROWS = (("teeth of pinion and gear", PINION + "Blank/number of teeth", GEAR + "Blank/number of teeth"),
-        ("hand of pinion and gear", PINION + "Blank/hand of spiral", GEAR + "Blank/hand of spiral"),
-        ("mean cone distance", GEAR + "Blank/mean cone distance"),
-        ("face width", GEAR + "Blank/face width"),
-        ("backlash", "Gear pair/Mounting/backlash"),
-        ("speed of the pinion", "Operation/speed"),
+# As given: nothing where they are proposed.
+BLANK_ROWS = (
+    ("teeth of pinion and gear", PINION + "Blank/number of teeth", GEAR + "Blank/number of teeth"),
+    ("hand of pinion and gear", PINION + "Blank/hand of spiral", GEAR + "Blank/hand of spiral"),
+    ("mean cone distance", GEAR + "Blank/mean cone distance"),
+    ("face width", GEAR + "Blank/face width"),
+    ("backlash", "Gear pair/Mounting/backlash"))
+ROWS = (("speed of the pinion", "Operation/speed"),
         ("torque on the gear", "Operation/torque"),
         ("tooth meshes", "Operation/tooth meshes"),
         ("start", "Dynamics/start"),
@@ -32,7 +34,9 @@ def make_title(run):
 def list_case_rows(run):
     """Name and value of what defines the case, as far as it is known."""
     parameters = run.parameters
-    for name, *keys in ROWS:
+    # What was derived is in the table of the geometry.
+    given = not run.geometry and parameters.get("Gear pair/Proposal/pinion teeth", "0") == "0"
+    for name, *keys in (BLANK_ROWS if given else ()) + ROWS:
         values = [parameters[key] for key in keys if key in parameters]
         if values and any(value != "0" for value in values):
             yield name, ", ".join(values)
@@ -51,6 +55,19 @@ def list_case_rows(run):
     for body in run.bodies():
         yield body["name"], (f"{body['cells']} elements, {body['nodes']} nodes, "
                              f"{body['mass']['value']:.4g} {body['mass']['unit']}")
+
+
+def list_geometry_rows(geometry):
+    """Quantity, unit, pinion and gear of a folder's geometry; of the pair itself in the first column."""
+    for name, one in geometry["pair"].items():
+        yield [name, one["unit"], one["value"], ""]
+    pinion, gear = geometry["pinion"], geometry["gear"]
+    for name, one in pinion.items():
+        other = gear.get(name)
+        if isinstance(one, dict) and isinstance(other, dict):
+            yield [name, one["unit"], one["value"], other["value"]]
+        else:
+            yield [name, "", one, other]
 
 
 def list_sentences(run):

@@ -14,25 +14,17 @@ class Scene:
         self.run, self.fields = run, fields
         names = {run.body_name(b): b for b in fields.bodies()}
         self.is_pair = {"pinion", "gear"} <= set(names)
-        pressure = fields["contact pressure"]
+        pressure = fields.data.get("contact pressure")
         self.contact = None
-        if np.any(pressure > 0):
+        if pressure is not None and np.any(pressure > 0):
             self.contact = (fields.points * pressure[..., None]).sum(axis=(0, 1)) / pressure.sum()
         if self.is_pair:
             self.pinion, self.gear = names["pinion"], names["gear"]
             self.pinion_axis = find_axis(fields.body(self.pinion).points)[1]
             self.gear_centre, self.gear_axis = find_axis(fields.body(self.gear).points)
 
-    def largest_pressure(self):
-        """Of teeth.csv at the time of the fields [MPa]; None without it."""
-        teeth = self.run.teeth
-        if teeth is None:
-            return None
-        now = np.abs(teeth["time"] - self.fields.time) < 1e-6 * max(self.fields.time, 1e-9)
-        return teeth["largest pressure"][now].max() if np.any(now) else None
-
     def when(self):
-        return f"time {1e3 * self.fields.time:.3f} ms"
+        return "at rest" if self.fields.time is None else f"time {1e3 * self.fields.time:.3f} ms"
 
 
 def is_in_mesh(scene):

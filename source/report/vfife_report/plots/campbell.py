@@ -2,6 +2,7 @@
 """Campbell diagrams of a modal study, from campbell.csv and resonances.csv."""
 import numpy as np
 
+from ..data.naming import GEAR, PINION
 from ..data.table import Table, read_table
 from .style import COLOURS, GREY, plt
 
@@ -22,9 +23,14 @@ def draw_campbell(run, body):
     top = 1.05e-3 * branches["frequency"][mine].max()
     if resonances is not None:
         mark_resonances(axes, resonances, resonances["body"] == body,
-                        np.abs(branches["speed"][mine]).max())
+                        np.abs(branches["speed"][mine]).max(), top)
+    operation = find_speed_of_operation(run, body)
+    if operation:
+        axes.axvline(operation, color=COLOURS[0], linestyle="--", linewidth=0.9)
+        axes.annotate(f"operation, {operation:.0f} rpm", (operation, top), xytext=(-3, -3), textcoords="offset points",
+                      fontsize=8, rotation=90, ha="right", va="top", gid="speed of operation")
     axes.set(title=f"{body}: natural frequencies in axes that turn with it", ylim=(0, top),
-             xlabel=branches.label("speed"), ylabel="frequency [kHz]")
+             xlabel=f"speed of the {body} [rpm]", ylabel="frequency [kHz]")
     axes.legend(fontsize=7, ncol=2, loc="upper left", bbox_to_anchor=(1., 1.))
     return plot
 
@@ -47,12 +53,30 @@ def draw_branches(axes, branches, mine):
                   markersize=3, color=COLOURS[diameter % len(COLOURS)], label=label)
 
 
-def mark_resonances(axes, resonances, mine, end):
-    """Where the tooth mesh meets a branch, and the lines of its orders up to the speed `end`."""
+def find_speed_of_operation(run, body):
+    """Of a member of a gear pair [rpm], by the pinion's; None where it is not stated."""
+    words = run.parameters.get("Operation/speed", "0").split()
+    if body not in ("pinion", "gear") or words[1:] not in ([], ["rpm"]) or float(words[0]) == 0:
+        return None
+    teeth = [run.geometry.get(name, {}).get("number of teeth", {}).get("value")
+             or float(run.parameters.get(path, "0").split()[0])
+             for name, path in (("pinion", PINION + "Blank/number of teeth"), ("gear", GEAR + "Blank/number of teeth"))]
+    if body == "pinion":
+        return float(words[0])
+    return float(words[0]) * teeth[0] / teeth[1] if all(teeth) else None
+
+
+def mark_resonances(axes, resonances, mine, end, top):
+    """Where the tooth mesh meets a branch, and the lines of its orders up to the speed `end` and the frequency `top`
+    [kHz]."""
     axes.plot(resonances["speed"][mine], resonances["frequency"][mine] * 1e-3, "o", markersize=5,
               markerfacecolor="none", color=GREY, label="resonance")
     for order in sorted(set(resonances["mesh order"][mine])):
         rows = mine & (resonances["mesh order"] == order)
         slope = np.median(resonances["frequency"][rows] / np.abs(resonances["speed"][rows]))
         if order > 0:
-            axes.plot([0, end], [0, slope * end * 1e-3], color=GREY, linewidth=0.6)
+            axes.plot([0, end], [0, slope * end * 1e-3], color=GREY, linewidth=0.6, gid=f"mesh order {order:.0f}")
+            # Where the line leaves the picture, which may be above or at the side.
+            reach = min(end, top / (slope * 1e-3))
+            axes.annotate(f"mesh order {order:.0f}", (reach, slope * reach * 1e-3), xytext=(-2, -2),
+                          textcoords="offset points", fontsize=7, color=GREY, ha="right", va="top")

@@ -2,13 +2,12 @@
 """Plots of several runs of a study on shared axes."""
 import numpy as np
 
-from ..measures.passages import LEAST_FORCE_IN_WORDS, find_passages, find_run_engagement, is_loaded
+from ..measures.passages import find_passages, find_run_engagement
 from ..measures.periodicity import compute_mesh_average
 from ..measures.spectrum import compute_spectrum
 from ..measures.waves import COMPONENTS, measure_waves
 from .spectra import LARGEST_ORDER
 from .style import COLOURS, add_legend, plt
-from .tooth_contact import limit_to_most
 
 LAST_MESHES = 3
 # Told apart without colour too.
@@ -68,8 +67,8 @@ def draw_spectra(study, column):
 
 
 def draw_tooth_stress(study):
-    """Hertz's and mean pressure of one tooth pair through its engagement."""
-    plot, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6.5))
+    """Hertz's pressure of one tooth pair through its engagement."""
+    plot, axes = plt.subplots()
     for variant in study.pairs_with("teeth", "hertz pressure"):
         teeth, one = variant.run.teeth, find_run_engagement(variant.run)
         if one is None:
@@ -77,16 +76,11 @@ def draw_tooth_stress(study):
         at = (teeth["time"][one.rows] - teeth["time"][one.rows[0]]) * variant.run.value("mesh frequency")
         name = f"{variant.name}, teeth {one.pinion_tooth}/{one.gear_tooth}"
         name += "" if one.whole else " (cut by the record)"
-        above.plot(at, teeth["hertz pressure"][one.rows], label=name, **look(variant))
-        loaded = is_loaded(teeth, one.rows)
-        below.plot(at[loaded], teeth["mean pressure"][one.rows][loaded], label=name, **look(variant))
-    above.set(title="largest pressure of Hertz's ellipse under the tooth's force",
-              ylabel="contact stress [MPa]")
-    below.set(title=f"mean pressure, force over area, from {LEAST_FORCE_IN_WORDS} of the largest force on",
-              ylabel="contact stress [MPa]", xlabel="tooth meshes since the first touch")
-    above.set_ylim(bottom=0)
-    limit_to_most(below)
-    add_legend(above, fontsize=8)
+        axes.plot(at, teeth["hertz pressure"][one.rows], label=name, **look(variant))
+    axes.set(title="largest pressure of Hertz's ellipse under the tooth's force",
+             ylabel="contact pressure [MPa]", xlabel="tooth meshes since the first touch")
+    axes.set_ylim(bottom=0)
+    add_legend(axes, fontsize=8)
     return plot
 
 

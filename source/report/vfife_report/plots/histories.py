@@ -4,7 +4,7 @@ import numpy as np
 
 from ..data.columns import CONTACT_FORCE
 from ..measures.periodicity import compute_mesh_average
-from .style import COLOURS, GREY, PALE, label_ends, plt
+from .style import COLOURS, GREY, PALE, add_legend, label_ends, plt
 
 
 def mark_steady_part(run, axes):
@@ -12,7 +12,9 @@ def mark_steady_part(run, axes):
     if part:
         start, end, found = part
         axes.axvspan(1e3 * start, 1e3 * end, color=PALE, zorder=0)
-        axes.annotate("steady part" if found else "last third (not steady)", (1e3 * start, 1),
+        text = "last third (not steady)" if not found else (
+            "means steady, ripple not" if run.is_ripple_steady() is False else "steady part")
+        axes.annotate(text, (1e3 * start, 1),
                       xycoords=("data", "axes fraction"), xytext=(3, -10),
                       textcoords="offset points", fontsize=8, color=GREY)
 
@@ -32,7 +34,7 @@ def finish_time_axis(run, axes):
 def draw_transmission_error(run):
     history, samples = run.history, run.samples_per_mesh()
     time = 1e3 * history["time"]
-    plot, axes = plt.subplots()
+    plot, (axes, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 7))
     mark_steady_part(run, axes)
     curves = (("dte", "hub", COLOURS[1]), ("rim dte", "rim", COLOURS[2]))
     for name, text, colour in curves:
@@ -40,11 +42,18 @@ def draw_transmission_error(run):
         if samples:
             axes.plot(time, compute_mesh_average(history[name], samples), color=colour, linewidth=2,
                       label=f"{text}, mean over a tooth mesh")
+        # Hub and rim are so far apart that their ripples would be lines.
+        below.plot(time, history[name] - run.steady_values(name).mean(), color=colour, linewidth=0.8,
+                   label=f"{text} less its mean")
     axes.set_ylabel(history.label("dte"))
     axes.set_title("Dynamic transmission error: as it is (thin), mean over a tooth mesh (thick)")
     finish_time_axis(run, axes)
+    axes.set_xlabel("")
     label_ends(axes, [(time[-1], history[name][-1], text, colour)
                             for name, text, colour in curves])
+    below.set(title="Less its mean over the part that figures are of", ylabel="[arcsec]", xlabel="time [ms]")
+    below.margins(x=0)
+    add_legend(below, fontsize=8, ncol=2)
     return plot
 
 
@@ -97,7 +106,7 @@ def draw_energies(run):
     above.set_ylabel("energy error [%]")
     above.set_title("Residual of the energy ledger over the largest energy so far")
     shown = ("strain energy", "contact energy", "relative kinetic energy", "damping loss",
-             "mesh damping loss", "contact loss")
+             "taken by the mesh damping", "mesh damping loss", "contact loss")
     for number, name in enumerate(n for n in shown if n in history and np.any(history[n])):
         change = history[name] - history[name][0]
         below.plot(time, change, color=COLOURS[number % len(COLOURS)],

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..measures.critical_speeds import list_critical_speeds
-from ..measures.ripple import RIPPLES, find_steady, read_ripple
+from ..measures.ripple import RIPPLES, find_steady_ripple, read_ripple
 from .curves import scale_axis
 from .style import COLOURS, GREY, plt
 
@@ -27,7 +27,7 @@ def draw_resonance(study):
     """Ripple of transmission error and force over speed, beside the lumped model's; vertical: speeds at
     which a mesh order meets a coupled mode."""
     speeds, beside = study.speeds, study.beside
-    axis, steady = speeds.axis, find_steady(speeds.axis)
+    axis, steady = speeds.axis, find_steady_ripple(speeds.axis)
     limits = axis.values[0] * 0.97, axis.values[-1] * 1.03
     plot, panels = plt.subplots(2, 1, sharex=True, figsize=(8, 8))
     for axes, (column, of_lumped) in zip(panels, RIPPLES):

@@ -2,28 +2,37 @@
 """Plots of the contact of teeth: pattern on the flanks, load sharing, pressures."""
 import numpy as np
 
-from ..measures.passages import LEAST_FORCE_IN_WORDS, find_run_engagement, is_loaded
-from .style import COLOURS, GREY, PRESSURE_MAP, add_legend, plt
+from ..measures.passages import find_run_engagement
+from ..measures.pressures import find_allowed_pressure
+from .style import COLOURS, GREY, PRESSURE_MAP, plt
 
 
 def draw_contact_pattern(run):
-    """Largest nodal pressure on the flanks of the drive side in the last tooth mesh, in the axial
-    section of each body."""
+    """Largest nodal pressure on the flanks of the drive side in the last tooth mesh, along and over the
+    pitch cone of each body, over the largest of that body: nodes spread the contact over their facets, so
+    that its size is no stress."""
     pattern = run.pattern
     bodies = list(dict.fromkeys(pattern["body"]))
-    plot, all_axes = plt.subplots(1, len(bodies), figsize=(10, 4.5), squeeze=False)
+    plot, all_axes = plt.subplots(1, len(bodies), figsize=(10, 3), squeeze=False)
     drive = pattern["side"] == "drive"
-    top = max(pattern["largest pressure"][drive].max(), 1)
     for axes, body in zip(all_axes[0], bodies):
         rows = drive & (pattern["body"] == body)
         r, z, pressure = (pattern[name][rows] for name in ("r", "z", "largest pressure"))
-        shades = axes.tricontourf(z, r, pressure, levels=np.linspace(0, top, 25), cmap=PRESSURE_MAP)
-        axes.plot(z, r, ".", markersize=1.5, color=GREY)
+        share = pressure / max(pressure.max(), 1e-6)
+        pitch = run.geometry.get(body, {}).get("pitch angle", {}).get("value")
+        if pitch is None:  # of results without main dimensions
+            along, upward, names = z, r, (pattern.label("z"), pattern.label("r"))
+        else:
+            sine, cosine = np.sin(np.radians(pitch)), np.cos(np.radians(pitch))
+            along, upward = z * cosine + r * sine, r * cosine - z * sine
+            names = "L, mm (heel to the right)", "h, mm (tip up)"
+        shades = axes.tricontourf(along, upward, share, levels=np.linspace(0, 1, 21), cmap=PRESSURE_MAP)
+        axes.plot(along, upward, ".", markersize=1.5, color=GREY)
         axes.set_aspect("equal")
-        axes.set_title(f"{body}: largest {pressure.max():.0f} MPa")
-        axes.set_xlabel(pattern.label("z"))
-        axes.set_ylabel(pattern.label("r"))
-    plot.colorbar(shades, ax=list(all_axes[0]), label="largest nodal pressure [MPa]")
+        axes.set_title(body)
+        axes.set_xlabel(names[0])
+        axes.set_ylabel(names[1])
+    plot.colorbar(shades, ax=list(all_axes[0]), label="pressure over its largest", shrink=0.7)
     return plot
 
 
@@ -50,18 +59,15 @@ def draw_load_sharing(run):
         colour = COLOURS[number % len(COLOURS)]
         pair = f"teeth {tooth:.0f}/{gear_tooth:.0f}"
         above.plot(meshes, shares, ".", markersize=3, color=colour, label=pair)
-        below.plot(meshes, teeth["mean pressure"][rows], ".", markersize=3, color=colour,
-                   label=f"{pair}, mean pressure")
-        if "hertz pressure" in teeth:
-            below.plot(meshes, teeth["hertz pressure"][rows], "-", linewidth=0.8, color=colour,
-                       label=f"{pair}, hertz pressure")
+        below.plot(meshes, teeth["hertz pressure"][rows], "-", linewidth=0.8, color=colour,
+                   label=f"{pair}, hertz pressure")
     above.set_ylabel("share of the contact force")
     above.set_ylim(bottom=0)
     above.set_title("Share of each tooth pair, all moved to the position of the first")
     below.set_ylabel("pressure [MPa]")
-    below.set_title("Mean pressure, force over area (dots); largest of Hertz's ellipse (lines)")
+    below.set_title("Largest pressure of Hertz's ellipse")
+    below.set_ylim(bottom=0)
     below.set_xlabel("tooth meshes")
-    limit_to_most(below)
     return plot
 
 
@@ -77,23 +83,14 @@ def draw_tooth_engagement(run):
     above.set_ylabel(teeth.label("force"))
     whole = "first to last touch" if one.whole else "only in part within the record"
     above.set_title(f"Teeth {one.pinion_tooth}/{one.gear_tooth}, {whole}")
-    shown = (("hertz pressure", "largest of Hertz's ellipse under this force", "-"),
-             ("mean pressure", "mean, force over area", "--"),
-             ("largest pressure", "largest of a contact point", ":"))
-    for number, (name, text, dashes) in enumerate(shown):
-        if name in teeth:
-            values = np.where(is_loaded(teeth, rows), teeth[name][rows], np.nan)
-            below.plot(meshes, values, dashes, color=COLOURS[1 + number], label=text)
-    below.set_title(f"Contact stress, under {LEAST_FORCE_IN_WORDS} of the largest force and more")
-    below.set_ylabel("contact stress [MPa]")
+    below.plot(meshes, teeth["hertz pressure"][rows], color=COLOURS[1], label="hertz pressure")
+    allowed = find_allowed_pressure(run)
+    if allowed:
+        below.axhline(allowed, color=GREY, linestyle=":", label="allowed")
+        below.annotate("allowed", (0, allowed), xytext=(3, 3), textcoords="offset points", fontsize=8, color=GREY)
+    below.set_title("Largest pressure of Hertz's ellipse under this force, inside the flanks")
+    below.set_ylabel("contact pressure [MPa]")
     below.set_xlabel("tooth meshes since the first touch")
-    add_legend(below, fontsize=9)
     for axes in (above, below):
         axes.set_ylim(bottom=0)
     return plot
-
-
-def limit_to_most(axes):
-    """Single points that barely touch must not set the scale."""
-    values = np.concatenate([line.get_ydata() for line in axes.get_lines()])
-    axes.set_ylim(0, 1.2 * np.percentile(values, 98))

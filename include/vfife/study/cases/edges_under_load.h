@@ -1,0 +1,72 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_cases_edges_under_load_h
+#define vfife_study_cases_edges_under_load_h
+
+#include <vfife/base/text/json.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace vfife
+{
+  struct ContactAnalysis;
+  class Log;
+  class OutputFolder;
+  class Table;
+
+  /**
+   * Tooth pairs that carry where their flanks do not touch without load: outside the path of
+   * contact it is an edge that meets the other flank (doc/contact.md, Edge contact). Hertz's
+   * pressure holds inside the flanks only.
+   */
+  class EdgesUnderLoad
+  {
+  public:
+    /** @p analysis of the drive side, which carries; the driver has @p driver_teeth, of which the
+     * next one has the number before. */
+    EdgesUnderLoad(const ContactAnalysis &analysis, unsigned int driver_teeth);
+
+    /**
+     * Looks at tooth pairs of the drive side: rows of teeth.csv or loaded_teeth.csv.
+     * @param teeth    columns "side", "pinion tooth", "force" [N] and @p place
+     * @param place    column that is in proportion to the driver's rotation, 0 where tooth pair 0
+     *                 is at its mean contact
+     * @param per_mesh what it is in a tooth mesh
+     */
+    void observe(const Table &teeth, const std::string &place, double per_mesh);
+
+    /** Whether edges carry more than a hundredth of the largest force of a tooth pair. */
+    bool found() const;
+
+    /** One sentence for log and report. */
+    std::string explain() const;
+
+    /** {"edges carry": , "explanation": , figures} */
+    Json json() const;
+
+  private:
+    struct Border
+    {
+      std::string name;
+      double      place = 0; ///< where the path ends [pitches]
+      double      force = 0; ///< largest of a pair beyond it [N]
+    };
+
+    unsigned int          driver_teeth_;
+    std::array<Border, 2> borders_; ///< at the start and at the end of the path
+    double                largest_ = 0;
+  };
+  /**
+   * Looks at tooth pairs in contact, as EdgesUnderLoad::observe(), and writes edge_contact.json and
+   * a line of the log, a warning where edges carry. Without @p edges nothing.
+   */
+  void write_edge_contact(std::optional<EdgesUnderLoad> edges,
+                          const Table                  &teeth,
+                          const std::string            &place,
+                          double                        per_mesh,
+                          const OutputFolder           &folder,
+                          Log                          &log);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,50 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_gear_pair_geometry_h
+#define vfife_study_gear_pair_geometry_h
+
+#include <vfife/base/text/json.h>
+#include <vfife/mesh/gear/gear_body_options.h>
+#include <vfife/output/files/figures.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace vfife
+{
+  struct GearPairOptions;
+  class Log;
+
+  /**
+   * The main dimensions of a pair with everything that was derived or proposed: what a drawing
+   * states. Lengths in mm, angles in deg.
+   */
+  class PairGeometry
+  {
+  public:
+    /** Bodies under the teeth of pinion and gear. */
+    using Bodies = std::array<GearBodyOptions, 2>;
+
+    /** Completes the options; throws InputError where a proposal has no settings. Without @p bodies
+     * nothing is said of them. */
+    PairGeometry(const GearPairOptions &options, const std::optional<Bodies> &bodies);
+
+    /** A table of both members. */
+    void show(Log &log) const;
+
+    /** {"pair": {figures}, "pinion": {"hand of spiral": , figures}, "gear": likewise} */
+    Json json() const;
+
+  private:
+    struct Member
+    {
+      std::string  name, hand;
+      NamedFigures figures; ///< the same names for both
+    };
+
+    NamedFigures          pair_;
+    std::array<Member, 2> members_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,20 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The contact pressure that a report states: Hertz's, of the largest force of a tooth pair, and what is allowed. Pressures of
+nodes, points and areas depend on the mesh (doc/contact.md, Pressures): they stay in the tables of the run."""
+
+ALLOWED = "Operation/allowed contact pressure"
+
+
+def find_allowed_pressure(run):
+    """[MPa], None where none is known."""
+    words = run.parameters.get(ALLOWED, "0").split()
+    factor = {"MPa": 1.0, "GPa": 1e3, "Pa": 1e-6, "kPa": 1e-3, "N/mm^2": 1.0}.get(words[1] if len(words) > 1 else "MPa")
+    return float(words[0]) * factor if factor and float(words[0]) > 0 else None
+
+
+def find_largest_pressure(run):
+    """Hertz's of all tooth pairs of the drive side over the record [MPa]; None without teeth."""
+    if run.teeth is None or "hertz pressure" not in run.teeth:
+        return None
+    drive = run.teeth["side"] == "drive"
+    return float(run.teeth["hertz pressure"][drive].max()) if drive.any() else None

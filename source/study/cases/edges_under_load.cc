@@ -1,0 +1,104 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/base/text/table.h>
+#include <vfife/gear/unloaded_contact/contact_analysis.h>
+#include <vfife/output/files/figures.h>
+#include <vfife/study/cases/edges_under_load.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vfife
+{
+  EdgesUnderLoad::EdgesUnderLoad(const ContactAnalysis &analysis, const unsigned int driver_teeth)
+    : driver_teeth_(driver_teeth)
+  {
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        borders_[i].name  = analysis.ends[i].border;
+        borders_[i].place = analysis.ends[i].place;
+      }
+  }
+
+  void EdgesUnderLoad::observe(const Table &teeth, const std::string &place, const double per_mesh)
+  {
+    const std::vector<double> &tooth = teeth.numbers(column::tooth_of("pinion")),
+                              &force = teeth.numbers(column::force), &at = teeth.numbers(place);
+    const std::vector<std::string> &side = teeth.column(column::side).texts;
+    for (std::size_t i = 0; i < teeth.n_rows(); ++i)
+      {
+        if (side[i] != side_name(MeshSide::drive))
+          continue;
+        // Tooth z - m comes m meshes after tooth 0, and again every turn: of these the passage that
+        // is nearest to now.
+        const double z        = driver_teeth_;
+        double       distance = at[i] / per_mesh + tooth[i];
+        distance -= z * std::round(distance / z);
+        largest_ = std::max(largest_, force[i]);
+        if (distance < borders_[0].place)
+          borders_[0].force = std::max(borders_[0].force, force[i]);
+        if (distance > borders_[1].place)
+          borders_[1].force = std::max(borders_[1].force, force[i]);
+      }
+  }
+
+  bool EdgesUnderLoad::found() const
+  {
+    return std::max(borders_[0].force, borders_[1].force) > 0.01 * largest_;
+  }
+
+  std::string EdgesUnderLoad::explain() const
+  {
+    std::ostringstream text;
+    text.precision(3);
+    if (!found())
+      {
+        text
+          << "no edges carry: tooth pairs are in contact within their path of contact only, from "
+          << borders_[0].place << " to " << borders_[1].place << " pitches";
+        return text.str();
+      }
+    text << "edges carry: ";
+    for (unsigned int i = 0; i < 2; ++i)
+      text << (i == 0 ? "before" : ", after") << " the path of contact (" << borders_[i].name
+           << ", " << borders_[i].place << " pitches) a tooth pair has up to " << borders_[i].force
+           << " N";
+    text << " of " << largest_
+         << " N. Hertz's pressure holds inside the flanks only; at a sharp edge it is larger and "
+            "depends on the mesh (Contact/edge relief)";
+    return text.str();
+  }
+
+  Json EdgesUnderLoad::json() const
+  {
+    Json json = {{"edges carry", found()}, {"explanation", explain()}};
+    json.update(figures_json({{"path of contact begins", {borders_[0].place, "pitches"}},
+                              {"path of contact ends", {borders_[1].place, "pitches"}},
+                              {"largest force before it", {borders_[0].force, "N"}},
+                              {"largest force after it", {borders_[1].force, "N"}},
+                              {"largest force of a tooth pair", {largest_, "N"}}}));
+    json["borders"] = {borders_[0].name, borders_[1].name};
+    return json;
+  }
+
+  void write_edge_contact(std::optional<EdgesUnderLoad> edges,
+                          const Table                  &teeth,
+                          const std::string            &place,
+                          const double                  per_mesh,
+                          const OutputFolder           &folder,
+                          Log                          &log)
+  {
+    if (!edges)
+      return;
+    edges->observe(teeth, place, per_mesh);
+    if (edges->found())
+      log.warning(edges->explain());
+    else
+      log.line(edges->explain());
+    write_json(folder, "edge_contact.json", edges->json());
+  }
+} // namespace vfife

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reports of studies without a motion: natural frequencies, loaded contact, bodies at rest, several analyses, comparisons."""
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from made_up_run import (  # first: ends the test without the libraries
+    make_parameters, make_ring, quantity, write_parameters, write_run)
+
+import meshio
+import numpy as np
+
+from vfife_report.command import main
+from vfife_report.data.run_folder import RunFolder
+from vfife_report.plots.campbell import draw_campbell
+
+CAMPBELL = "body,nodal diameter [-],order [-],direction,speed [rpm],frequency [Hz]\n" + "".join(
+    f"gear,2,1,forward,{speed},{1000 + 0.1 * speed}\n" for speed in (0, 3000, 6000, 9000))
+RESONANCES = ("body,nodal diameter [-],order [-],wave,mesh order [-],speed [rpm],frequency [Hz]\n"
+              "gear,2,1,with,1,850,1085\ngear,2,1,with,2,413,1041\n")
+MODES = ("body,speed [rpm],mode [-],frequency [Hz],nodal diameter [-],nodal circles [-],direction,fixed frequency [Hz],whirl\n"
+         + "".join(f"gear,0,{k},{1000 + k}.5,2,0,standing,nan,\n" for k in range(1, 31)))
+COUPLED = ("axes,mode [-],frequency [Hz],share of the static turn [-],energy in the gear [-],nodal diameter of the gear [-],"
+           "share of the diameter [-],axial [-],radial [-],tangential [-]\nstanding,1,1571.25,0.62,0.9,0,0.8,0.1,0.1,0.8\n")
+
+
+class Studies(unittest.TestCase):
+    def read(self, folder):
+        main([str(folder)])
+        return (Path(folder) / "report.html").read_text(encoding="utf-8")
+
+    def test_frequencies(self):
+        """The lowest modes are a table; the diagram says whose speed it is over, where the pair works, and which line is which."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            write_parameters(folder, {**make_parameters(), "Study/kind": ("modal", "")})
+            (folder / "modes.csv").write_text(MODES)
+            (folder / "campbell.csv").write_text(CAMPBELL)
+            (folder / "resonances.csv").write_text(RESONANCES)
+            text = self.read(folder)
+            self.assertIn("1001.5", text)
+            self.assertIn("1012.5", text)
+            self.assertNotIn("1013.5", text)
+            self.assertIn("12 each of 30 rows of modes.csv", text)
+            axes = draw_campbell(RunFolder(folder), "gear").axes[0]
+            self.assertEqual(axes.get_xlabel(), "speed of the gear [rpm]")
+            written = " ".join(one.get_text() for one in axes.texts)
+            for words in ("mesh order 1", "mesh order 2", "operation, 6835 rpm"):  # 20000 27/79
+                self.assertIn(words, written)
+
+    def test_loaded_contact(self):
+        with tempfile.TemporaryDirectory() as name:
+            (Path(name) / "coupled_modes.csv").write_text(COUPLED)
+            text = self.read(name)
+            for words in ("1571.2", "share of the static turn", "0.62"):
+                self.assertIn(words, text)
+
+    def test_at_rest(self):
+        """Fields of single bodies, which no instant names."""
+        with tempfile.TemporaryDirectory() as name:
+            (Path(name) / "fields").mkdir()
+            points = make_ring(20, 30, 5, 24)
+            n = len(points)
+            meshio.Mesh(points.reshape(-1, 3), [("hexahedron", np.arange(8 * n).reshape(n, 8))],
+                        {"von mises": points[..., 0].ravel() ** 2}).write(Path(name) / "fields" / "ring.vtu")
+            text = self.read(name)
+            self.assertTrue((Path(name) / "pictures" / "bodies.png").is_file())
+            self.assertEqual(text.count("<img "), 1)
+
+    def test_analyses(self):
+        """Three loaded analyses with other offsets: their figures stand beside each other, and are curves."""
+        with tempfile.TemporaryDirectory() as name:
+            for number, offset in enumerate((0.0, 0.1, 0.2)):
+                folder = Path(name) / f"run_{number + 1:02}"
+                folder.mkdir()
+                write_parameters(folder, {**make_parameters(), "Gear pair/Mounting/offset": (f"{offset}", "mm")})
+                (folder / "figures.json").write_text(json.dumps(
+                    {"transmission error mean": quantity(-80.25 - number, "arcsec")}))
+            text = self.read(name)
+            for words in ("offset 0.1 mm", "transmission error mean", "\u221280.25", "\u221282.25", "finished"):
+                self.assertIn(words, text)
+            self.assertTrue((Path(name) / "pictures" / "curves.svg").is_file())
+
+    def test_comparison(self):
+        """What rows are compared with stands below them, and the run beside the static curve."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "run").mkdir()
+            write_run(folder / "run", fields=False)
+            (folder / "loaded").mkdir()
+            (folder / "loaded" / "loaded_contact.csv").write_text(
+                "position [tooth meshes],transmission error [arcsec]\n0,-80\n0.5,-81\n")
+            row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0, "reference kind": "FEM",
+                   "difference": -4.0, "tolerance": 1.0, "verdict": "differs", "reason": "coarse mesh"}
+            (folder / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row]}))
+            text = self.read(folder)
+            self.assertIn('<tr class="note"><td colspan="8">FEM: coarse mesh</td></tr>', text)
+            self.assertNotIn("<th>why</th>", text)
+            self.assertTrue((folder / "pictures" / "static_curve.svg").is_file())
+
+
+if __name__ == "__main__":
+    unittest.main()
