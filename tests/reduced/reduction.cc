@@ -41,7 +41,7 @@ namespace
       , discretization_(loose, {0}, fem.element)
       , assembly_(discretization_, {}, communicator)
       , matrices_(assembly_, fem.mass, fem.strain)
-      , compliance_(model, fem, model.bodies[0].rate != 0, communicator)
+      , compliance_(model, fem, model.bodies[0].rate != 0, communicator, Factorized::bodies)
       , turn_(3 * std::size_t(body().n_nodes()))
     {
       for (std::size_t i = 0; i < body().n_nodes(); ++i)

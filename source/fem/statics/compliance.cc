@@ -27,33 +27,16 @@ namespace vfife
   Compliance::Compliance(const Model        &model,
                          const FemOptions   &options,
                          const bool          centrifugal,
-                         const Communicator &communicator)
+                         const Communicator &communicator,
+                         const Factorized    factorized)
     : model_(model)
     , communicator_(communicator)
     , discretization_(model, all_bodies(model), options.element)
   {
     check_motions();
-    Unknowns::Options unknowns;
-    // A hub that turns freely would leave K singular; its turn is an unknown of who asks, and the
-    // pin carries nothing in equilibrium.
-    unknowns.rotation = HubRotation::pinned;
-    assembly_         = std::make_unique<Assembly>(discretization_, unknowns, communicator);
-    const SystemMatrices matrices(*assembly_, options.mass, options.strain);
     spun_.assign(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
-    if (!centrifugal)
-      factorize(matrices.stiffness(), 0);
-    else
-      {
-        const auto rate = [&model](const unsigned int body) { return model.bodies[body].rate; };
-        // The factors that are left are those of the state of spin.
-        spun_ =
-          find_spin_state(matrices, rate, true, 0., "the bodies have", [&](const SparseValues &K) {
-            standing_ = find_standing_motions(matrices, K, rate);
-            // Shifts and tilts may be faster than their bearings allow.
-            factorize(K, 4 * standing_.size());
-            return [this](OwnedVector &q) { solver_->solve(q.data(), 1); };
-          }).displacements;
-      }
+    if (factorized == Factorized::bodies || !factorize_sectors(options, centrifugal))
+      factorize_bodies(options, centrifugal);
 
     // The traction of the torque bends the bodies at every position alike; contact is
     // added by who asks.
@@ -62,6 +45,64 @@ namespace vfife
       if (const auto *part = discretization_.find_part(torque.body))
         add_torque_forces(torque, discretization_, *part, torque.value, forces);
     twisted_ = solve(forces);
+  }
+
+  bool Compliance::factorize_sectors(const FemOptions &options, const bool centrifugal)
+  {
+    FemOptions turning = options;
+    turning.hold_hubs  = false;
+    try
+      {
+        for (const Discretization::Part &part : discretization_.parts())
+          {
+            const double rate = centrifugal ? model_.bodies[part.body].rate : 0.;
+            sectors_.push_back(
+              {std::make_unique<CyclicStatics>(model_, part.body, turning, rate, communicator_),
+               3 * std::size_t(part.first_point),
+               3 * std::size_t(part.n_points),
+               {}});
+          }
+      }
+    catch (const InputError &)
+      {
+        // A body without equal sectors, or something that is not alike in all of them: no error
+        // here. What is one is met again by the whole bodies.
+        sectors_.clear();
+        return false;
+      }
+    for (const SectorBody &body : sectors_)
+      {
+        n_unknowns_ += body.statics->n_unknowns();
+        const std::vector<double> spun = body.statics->spun();
+        std::copy(spun.begin(), spun.end(), spun_.begin() + body.first);
+      }
+    return true;
+  }
+
+  void Compliance::factorize_bodies(const FemOptions &options, const bool centrifugal)
+  {
+    Unknowns::Options unknowns;
+    // A hub that turns freely would leave K singular; its turn is an unknown of who asks, and the
+    // pin carries nothing in equilibrium.
+    unknowns.rotation = HubRotation::pinned;
+    assembly_         = std::make_unique<Assembly>(discretization_, unknowns, communicator_);
+    rings_            = assembly_->rings();
+    n_unknowns_       = assembly_->unknowns().n();
+    const SystemMatrices matrices(*assembly_, options.mass, options.strain);
+    if (!centrifugal)
+      {
+        factorize(matrices.stiffness(), 0);
+        return;
+      }
+    const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
+    // The factors that are left are those of the state of spin.
+    spun_ =
+      find_spin_state(matrices, rate, true, 0., "the bodies have", [&](const SparseValues &K) {
+        standing_ = find_standing_motions(matrices, K, rate);
+        // Shifts and tilts may be faster than their bearings allow.
+        factorize(K, 4 * standing_.size());
+        return [this](OwnedVector &q) { solver_->solve(q.data(), 1); };
+      }).displacements;
   }
 
   void Compliance::check_motions()
@@ -103,8 +144,29 @@ namespace vfife
       throw NumericalError("the bodies have no stable state of spin: the speed is too high");
   }
 
+  double Compliance::memory() const
+  {
+    if (!by_sectors())
+      return solver_->memory();
+    double sum = 0;
+    for (const SectorBody &body : sectors_)
+      sum += body.statics->memory();
+    return communicator_.sum(sum);
+  }
+
   std::vector<double> Compliance::solve(const std::vector<double> &forces) const
   {
+    if (by_sectors())
+      {
+        std::vector<double> all(forces.size());
+        for (const SectorBody &body : sectors_)
+          {
+            const auto                begin = forces.begin() + body.first;
+            const std::vector<double> u     = body.statics->solve({begin, begin + body.n});
+            std::copy(u.begin(), u.end(), all.begin() + body.first);
+          }
+        return all;
+      }
     OwnedVector q = assembly_->restrict_forces(forces);
     solver_->solve(q.data(), 1);
     return assembly_->expand(q);
@@ -118,6 +180,19 @@ namespace vfife
     for (const PointMotion &motion : motions_)
       n_rows += motion.motion.rows();
     columns_.assign(n_rows, Eigen::VectorXd());
+    for (SectorBody &body : sectors_)
+      {
+        body.watched.clear();
+        std::vector<unsigned int> nodes;
+        for (unsigned int k = 0; k < watched_.size(); ++k)
+          if (3 * std::size_t(watched_[k]) >= body.first &&
+              3 * std::size_t(watched_[k]) < body.first + body.n)
+            {
+              body.watched.push_back(k);
+              nodes.push_back(watched_[k] - body.first / 3);
+            }
+        body.statics->watch(std::move(nodes));
+      }
   }
 
   Eigen::VectorXd Compliance::at_rows(const std::vector<double> &u) const
@@ -160,15 +235,42 @@ namespace vfife
     missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
     n_prepared_ += missing.size();
 
-    // In blocks: MUMPS reads its factors once for each, and right sides stay few in memory.
-    for (std::size_t first = 0; first < missing.size(); first += block)
+    if (!by_sectors())
+      add_columns(missing);
+    else
+      for (const unsigned int row : missing)
+        if (motions_.empty())
+          add_column(row);
+        else
+          columns_[row] = at_rows(solve(spread(Eigen::VectorXd::Unit(columns_.size(), row))));
+  }
+
+  void Compliance::add_column(const unsigned int row)
+  {
+    // The other bodies do not move under a force on this one.
+    columns_[row] = Eigen::VectorXd::Zero(columns_.size());
+    for (const SectorBody &body : sectors_)
       {
-        const std::size_t   n = std::min<std::size_t>(block, missing.size() - first);
+        const auto found = std::find(body.watched.begin(), body.watched.end(), row / 3);
+        if (found == body.watched.end())
+          continue;
+        const Eigen::VectorXd u = body.statics->column(found - body.watched.begin(), row % 3);
+        for (std::size_t i = 0; i < body.watched.size(); ++i)
+          columns_[row].segment<3>(3 * body.watched[i]) = u.segment<3>(3 * i);
+      }
+  }
+
+  void Compliance::add_columns(const std::vector<unsigned int> &rows)
+  {
+    // In blocks: MUMPS reads its factors once for each, and right sides stay few in memory.
+    for (std::size_t first = 0; first < rows.size(); first += block)
+      {
+        const std::size_t   n = std::min<std::size_t>(block, rows.size() - first);
         std::vector<double> all;
         for (std::size_t i = first; i < first + n; ++i)
           {
-            const OwnedVector q = assembly_->restrict_forces(
-              spread(Eigen::VectorXd::Unit(columns_.size(), missing[i])));
+            const OwnedVector q =
+              assembly_->restrict_forces(spread(Eigen::VectorXd::Unit(columns_.size(), rows[i])));
             all.insert(all.end(), q.begin(), q.end());
           }
         solver_->solve(all.data(), n);
@@ -176,7 +278,7 @@ namespace vfife
         for (std::size_t i = 0; i < n; ++i)
           {
             const OwnedVector q(all.begin() + i * n_own, all.begin() + (i + 1) * n_own);
-            columns_[missing[first + i]] = at_rows(assembly_->expand(q));
+            columns_[rows[first + i]] = at_rows(assembly_->expand(q));
           }
       }
   }

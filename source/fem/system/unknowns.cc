@@ -14,6 +14,13 @@ namespace vfife
   namespace
   {
     constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+    /** From one sector to the next, fixed frame. */
+    Matrix3 sector_turn(const Discretization &discretization)
+    {
+      const Body &body = discretization.model().bodies[discretization.parts()[0].body];
+      return rotation_about(compute_sector_axis(body).direction, discretization.sector_angle());
+    }
   } // namespace
 
   /** Directions in which a point may move, and the unknowns that belong to them. */
@@ -98,8 +105,14 @@ namespace vfife
             local.columns.col(2) = tangent;
           }
       }
-    for (const auto &image : discretization.images())
-      axes[image.first].is_image = true;
+    for (const auto &[image, original] : discretization.images())
+      if (options.open)
+        {
+          axes[image]         = axes[original];
+          axes[image].columns = sector_turn(discretization) * axes[original].columns;
+        }
+      else
+        axes[image].is_image = true;
 
     std::vector<LocalAxes> all = axes;
     if (n_copies_ == 2)
@@ -163,16 +176,11 @@ namespace vfife
     const unsigned int n_points = discretization.n_points();
     // By copy: which point it is the image of.
     std::map<unsigned int, unsigned int> original;
-    for (const auto &image : discretization.images())
-      original.insert(image);
+    if (!options.open)
+      original.insert(discretization.images().begin(), discretization.images().end());
 
-    Matrix3 turn = Matrix3::Identity();
-    if (!original.empty())
-      {
-        const Body &body = discretization.model().bodies[discretization.parts()[0].body];
-        turn = rotation_about(compute_sector_axis(body).direction, discretization.sector_angle());
-      }
-    const double phase = options.harmonic * discretization.sector_angle();
+    const Matrix3 turn  = original.empty() ? Matrix3::Identity() : sector_turn(discretization);
+    const double  phase = options.harmonic * discretization.sector_angle();
 
     const auto add = [&](const LocalAxes &local, const Matrix3 &factor, const unsigned int c) {
       for (unsigned int k = 0; k < 3; ++k)

@@ -139,7 +139,7 @@ namespace vfife
              compliance.n_unknowns(),
              " unknowns, factors of ",
              compliance.memory(),
-             " MB in ",
+             compliance.by_sectors() ? " MB by one sector of each body in " : " MB in ",
              seconds_since(start),
              " s");
 

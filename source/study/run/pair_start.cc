@@ -57,7 +57,8 @@ namespace vfife
       std::make_unique<PairEquilibrium>(model, *compliance_, penalties, std::vector<double>(1, 0.));
     log.line("  stiffness of ",
              compliance_->n_unknowns(),
-             " unknowns factorized in ",
+             " unknowns factorized",
+             compliance_->by_sectors() ? " by one sector of each body in " : " in ",
              seconds_since(start),
              " s, factors of ",
              compliance_->memory(),

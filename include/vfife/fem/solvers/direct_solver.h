@@ -8,6 +8,8 @@
 
 namespace vfife
 {
+  struct MumpsInstance;
+
   /**
    * L D L^T of a symmetric sparse matrix by MUMPS on all ranks. All functions are collective;
    * throws NumericalError with MUMPS' code when it fails.
@@ -35,11 +37,9 @@ namespace vfife
     double memory() const;
 
   private:
-    struct Instance;
-
-    const Communicator       &communicator_;
-    std::vector<int>          counts_; ///< rows of each rank
-    std::unique_ptr<Instance> instance_;
+    const Communicator            &communicator_;
+    std::vector<int>               counts_; ///< rows of each rank
+    std::unique_ptr<MumpsInstance> instance_;
   };
 } // namespace vfife
 

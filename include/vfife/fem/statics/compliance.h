@@ -2,6 +2,7 @@
 #ifndef vfife_fem_statics_compliance_h
 #define vfife_fem_statics_compliance_h
 
+#include <vfife/fem/cyclic/cyclic_statics.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/statics/standing_motion.h>
@@ -11,12 +12,20 @@
 
 namespace vfife
 {
+  /** What a Compliance factorizes; the answers are the same. */
+  enum class Factorized
+  {
+    sectors, ///< one sector of each body where all are made of equal ones that are held alike
+    bodies   ///< the bodies as they are
+  };
+
   /**
-   * What all bodies of a model do under forces, in axes that turn with them; factorized once. Hubs
-   * that turn freely are pinned about the axis, and so is the driven body of a pair that turns in
-   * bearings: the pin carries nothing where loads have no moment about the axis, and the rotation
-   * of such a body is an unknown of whoever asks (PairEquilibrium). Bearings are springs, linear
-   * and in the mean over turns where bodies turn (BearingRing::stiffness_at()).
+   * What all bodies of a model do under forces, in axes that turn with them; factorized once, by
+   * one sector of each body where they have equal ones (CyclicStatics). Hubs that turn freely are
+   * pinned about the axis, and so is the driven body of a pair that turns in bearings: the pin
+   * carries nothing where loads have no moment about the axis, and the rotation of such a body is
+   * an unknown of whoever asks (PairEquilibrium). Bearings are springs, linear and in the mean over
+   * turns where bodies turn (BearingRing::stiffness_at()).
    *
    * In spin the matrix is the tangent K(u0) - Omega^2 S (+ curvature of the hub) at the state of
    * spin u0 (doc/fem.md). All functions are collective; results are equal on all ranks.
@@ -29,11 +38,17 @@ namespace vfife
     Compliance(const Model        &model,
                const FemOptions   &options,
                bool                centrifugal,
-               const Communicator &communicator);
+               const Communicator &communicator,
+               Factorized          factorized = Factorized::sectors);
 
     const Discretization &discretization() const
     {
       return discretization_;
+    }
+    /** Whether one sector of each body is factorized. */
+    bool by_sectors() const
+    {
+      return !sectors_.empty();
     }
 
     /** Displacements of all points (3 a point) under centrifugal forces alone [mm]; zero without.
@@ -57,7 +72,7 @@ namespace vfife
     /** Of bearings and couplings. */
     const std::vector<BearingRing> &rings() const
     {
-      return assembly_->rings();
+      return rings_;
     }
 
     /** What this stiffness lacks for bodies in bearings that spin, and whoever asks adds. */
@@ -92,27 +107,41 @@ namespace vfife
 
     unsigned int n_unknowns() const
     {
-      return assembly_->unknowns().n();
+      return n_unknowns_;
     }
     /** Unit forces solved for so far. */
     unsigned int n_prepared() const
     {
       return n_prepared_;
     }
-    double memory() const
-    {
-      return solver_->memory(); ///< of the factors on all ranks [MB]
-    }
+    /** Of the factors on all ranks [MB]. Collective. */
+    double memory() const;
 
   private:
+    /** A body by one of its sectors. */
+    struct SectorBody
+    {
+      std::unique_ptr<CyclicStatics> statics;
+      std::size_t                    first;   ///< of its displacements among those of all points
+      std::size_t                    n;       ///< displacements
+      std::vector<unsigned int>      watched; ///< places of its points among the watched ones
+    };
+
     void check_motions();
+    bool factorize_sectors(const FemOptions &options, bool centrifugal);
+    void factorize_bodies(const FemOptions &options, bool centrifugal);
     void factorize(SparseValues K, unsigned int n_whirls);
+    void add_column(unsigned int row);
+    void add_columns(const std::vector<unsigned int> &rows);
 
     const Model                  &model_;
     const Communicator           &communicator_;
     Discretization                discretization_;
     std::unique_ptr<Assembly>     assembly_;
     std::unique_ptr<DirectSolver> solver_;
+    std::vector<SectorBody>       sectors_; ///< of all bodies, and no matrix of theirs; or none
+    std::vector<BearingRing>      rings_;
+    unsigned int                  n_unknowns_ = 0;
     std::vector<double>           spun_, twisted_;
     std::vector<StandingMotion>   standing_;
     std::vector<unsigned int>     turning_; ///< bodies free to turn

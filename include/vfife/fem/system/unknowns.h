@@ -46,6 +46,9 @@ namespace vfife
       bool         padded   = false;
       unsigned int harmonic = 0; ///< of a sector
       HubRotation  rotation = HubRotation::free;
+      /** Of a sector: images have unknowns of their own, along the axes of their originals turned,
+       * in the order of theirs. There are no harmonics then. */
+      bool open = false;
       /** Directions with a displacement other than zero are taken as held; else InputError. */
       bool led_are_held = false;
     };

@@ -1,0 +1,100 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_cyclic_cyclic_statics_h
+#define vfife_fem_cyclic_cyclic_statics_h
+
+#include <vfife/fem/cyclic/cyclic_body.h>
+#include <vfife/fem/solvers/condensation.h>
+#include <vfife/fem/solvers/hermitian_factor.h>
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * What a body of equal sectors does under any forces about its state of spin, in axes that turn
+   * with it: one sector is condensed onto its borders, and the borders of all are solved for
+   * harmonic by harmonic (doc/fem.md, Static by sectors). The answers are those of the whole
+   * body's stiffness matrix, a hub that turns freely being pinned as HubRotation::pinned says.
+   * Ranks share the harmonics; all functions but column() are collective, and results are equal on
+   * all ranks.
+   */
+  class CyclicStatics
+  {
+  public:
+    /** Throws as CyclicBody, and InputError for bodies with more than one hub that turns or with
+     * one that something else holds; NumericalError where the body is not stable at @p rate. */
+    CyclicStatics(const Model        &model,
+                  unsigned int        body,
+                  const FemOptions   &options,
+                  double              rate,
+                  const Communicator &communicator);
+
+    /** Displacements of all nodes of the body in the state of spin (3 a node, fixed frame) [mm]. */
+    std::vector<double> spun() const;
+
+    /** Displacements of all nodes under forces at all of them (3 a node, fixed frame) [mm]. */
+    std::vector<double> solve(const std::vector<double> &forces) const;
+
+    /** Nodes of the body between which column() tells displacements. */
+    void watch(std::vector<unsigned int> nodes);
+
+    /** Displacements of the watched nodes (3 each) under a unit force along the axis @p component
+     * of the fixed frame at the node number @p watched of them [mm/N]. */
+    Eigen::VectorXd column(std::size_t watched, unsigned int component) const;
+
+    /** Of the whole body. */
+    unsigned int n_unknowns() const;
+
+    /** Of the factors, on this rank [MB]. */
+    double memory() const;
+
+  private:
+    struct Harmonic
+    {
+      unsigned int    number;
+      HermitianFactor factor;
+    };
+    void                      find_hub(const Model &model, unsigned int body);
+    std::vector<unsigned int> find_border() const;
+    void                      factorize();
+    Eigen::MatrixXcd          harmonic_matrix(unsigned int number) const;
+    /** exp(i h alpha s) of the harmonic h and s sectors. */
+    std::complex<double> phase(unsigned int harmonic, unsigned int sectors) const;
+    /** Of the harmonic's real part in a sum over all of them. */
+    double weight(unsigned int harmonic) const;
+    /** Displacements of both borders of all sectors (a column each) under loads on them. */
+    Eigen::MatrixXd solve_borders(const Eigen::MatrixXd &loads) const;
+    Matrix3         turned(unsigned int sector) const;
+    /** Part of border 0 in the turn of the body, whose stiffness is added to h = 0. */
+    Eigen::VectorXd turn_of_border() const;
+    void            find_pin();
+    /** Loads on the unknowns of all sectors, a column each. */
+    Eigen::MatrixXd     restrict_forces(const std::vector<double> &forces) const;
+    std::vector<double> expand(const Eigen::MatrixXd &x) const;
+    Eigen::MatrixXd     solve_sectors(Eigen::MatrixXd x) const;
+
+    CyclicBody                    body_;
+    const Communicator           &communicator_;
+    HubRotation                   hub_ = HubRotation::pinned; ///< of the sector's unknowns
+    std::unique_ptr<Assembly>     sector_; ///< open: its images are points of their own
+    std::unique_ptr<Condensation> condensed_;
+    unsigned int                  n_border_ = 0; ///< unknowns of one border
+    std::vector<Harmonic>         harmonics_;    ///< of this rank
+
+    // Of a hub whose points turn by themselves:
+    bool            pinned_         = false;
+    unsigned int    pin_            = 0;                       ///< node
+    double          turn_stiffness_ = 0;                       ///< added to h = 0
+    Eigen::MatrixXd pin_fields_;                               ///< of all nodes, two columns
+    Eigen::Matrix2d pin_compliance_ = Eigen::Matrix2d::Zero(); ///< that the pin takes away
+
+    std::vector<unsigned int>               watched_;     ///< nodes
+    std::vector<unsigned int>               locals_;      ///< their copies in sector 0
+    std::map<unsigned int, Eigen::MatrixXd> flexibility_; ///< by the sectors from force to answer
+  };
+} // namespace vfife
+
+#endif

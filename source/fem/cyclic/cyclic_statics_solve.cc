@@ -1,0 +1,186 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Forces and displacements of all sectors, with the factors of CyclicStatics.
+#include <vfife/fem/cyclic/cyclic_statics.h>
+#include <vfife/model/body_frame.h>
+
+#include <algorithm>
+#include <set>
+
+namespace vfife
+{
+  using Complex = std::complex<double>;
+
+  std::vector<double> CyclicStatics::spun() const
+  {
+    const unsigned int  n_nodes = nodes_per_sector(body_.body());
+    std::vector<double> u;
+    for (unsigned int k = 0; k < body_.n_sectors(); ++k)
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        {
+          const Vector3 moved =
+            turned(k) * Eigen::Map<const Vector3>(body_.equilibrium().data() + 3 * std::size_t(i));
+          u.insert(u.end(), moved.data(), moved.data() + 3);
+        }
+    return u;
+  }
+
+  Eigen::MatrixXd CyclicStatics::solve_borders(const Eigen::MatrixXd &loads) const
+  {
+    // A load on border 1 acts on border 0 of the next sector: g_h = sum over k of exp(-i h k alpha)
+    // (g_0 + exp(-i h alpha) g_1), and x_k = sum over h of w Re(x_h exp(i h k alpha)).
+    const unsigned int n = n_border_, n_sectors = loads.cols();
+    Eigen::MatrixXd    x = Eigen::MatrixXd::Zero(n, n_sectors);
+    for (const Harmonic &harmonic : harmonics_)
+      {
+        Eigen::VectorXcd phases(n_sectors);
+        for (unsigned int k = 0; k < n_sectors; ++k)
+          phases[k] = phase(harmonic.number, k);
+        const Eigen::VectorXcd all = loads.cast<Complex>() * phases.conjugate();
+        const Eigen::VectorXcd on_border =
+          all.head(n) + std::conj(phase(harmonic.number, 1)) * all.tail(n);
+        const Eigen::VectorXcd answer = weight(harmonic.number) * harmonic.factor.solve(on_border);
+        x += (answer * phases.transpose()).real();
+      }
+    communicator_.sum(x.data(), x.size());
+    Eigen::MatrixXd both(2 * n, n_sectors);
+    for (unsigned int k = 0; k < n_sectors; ++k)
+      both.col(k) << x.col(k), x.col((k + 1) % n_sectors);
+    return both;
+  }
+
+  Eigen::MatrixXd CyclicStatics::restrict_forces(const std::vector<double> &forces) const
+  {
+    // Forces of each sector in the axes of sector 0; none on the images of the next one's.
+    const std::size_t   n_own = 3 * std::size_t(nodes_per_sector(body_.body()));
+    std::vector<double> at_points(3 * std::size_t(body_.sector().n_points()), 0.);
+    Eigen::MatrixXd     x(sector_->unknowns().n(), body_.n_sectors());
+    for (unsigned int k = 0; k < body_.n_sectors(); ++k)
+      {
+        const Matrix3 back = turned(k).transpose();
+        for (std::size_t i = 0; i < n_own; i += 3)
+          Eigen::Map<Vector3>(at_points.data() + i) =
+            back * Eigen::Map<const Vector3>(forces.data() + k * n_own + i);
+        const OwnedVector loads = sector_->restrict_forces(at_points);
+        x.col(k)                = Eigen::Map<const Eigen::VectorXd>(loads.data(), loads.size());
+      }
+    return x;
+  }
+
+  std::vector<double> CyclicStatics::expand(const Eigen::MatrixXd &x) const
+  {
+    const std::size_t   n_own = 3 * std::size_t(nodes_per_sector(body_.body()));
+    std::vector<double> u;
+    for (unsigned int k = 0; k < body_.n_sectors(); ++k)
+      {
+        const OwnedVector         q(x.col(k).data(), x.col(k).data() + x.rows());
+        const std::vector<double> here = sector_->expand(q);
+        const Matrix3             turn = turned(k);
+        for (std::size_t i = 0; i < n_own; i += 3)
+          {
+            const Vector3 moved = turn * Eigen::Map<const Vector3>(here.data() + i);
+            u.insert(u.end(), moved.data(), moved.data() + 3);
+          }
+      }
+    return u;
+  }
+
+  Eigen::MatrixXd CyclicStatics::solve_sectors(Eigen::MatrixXd x) const
+  {
+    // Down to the borders, around the body, and back.
+    condensed_->solve(x, [this](const Eigen::MatrixXd &loads) { return solve_borders(loads); });
+    return x;
+  }
+
+  std::vector<double> CyclicStatics::solve(const std::vector<double> &forces) const
+  {
+    std::vector<double> u = expand(solve_sectors(restrict_forces(forces)));
+    if (pinned_)
+      Eigen::Map<Eigen::VectorXd>(u.data(), u.size()) -=
+        pin_fields_ *
+        (pin_compliance_ * (pin_fields_.transpose() *
+                            Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size())));
+    return u;
+  }
+
+  void CyclicStatics::watch(std::vector<unsigned int> nodes)
+  {
+    // 1. The nodes as copies of points of sector 0.
+    watched_                       = std::move(nodes);
+    const unsigned int     n_nodes = nodes_per_sector(body_.body());
+    std::set<unsigned int> points, sectors;
+    for (const unsigned int node : watched_)
+      {
+        points.insert(node % n_nodes);
+        sectors.insert(node / n_nodes);
+      }
+    locals_.assign(points.begin(), points.end());
+    flexibility_.clear();
+    if (watched_.empty())
+      return;
+
+    // 2. Unit forces at these points: what the sector does with its borders held, and the loads on
+    // them. The transpose of these is what the points do as the borders move.
+    const unsigned int  m = 3 * locals_.size();
+    Eigen::MatrixXd     x(sector_->unknowns().n(), m), loads;
+    std::vector<double> unit(3 * std::size_t(body_.sector().n_points()), 0.);
+    for (unsigned int i = 0; i < m; ++i)
+      {
+        double &one             = unit[3 * std::size_t(locals_[i / 3]) + i % 3];
+        one                     = 1.;
+        const OwnedVector force = sector_->restrict_forces(unit);
+        x.col(i)                = Eigen::Map<const Eigen::VectorXd>(force.data(), force.size());
+        one                     = 0.;
+      }
+    const Eigen::MatrixXd forces = x;
+    condensed_->solve(x, [&loads](const Eigen::MatrixXd &on_borders) -> Eigen::MatrixXd {
+      loads = on_borders;
+      return Eigen::MatrixXd::Zero(on_borders.rows(), on_borders.cols());
+    });
+
+    // 3. Around the body, for all pairs of sectors that are asked for.
+    for (const unsigned int from : sectors)
+      for (const unsigned int to : sectors)
+        flexibility_[(to + body_.n_sectors() - from) % body_.n_sectors()] =
+          Eigen::MatrixXd::Zero(m, m);
+    const unsigned int n = n_border_;
+    for (const Harmonic &harmonic : harmonics_)
+      {
+        const unsigned int     h = harmonic.number;
+        const Eigen::MatrixXcd A =
+          weight(h) *
+          harmonic.factor.project(loads.topRows(n).cast<Complex>() +
+                                  std::conj(phase(h, 1)) * loads.bottomRows(n).cast<Complex>());
+        for (auto &[d, flexibility] : flexibility_)
+          flexibility += phase(h, d).real() * A.real() - phase(h, d).imag() * A.imag();
+      }
+    for (auto &[d, flexibility] : flexibility_)
+      communicator_.sum(flexibility.data(), flexibility.size());
+    flexibility_.at(0) += forces.transpose() * x;
+  }
+
+  Eigen::VectorXd CyclicStatics::column(const std::size_t  watched,
+                                        const unsigned int component) const
+  {
+    const unsigned int n_nodes = nodes_per_sector(body_.body()), n_sectors = body_.n_sectors();
+    const auto         local = [&](const unsigned int node) {
+      return 3 *
+             (std::lower_bound(locals_.begin(), locals_.end(), node % n_nodes) - locals_.begin());
+    };
+    // The force in the axes of its sector, each displacement in those of its own.
+    const unsigned int at = watched_[watched], from = at / n_nodes;
+    const Vector3      force = turned(from).transpose().col(component);
+    Eigen::Vector2d    held  = Eigen::Vector2d::Zero();
+    if (pinned_)
+      held = pin_compliance_ * pin_fields_.row(3 * std::size_t(at) + component).transpose();
+    Eigen::VectorXd u(3 * watched_.size());
+    for (std::size_t i = 0; i < watched_.size(); ++i)
+      {
+        const unsigned int     node = watched_[i], to = node / n_nodes;
+        const Eigen::MatrixXd &A = flexibility_.at((to + n_sectors - from) % n_sectors);
+        u.segment<3>(3 * i)      = turned(to) * A.block<3, 3>(local(node), local(at)) * force;
+        if (pinned_)
+          u.segment<3>(3 * i) -= pin_fields_.middleRows<3>(3 * std::size_t(node)) * held;
+      }
+    return u;
+  }
+} // namespace vfife

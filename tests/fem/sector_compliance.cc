@@ -1,0 +1,142 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// What bodies do under forces by one of their sectors, beside the factors of the whole bodies.
+#include "../reduced/whole_body.h"
+#include "../tests.h"
+#include "pair_in_bearings.h"
+
+#include <vfife/base/errors.h>
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/fem/statics/compliance.h>
+
+#include <cmath>
+
+using namespace vfife;
+
+namespace
+{
+  using Field = std::vector<double>;
+
+  /** Largest difference over the largest number. */
+  double difference(const Field &a, const Field &b)
+  {
+    double worst = 0, largest = 1e-300;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      {
+        worst   = largest_of(worst, std::abs(a[i] - b[i]));
+        largest = largest_of(largest, std::abs(a[i]));
+      }
+    return worst / largest;
+  }
+
+  /** Forces that have nothing to do with sectors. */
+  Field some_forces(const std::size_t n)
+  {
+    Field forces;
+    for (std::size_t i = 0; i < n; ++i)
+      forces.push_back(std::sin(1.7 * i) + (i % 11 == 0 ? 5. : 0.));
+    return forces;
+  }
+
+  /** Both ways: state of spin, answer to the torque, to forces everywhere and to unit forces at
+   * nodes of some sectors. */
+  void compare(const std::string &name, const Model &model, const Communicator &communicator)
+  {
+    const bool spins = model.bodies[0].rate != 0;
+    Compliance sectors(model, {}, spins, communicator),
+      bodies(model, {}, spins, communicator, Factorized::bodies);
+    check(name + ": by sectors", sectors.by_sectors() && !bodies.by_sectors());
+    check(name + ": unknowns", sectors.n_unknowns() == bodies.n_unknowns());
+    // Found by Newton's method to 1e-7.
+    if (spins)
+      check_below(name + ": state of spin", difference(bodies.spun(), sectors.spun()), 1e-8);
+    check_below(name + ": torque", difference(bodies.twisted(), sectors.twisted()), 1e-8);
+    const Field forces = some_forces(bodies.spun().size());
+    check_below(name + ": forces", difference(bodies.solve(forces), sectors.solve(forces)), 1e-8);
+
+    const unsigned int n          = model.bodies[0].n_nodes(),
+                       per_sector = n / model.bodies[0].mesh().n_sectors;
+    std::vector<unsigned int> nodes;
+    for (const unsigned int sector : {0u, 1u, 4u, model.bodies[0].mesh().n_sectors - 1})
+      for (unsigned int i = 0; i < per_sector; i += 1 + per_sector / 9)
+        nodes.push_back(sector * per_sector + i);
+    std::vector<unsigned int> rows(3 * nodes.size());
+    std::iota(rows.begin(), rows.end(), 0u);
+    double worst = 0, largest = 0;
+    for (Compliance *compliance : {&sectors, &bodies})
+      {
+        compliance->watch(nodes);
+        compliance->prepare(rows);
+      }
+    for (const unsigned int row : rows)
+      {
+        worst = largest_of(worst, (sectors.column(row) - bodies.column(row)).cwiseAbs().maxCoeff());
+        largest = largest_of(largest, bodies.column(row).cwiseAbs().maxCoeff());
+      }
+    check_below(name + ": unit forces", worst / largest, 1e-8);
+  }
+
+  /** The loaded pair both ways. */
+  void pair(const std::string &name, const Model &model, const Communicator &communicator)
+  {
+    const auto find = [&](const Factorized factorized) {
+      Compliance compliance(model, lumped_masses(), true, communicator, factorized);
+      check(name + ": sectors or bodies",
+            compliance.by_sectors() == (factorized == Factorized::sectors));
+      PairEquilibrium equilibrium(model, compliance, {6e5, 6e5}, {.1});
+      return equilibrium.solve(.1, 1.);
+    };
+    const PairEquilibriumResult sectors = find(Factorized::sectors),
+                                bodies  = find(Factorized::bodies);
+    check(name + ": teeth", sectors.teeth.size() == bodies.teeth.size());
+    check_close(name + ": first touch", sectors.touch_turn / bodies.touch_turn, 1., 1e-8);
+    check_close(name + ": turn", sectors.turn / bodies.turn, 1., 1e-8);
+    check_close(name + ": slope", sectors.turn_slope / bodies.turn_slope, 1., 1e-8);
+    check_below(name + ": displacements",
+                difference(bodies.displacements, sectors.displacements),
+                1e-8);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession          session(argc, argv);
+  const Communicator &world = session.world();
+  if (!world.is_root())
+    std::cout.setstate(std::ios::failbit);
+
+  for (const double rate : {0., 3000.})
+    for (const auto &[name, hub] : {std::pair("led wheel", ConstraintKind::prescribed_rotation),
+                                    std::pair("free wheel", ConstraintKind::free_rotation),
+                                    std::pair("wheel on a rigid hub", ConstraintKind::rigid_hub)})
+      compare(std::string(name) + (rate > 0 ? " in spin" : ""), make_wheel(hub, rate), world);
+  compare("pinion", make_pinion(ConstraintKind::prescribed_rotation, 2000., world), world);
+  compare("free pinion", make_pinion(ConstraintKind::free_rotation, 2000., world), world);
+
+  Model held = make_held_pair(world);
+  pair("pair", held, world);
+  for (Constraint &constraint : held.constraints)
+    if (constraint.kind == ConstraintKind::rigid_hub)
+      constraint.kind = ConstraintKind::free_rotation;
+  pair("pair that turns freely", held, world);
+
+  // What is not alike in all sectors is left to the whole body.
+  Model pushed = make_wheel(ConstraintKind::prescribed_rotation, 0.);
+  Load  push;
+  push.name   = "push";
+  push.nodes  = {0};
+  push.vector = Vector3(1., 0., 0.);
+  pushed.loads.push_back(push);
+  check("a pushed wheel", !Compliance(pushed, {}, false, world).by_sectors());
+  Model half = make_wheel(ConstraintKind::prescribed_rotation, 0.);
+  half.constraints[0].nodes.resize(half.constraints[0].nodes.size() / 2);
+  check("a wheel half held", !Compliance(half, {}, false, world).by_sectors());
+  const Model fast = make_wheel(ConstraintKind::prescribed_rotation, 3e5);
+  try
+    {
+      Compliance(fast, {}, true, world);
+    }
+  catch (const NumericalError &error)
+    {
+      std::cout << error.what() << std::endl;
+    }
+}
