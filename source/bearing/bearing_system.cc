@@ -121,20 +121,26 @@ namespace vfife
     throw NumericalError("the bearings find no equilibrium with their housing");
   }
 
-  std::vector<Matrix5> BearingSystem::own_stiffness() const
+  BearingSystem::Linear BearingSystem::linearized() const
   {
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(5 * seats_.size(), 5 * seats_.size());
+    const auto      n     = static_cast<Eigen::Index>(5 * seats_.size());
+    Eigen::VectorXd loads = Eigen::VectorXd::Zero(n);
+    Eigen::MatrixXd K     = Eigen::MatrixXd::Zero(n, n);
     for (std::size_t s = 0; s < seats_.size(); ++s)
-      K.block<5, 5>(5 * s, 5 * s) = seats_[s].law->linearized().stiffness;
+      {
+        const BearingResponse law   = seats_[s].law->linearized();
+        loads.segment<5>(5 * s)     = law.load;
+        K.block<5, 5>(5 * s, 5 * s) = law.stiffness;
+      }
     if (has_housing())
       {
-        const Eigen::MatrixXd coupled = reading_.transpose() * K;
-        K -= coupled.transpose() *
-             Eigen::LDLT<Eigen::MatrixXd>(housing_ + coupled * reading_).solve(coupled);
+        // Of laws f - K (q - A h), K_H h + A^T (f - K (q - A h)) = 0.
+        const Eigen::MatrixXd              coupled = reading_.transpose() * K;
+        const Eigen::LDLT<Eigen::MatrixXd> hessian(housing_ + coupled * reading_);
+        loads -= coupled.transpose() * hessian.solve(reading_.transpose() * loads);
+        K -= coupled.transpose() * hessian.solve(coupled);
       }
-    std::vector<Matrix5> own;
-    for (std::size_t s = 0; s < seats_.size(); ++s)
-      own.emplace_back(K.block<5, 5>(5 * s, 5 * s));
-    return own;
+    return {reading_.transpose() * loads,
+            reading_.transpose() * (.5 * (K + K.transpose())) * reading_};
   }
 } // namespace vfife

@@ -65,7 +65,8 @@ namespace vfife
   {
     if (axis.use_axis)
       return sums.axial_inertia;
-    // I = tr S - a S a of the second moments S = sum m (x - p) (x - p)^T about a point p of the axis
+    // I = tr S - a S a of the second moments S = sum m (x - p) (x - p)^T about a point p of the
+    // axis
     const Vector3 &p     = axis.point;
     const Matrix3  cross = p * sums.first_moment.transpose();
     const Matrix3  second =

@@ -39,6 +39,11 @@ namespace vfife
     {
       if (!model.transmission || model.contacts.empty())
         throw InputError("a reduced pair needs a gear pair with contact");
+      if (!model.bearings.empty())
+        throw InputError(
+          "bearing \"" + model.bearings.front().name +
+          "\" lets a body move, and a reduced pair turns on ideal bores: take kind = "
+          "run, or leave the shafts out");
       if (!bodies[model.transmission->driven].turns)
         throw InputError("body \"" + model.bodies[model.transmission->driven].name() +
                          "\" is driven, but something holds its turn about its axis");

@@ -146,18 +146,6 @@ namespace
         deviation          = largest_of(deviation, std::abs(law.evaluate(q).load[i] + slope));
       }
     check_below("load is minus the slope of the energy [N, N mm]", deviation, 1e-9);
-
-    // The mean over turns, by many of them.
-    Matrix5 mean = Matrix5::Zero();
-    for (unsigned int k = 0; k < 90; ++k)
-      {
-        const double c = std::cos(pi / 45. * k), s = std::sin(pi / 45. * k);
-        Matrix5      turn              = Matrix5::Identity();
-        turn.topLeftCorner<2, 2>()     = (Eigen::Matrix2d() << c, -s, s, c).finished();
-        turn.bottomRightCorner<2, 2>() = turn.topLeftCorner<2, 2>();
-        mean += turn * K * turn.transpose() / 90.;
-      }
-    check_below("mean over turns less that of ninety", (mean_over_turns(K) - mean).norm(), 1e-12);
   }
 } // namespace
 

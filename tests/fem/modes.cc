@@ -160,7 +160,7 @@ namespace
     const Discretization d(model, {0}, element);
     const Assembly       assembly(d, {}, communicator);
     const ModalSolver    solver(assembly, options);
-    SparseValues         K        = solver.matrices().stiffness();
+    SparseValues         K        = solver.matrices().stiffness(constant_rate(0.));
     const OwnedVector    diagonal = assembly.diagonal(K);
     const double         spring   = 1e3 * *std::max_element(diagonal.begin(), diagonal.end());
     std::vector<std::pair<unsigned int, Matrix3>> springs;

@@ -81,7 +81,7 @@ namespace
                 .of_load(laws[b]->evaluate(Vector5::Zero()).load, MeanMotion::Motion());
             Eigen::Matrix<double, 6, 1> on;
             on << wrench.force, wrench.moment;
-            compliance.rings()[b].add_forces(on, forces);
+            compliance.rings().list()[b].add_forces(on, forces);
           }
         std::vector<double> free = compliance.solve(forces);
         for (std::size_t i = 0; i < free.size(); ++i)
@@ -120,7 +120,7 @@ namespace
         PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
         const auto      result = equilibrium.solve(0., 1.);
         const auto      shift  = [&](const std::size_t b) {
-          const BearingRing &ring = compliance.rings()[b];
+          const BearingRing &ring = compliance.rings().list()[b];
           return model.bodies[ring.body].axis.direction.dot(
             ring.displacement(result.touch_displacements).head<3>());
         };

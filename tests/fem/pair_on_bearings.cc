@@ -29,6 +29,15 @@ namespace
     return m;
   }
 
+  /** Of bearings that do not know each other. */
+  Eigen::MatrixXd apart(const std::vector<Matrix5> &stiffness)
+  {
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(5 * stiffness.size(), 5 * stiffness.size());
+    for (std::size_t b = 0; b < stiffness.size(); ++b)
+      K.block<5, 5>(5 * b, 5 * b) = stiffness[b];
+    return K;
+  }
+
   /** Two rigid bodies on springs: of each a way of its axis point and a turn about it, along the
    * fixed frame, the driver first. */
   class RigidPair
@@ -36,13 +45,14 @@ namespace
   public:
     RigidPair(const Model                   &model,
               const std::vector<Vector3>    &ring_centres,
-              const std::vector<Matrix5>    &stiffness,
+              const Eigen::MatrixXd         &stiffness, ///< of all bearings
               const double                   driver_turn,
               const Discretization          &points,
               const std::vector<ContactTie> &ties)
       : model_(model)
     {
-      const Transmission &t = *model.transmission;
+      const Transmission &t    = *model.transmission;
+      Eigen::MatrixXd     ways = Eigen::MatrixXd::Zero(stiffness.rows(), 12);
       for (std::size_t b = 0; b < model.bearings.size(); ++b)
         {
           // q: x, y, z of the ring's centre, turns about x, y; the way there is d + turn x arm.
@@ -52,9 +62,9 @@ namespace
           q.block<3, 3>(0, 0)             = bearing.axes.transpose();
           q.block<3, 3>(0, 3)             = -bearing.axes.transpose() * cross_matrix(arm);
           q.block<2, 3>(3, 3)             = bearing.axes.leftCols<2>().transpose();
-          stiffness_.block<6, 6>(at(bearing.body), at(bearing.body)) +=
-            q.transpose() * stiffness[b] * q;
+          ways.block<5, 6>(5 * b, at(bearing.body)) = q;
         }
+      stiffness_ += ways.transpose() * stiffness * ways;
       for (const Coupling &coupling : model.couplings)
         {
           const Vector3 &a = model.bodies[coupling.body].axis.direction;
@@ -134,7 +144,7 @@ namespace
   std::vector<Vector3> ring_centres(const Compliance &compliance)
   {
     std::vector<Vector3> centres;
-    for (const BearingRing &ring : compliance.rings())
+    for (const BearingRing &ring : compliance.rings().list())
       centres.push_back(ring.centre);
     return centres;
   }
@@ -154,9 +164,9 @@ namespace
         const Vector5 &on   = result.bearings[b].load;
         sum += centres[b].cross(axes * on.head<3>()) + axes.leftCols<2>() * on.tail<2>();
       }
-    const BearingRing &drive = compliance.rings().back();
-    sum -= drive.stiffness.bottomRightCorner<3, 3>() *
-           drive.displacement(result.displacements).tail<3>();
+    const BearingRing    &drive = compliance.rings().list().back();
+    const Eigen::MatrixXd K     = compliance.rings().stiffness(constant_rate(0.));
+    sum -= K.bottomRightCorner<3, 3>() * drive.displacement(result.displacements).tail<3>();
     return sum.norm() / (factor * load);
   }
 
@@ -183,7 +193,7 @@ namespace
     const auto       result = equilibrium.solve(0., 1.);
     const RigidPair  hand(model,
                          ring_centres(compliance),
-                         {soft_front, soft_back, soft_back, soft_front},
+                         apart({soft_front, soft_back, soft_back, soft_front}),
                          0.,
                          compliance.discretization(),
                          result.ties);
@@ -198,7 +208,7 @@ namespace
 
     // The driver on its coupling, the driven body on the contact, both in their bearings.
     const CoupledModes modes =
-      find_coupled_modes(compliance, fem, false, result.ties, result.bearings, 6, world);
+      find_coupled_modes(compliance, fem, false, result.ties, result.bearing_tangent, 6, world);
     const std::vector<double> frequencies = hand.frequencies();
     double                    apart       = 0;
     for (unsigned int k = 0; k < 6; ++k)
@@ -210,6 +220,65 @@ namespace
                   load,
                 1.,
                 1e-2);
+  }
+
+  /** All bearings in one housing that joins both bodies: at rest, and spinning so slowly that what
+   * stands in space is as at rest. In axes that turn with the bodies there is but a mean. */
+  void housing(Communicator &world)
+  {
+    Model            model = make_softly_held(world);
+    const FemOptions fem   = lumped_masses();
+    Eigen::MatrixXd  root(24, 24);
+    for (unsigned int i = 0; i < 24; ++i)
+      for (unsigned int j = 0; j < 24; ++j)
+        root(i, j) = std::sin(1. + 3. * i + 7. * j + .3 * i * j) * (i % 6 < 3 ? 2e2 : 5e3);
+    model.housing =
+      root * root.transpose() + Eigen::MatrixXd(3e4 * Eigen::MatrixXd::Identity(24, 24));
+    const Eigen::MatrixXd springs = apart({soft_front, soft_back, soft_back, soft_front});
+    Eigen::MatrixXd       reading = Eigen::MatrixXd::Zero(20, 24);
+    for (unsigned int b = 0; b < 4; ++b)
+      {
+        const Matrix3 &axes                       = model.bearings[b].axes;
+        reading.block<3, 3>(5 * b, 6 * b)         = axes.transpose();
+        reading.block<2, 3>(5 * b + 3, 6 * b + 3) = axes.leftCols<2>().transpose();
+      }
+    // In series.
+    const Eigen::MatrixXd joined =
+      (springs.inverse() + reading * model.housing.inverse() * reading.transpose()).inverse();
+    Eigen::MatrixXd own = joined;
+    for (unsigned int i = 0; i < 20; ++i)
+      for (unsigned int j = 0; j < 20; ++j)
+        own(i, j) *= i / 10 == j / 10;
+    for (const double rate : {0., .01})
+      {
+        for (Body &body : model.bodies)
+          body.rate = std::copysign(rate, body.rate);
+        Compliance      compliance(model, fem, rate > 0, world);
+        PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
+        const auto      result      = equilibrium.solve(0., 1.);
+        const auto      frequencies = [&](const Eigen::MatrixXd &stiffness) {
+          return RigidPair(model,
+                           ring_centres(compliance),
+                           stiffness,
+                           0.,
+                           compliance.discretization(),
+                           result.ties)
+            .frequencies();
+        };
+        const std::vector<double> expected = frequencies(joined), without = frequencies(own);
+        const CoupledModes        modes = find_coupled_modes(
+          compliance, fem, rate > 0, result.ties, result.bearing_tangent, 6, world);
+        const auto &list  = rate > 0 ? modes.standing : modes.turning;
+        double      worst = 0, joint = 0;
+        for (unsigned int k = 0; k < 6; ++k)
+          {
+            worst = largest_of(worst, std::abs(list[k].frequency / expected[k] - 1));
+            joint = largest_of(joint, std::abs(without[k] / expected[k] - 1));
+          }
+        check_below("housing: six lowest coupled modes", worst, 1e-2);
+        check("housing: it joins both bodies", joint > 3e-2);
+        check_below("housing: forces of each body", unbalanced(model, result), 1e-6);
+      }
   }
 
   /** A rigid shaft that is shifted and tilted in its bearings spins on where it is, at no force:
@@ -315,6 +384,7 @@ namespace
                      5e8);
     for (Body &body : model.bodies)
       check("its bodies turn", body.rate != 0);
+    const Matrix5             in_mean = bearing_stiffness(3.5e5, 3e5, 2e8);
     Compliance                compliance(model, lumped_masses(), false, world);
     const std::vector<double> turns = {0., .5 * pi};
     PairEquilibrium           equilibrium(model, compliance, {3e4, 3e4}, turns);
@@ -324,17 +394,16 @@ namespace
         const Errors    errors = transmission_errors(compliance.discretization(), result);
         const RigidPair hand(model,
                              ring_centres(compliance),
-                             {unlike, unlike, soft_back, unlike},
+                             apart({unlike, unlike, soft_back, unlike}),
                              turn,
                              compliance.discretization(),
                              result.ties);
-        const RigidPair mean(
-          model,
-          ring_centres(compliance),
-          {mean_over_turns(unlike), mean_over_turns(unlike), soft_back, mean_over_turns(unlike)},
-          turn,
-          compliance.discretization(),
-          result.ties);
+        const RigidPair mean(model,
+                             ring_centres(compliance),
+                             apart({in_mean, in_mean, soft_back, in_mean}),
+                             turn,
+                             compliance.discretization(),
+                             result.ties);
         check_close("unlike axes: slope of the transmission error",
                     errors.slope / hand.transmission_error(hand.solve()),
                     1.,
@@ -363,5 +432,7 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {rigid_bodies, spinning_bodies, moments, stiff_limit, unlike_axes});
+  run_parts(argc,
+            argv,
+            {rigid_bodies, housing, spinning_bodies, moments, stiff_limit, unlike_axes});
 }

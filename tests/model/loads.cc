@@ -275,16 +275,16 @@ namespace
   void energies()
   {
     EnergyLedger ledger;
-    ledger.kinetic           = 120;
-    ledger.kinetic_relative  = 3;
-    ledger.strain            = 30;
-    ledger.contact           = 7;
-    ledger.start             = 100;
-    ledger.drive_work        = 80;
-    ledger.torque_work       = -50;
-    ledger.damping_loss      = 11;
+    ledger.kinetic             = 120;
+    ledger.kinetic_relative    = 3;
+    ledger.strain              = 30;
+    ledger.contact             = 7;
+    ledger.start               = 100;
+    ledger.drive_work          = 80;
+    ledger.torque_work         = -50;
+    ledger.damping_loss        = 11;
     ledger.mesh_damping_uptake = 5;
-    ledger.contact_loss      = 2;
+    ledger.contact_loss        = 2;
     // 157 stored less 100 at the start, 18 lost, 30 received
     check_close("residual [mJ]", ledger.residual(), 45., 1e-13);
     check_close("without a scale there is no error", ledger.error(), 0., 0.);

@@ -97,10 +97,12 @@ namespace
       options.n_modes              = n;
       const ModalSolver solver(assembly, options);
       const double      rate = body().rate;
+      // Spin softens what hangs in bearings.
+      const double lowest = body().floats ? -rate * rate : turns_ ? -1e-3 * rate * rate : 0.;
       return solver.solve(solver.matrices().spinning_stiffness(
                             compliance_.spun(), [rate](unsigned int) { return rate; }),
                           solver.matrices().mass(),
-                          turns_ ? -1e-3 * rate * rate : 0.);
+                          lowest);
     }
 
   private:
@@ -282,6 +284,34 @@ namespace
     };
     pinion("led pinion", ConstraintKind::prescribed_rotation);
     pinion("pinion on a rigid hub", ConstraintKind::rigid_hub);
+  }
+
+  /** On shafts: driven by a coupling and at rest, free to turn, slower than their bearings allow
+   * and faster, with bearings that differ across the axis, which turning bodies feel in the mean.
+   */
+  void bearings(const Communicator &communicator)
+  {
+    const auto wheel = [&](const std::string &name,
+                           const double       rate,
+                           const double       radial,
+                           const double       unlike,
+                           const double       coupling) {
+      compare(name,
+              hang_in_bearings(make_wheel({}, rate), "inner", radial, unlike, coupling),
+              make_wheel({}, rate),
+              4e5,
+              communicator);
+    };
+    wheel("wheel in bearings at rest", 0., 2e4, 1., 1e6);
+    wheel("wheel in bearings", 3000., 2e4, 1., 1e6);
+    wheel("wheel in unlike bearings", 3000., 2e4, 3., 1e6);
+    wheel("driven wheel", 3000., 2e4, 1., 0.);
+    wheel("wheel in soft bearings", 3000., 50., 1., 1e6);
+    compare("pinion in bearings",
+            hang_in_bearings(make_pinion({}, 2000., communicator), "bore", 1e5, 2., 1e8),
+            make_pinion({}, 2000., communicator),
+            6e5,
+            communicator);
   }
 
   /** Two cut-offs: what modes lose residuals gain. */
@@ -524,9 +554,14 @@ namespace
       model.loads.push_back(load);
     });
     refuse([](Model &model) {
-      Bearing bearing;
-      bearing.name = "front";
-      model.bearings.push_back(bearing);
+      model = hang_in_bearings(std::move(model), "inner", 1e4, 1., 0.);
+      model.bearings[0].nodes.pop_back();
+    });
+    // Without spin there is no mean over turns.
+    print_refusal([&]() {
+      const Model model = hang_in_bearings(make_wheel({}, 0.), "inner", 1e4, 1.01, 1e6);
+      reduce_body(
+        model, 0, first_sector(model.bodies[0]), {}, FemOptions(), {4e5, 2}, 0., communicator);
     });
     refuse([](Model &model) { model.bodies[0].axis.direction = Vector3::UnitX(); });
   }
@@ -534,5 +569,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {wheels, pinions, cutoffs, coriolis, speed, rows, refusals});
+  run_parts(argc, argv, {wheels, pinions, bearings, cutoffs, coriolis, speed, rows, refusals});
 }

@@ -6,15 +6,18 @@
 #include "../study/quick_pair.h"
 
 #include <vfife/base/process/communicator.h>
+#include <vfife/bearing/shaft_seat.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/reduced/reduced_body.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <fstream>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -65,6 +68,52 @@ inline vfife::Model make_pinion(const std::optional<vfife::ConstraintKind> &hub,
   vfife::Model pair = make_gear_model("pinion.prm", world), model;
   model.add_body(std::move(pair.bodies[0]));
   hold_hub(model, "bore", hub, rate);
+  return model;
+}
+
+/** That body, held by nothing else, in a bearing at either end of the set, turned by a coupling or
+ * by nothing: radial springs [N/mm], @p unlike times as stiff along y. */
+inline vfife::Model hang_in_bearings(vfife::Model       model,
+                                     const std::string &set,
+                                     const double       radial,
+                                     const double       unlike,
+                                     const double       coupling)
+{
+  vfife::Body                    &body   = model.bodies[0];
+  const std::vector<unsigned int> nodes  = body.node_set(set);
+  const auto                      height = [&body](const unsigned int a, const unsigned int b) {
+    return body.node_positions()[a].z() < body.node_positions()[b].z();
+  };
+  const double first =
+                 body.node_positions()[*std::min_element(nodes.begin(), nodes.end(), height)].z(),
+               last =
+                 body.node_positions()[*std::max_element(nodes.begin(), nodes.end(), height)].z();
+  body.floats = true;
+  model.constraints.clear();
+  for (const bool front : {true, false})
+    {
+      vfife::Bearing bearing;
+      bearing.name = front ? "front" : "back";
+      for (const unsigned int node : nodes)
+        if (std::abs(body.node_positions()[node].z() - (front ? first : last)) <
+            .4 * (last - first))
+          bearing.nodes.push_back(node);
+      bearing.axes = vfife::axes_along(body.axis.direction);
+      vfife::Matrix5 K =
+        vfife::Vector5(radial, unlike * radial, .3 * radial, 50. * radial, 50. * radial)
+          .asDiagonal();
+      // A force tilts it, alike in all directions.
+      K(0, 4) = K(4, 0) = .1 * radial;
+      K(1, 3) = K(3, 1) = -.1 * radial;
+      bearing.law =
+        std::make_shared<vfife::LinearBearing>(K, vfife::Matrix5::Zero(), vfife::Vector5::Zero());
+      model.bearings.push_back(bearing);
+    }
+  if (coupling > 0)
+    model.couplings.push_back({"drive", 0, nodes, coupling, 0.});
+  // Its turn may be asked for.
+  model.transmission.emplace();
+  model.transmission->driven = 0;
   return model;
 }
 

@@ -47,9 +47,16 @@ namespace vfife
      * equilibrium of the housing is found. */
     Response evaluate(const std::vector<Vector5> &displacements) const;
 
-    /** Of linear(ized) laws: the part of each bearing's own displacements that solvers without
-     * coupling of seats take. */
-    std::vector<Matrix5> own_stiffness() const;
+    /** What undisplaced shafts feel and how it falls with small displacements and turns of all
+     * seats, six a seat along the fixed frame's axes. */
+    struct Linear
+    {
+      Eigen::VectorXd load;      ///< forces and moments on the shafts [N, N mm]
+      Eigen::MatrixXd stiffness; ///< -d load/d displacement, symmetric [N/mm, N, N mm]
+    };
+
+    /** Linear(ized) laws, in the housing: it couples all seats. */
+    Linear linearized() const;
 
     bool has_housing() const
     {

@@ -25,35 +25,12 @@ namespace vfife
     /** Throws InputError for what no sector can have by itself. */
     const Model &require_own_supports(const Model &model, const unsigned int b)
     {
-      const std::string name    = "body \"" + model.bodies[b].name() + "\": ";
-      const auto        of_body = [b](const auto &entry) { return entry.body == b; };
-      const auto        refuse  = [&](const auto &entries, const std::string &what) {
-        const auto found = std::find_if(entries.begin(), entries.end(), of_body);
-        if (found != entries.end())
-          throw InputError(name + what + " \"" + found->name +
-                           "\" acts on it, and harmonics of one sector know hubs and nodes held "
-                                   "alike in all sectors only");
-      };
-      refuse(model.bearings, "bearing");
-      refuse(model.couplings, "coupling");
-      refuse(model.loads, "load");
+      for (const Load &load : model.loads)
+        if (load.body == b)
+          throw InputError("body \"" + model.bodies[b].name() + "\": load \"" + load.name +
+                           "\" acts on it, and harmonics of one sector know what holds all sectors "
+                           "alike only");
       return model;
-    }
-
-    /** Throws InputError where not all copies of a node in the sectors are among @p nodes. */
-    void require_all_copies(const Body                      &body,
-                            const std::vector<unsigned int> &nodes,
-                            const std::string               &what)
-    {
-      const unsigned int per_sector = nodes_per_sector(body);
-      std::vector<bool>  inside(body.n_nodes(), false);
-      for (const unsigned int node : nodes)
-        inside[node] = true;
-      for (const unsigned int node : nodes)
-        if (!inside[(node + per_sector) % body.n_nodes()])
-          throw InputError("body \"" + body.name() + "\": " + what +
-                           " is not alike in all sectors: it has node " + std::to_string(node) +
-                           " without its copy in the next one");
     }
 
     /** Throws InputError where a constraint holds sectors differently. */
@@ -88,11 +65,12 @@ namespace vfife
       const auto         motions = find_free_motions(whole, whole.parts()[0]);
       if (motions.empty())
         return false;
-      if (motions.size() > 1 || !has_turning_hub(model, b) ||
+      if (motions.size() > 1 || !(has_turning_hub(model, b) || model.bodies[b].floats) ||
           !is_turn(whole, whole.parts()[0], motions.front()))
-        throw InputError("body \"" + model.bodies[b].name() +
-                         "\" can move rigidly otherwise than by turning on its hub, so forces on "
-                         "it have no static answer; hold more of its nodes");
+        throw InputError(
+          "body \"" + model.bodies[b].name() +
+          "\" can move rigidly otherwise than by turning on its hub or in its bearings, "
+          "so forces on it have no static answer; hold more of its nodes");
       return true;
     }
   } // namespace
@@ -133,6 +111,11 @@ namespace vfife
   unsigned int CyclicBody::n_sectors() const
   {
     return body().mesh().n_sectors;
+  }
+
+  bool CyclicBody::whirls(const unsigned int number) const
+  {
+    return number == 1 && rate_ != 0 && body().floats;
   }
 
   std::vector<double> CyclicBody::find_equilibrium(const double rate) const

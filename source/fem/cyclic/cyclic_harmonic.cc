@@ -92,7 +92,7 @@ namespace vfife
     , matrices_(assembly_, body.options().mass, body.options().strain)
     , K_(body.rate() != 0
            ? matrices_.spinning_stiffness(body.equilibrium(), constant_rate(body.rate()))
-           : matrices_.stiffness())
+           : matrices_.stiffness(constant_rate(0.)))
     , M_(matrices_.mass())
   {
     if (number == 0 && body.turns())
@@ -150,10 +150,11 @@ namespace vfife
       {
         options.n_modes = std::min(most, n_below + 4 * attempt);
         const ModalSolver solver(assembly_, options);
-        // Round-off leaves the hub's turn this much, as in RotatingBody.
-        ModalResult found =
-          solver.solve(K_, M_, with_turn ? -1e-3 * body_.rate() * body_.rate() : 0.);
-        memory_ = std::max(memory_, found.memory);
+        // Round-off leaves the turn this much, spin takes it from shifts in bearings, as in
+        // RotatingBody.
+        const double lowest = body_.whirls(number_) ? -1. : with_turn ? -1e-3 : 0.;
+        ModalResult  found  = solver.solve(K_, M_, lowest * body_.rate() * body_.rate());
+        memory_             = std::max(memory_, found.memory);
         std::vector<double> eigenvalues;
         for (const Mode &mode : found.modes)
           if (mode.eigenvalue < limit)
@@ -219,8 +220,7 @@ namespace vfife
         modes.vectors.push_back(add_scaled(std::move(vectors[k]), -part / inertia, turn));
       }
     if (!(std::abs(of_turn - 1.) < 1e-6))
-      throw NumericalError("body \"" + body_.body().name() +
-                           "\": the turn of its hub is none of its modes");
+      throw NumericalError("body \"" + body_.body().name() + "\": its turn is none of its modes");
     const int n       = modes.vectors.size();
     modes.combination = scale() * Eigen::MatrixXcd::Identity(n, n);
     return modes;

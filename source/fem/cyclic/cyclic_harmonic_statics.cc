@@ -5,6 +5,7 @@
 #include <vfife/fem/cyclic/cyclic_harmonic.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/solvers/sparse_matrix.h>
+#include <vfife/fem/system/turn_pins.h>
 
 #include <algorithm>
 #include <numeric>
@@ -26,15 +27,20 @@ namespace vfife
       {
         // The pinned hub loses an unknown: its matrix is made anew.
         const SystemMatrices pinned(*pinned_, body_.options().mass, body_.options().strain);
-        K                          = body_.rate() != 0
-                                       ? pinned.spinning_stiffness(body_.equilibrium(), constant_rate(body_.rate()))
-                                       : pinned.stiffness();
+        K = body_.rate() != 0
+              ? pinned.spinning_stiffness(body_.equilibrium(), constant_rate(body_.rate()))
+              : pinned.stiffness(constant_rate(0.));
+        // In bearings alone the turn is pinned at a ring.
+        if (!has_turning_hub(body_.sector().model(), body_.sector().parts()[0].body))
+          K = add_turn_pins(*pinned_, {body_.sector().parts()[0].body}, std::move(K));
         const OwnedVector momentum = pinned.apply_mass(body_.turn());
         momentum_ = Eigen::Map<const Eigen::VectorXd>(momentum.data(), momentum.size());
       }
     factors_ = std::make_unique<DirectSolver>(static_assembly().pattern(), K, body_.communicator());
     memory_  = std::max(memory_, factors_->memory());
-    if (factors_->n_negative() > 0 || factors_->n_zero() > 0)
+    // Shifts and tilts may be faster than their bearings allow: two of each, in two copies.
+    const unsigned int n_whirls = body_.whirls(number_) ? 4 : 0;
+    if (factors_->n_negative() > n_whirls || factors_->n_zero() > 0)
       throw NumericalError("body \"" + body_.body().name() + "\" is not stable with " +
                            std::to_string(number_) + " nodal diameters: the speed is too high");
   }

@@ -80,7 +80,7 @@ namespace vfife
       std::make_unique<Condensation>(sector_->pattern(),
                                      rate != 0 ? matrices.spinning_stiffness(body_.equilibrium(),
                                                                              constant_rate(rate))
-                                               : matrices.stiffness(),
+                                               : matrices.stiffness(constant_rate(0.)),
                                      find_border(),
                                      body_.communicator());
     const Eigen::MatrixXd &S = condensed_->border_matrix();

@@ -58,7 +58,7 @@ namespace vfife
 
   ModalResult ModalSolver::solve() const
   {
-    return solve(matrices_.stiffness(), matrices_.mass(), 0.);
+    return solve(matrices_.stiffness(constant_rate(0.)), matrices_.mass(), 0.);
   }
 
   double

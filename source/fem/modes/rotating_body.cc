@@ -8,7 +8,6 @@
 #include <vfife/fem/system/turn_pins.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
-#include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +52,6 @@ namespace vfife
     , whole_(model, {body}, FemElement::incompatible_modes)
     , describer_(whole_, whole_.parts()[0])
   {
-    require_rigid_housing(model);
     for (const double rate : options.rates())
       if (model.bodies[body].floats && rate != 0 && !options.coriolis)
         throw InputError("Fem/coriolis",
@@ -66,8 +64,17 @@ namespace vfife
 
   unsigned int RotatingBody::count_free_motions() const
   {
-    const unsigned int n = find_free_motions(whole_, whole_.parts()[0]).size();
+    const auto         motions = find_free_motions(whole_, whole_.parts()[0]);
+    const unsigned int n       = motions.size();
+    if (turns_in_bearings(motions))
+      return 0;
     return n > 0 && has_turning_hub(model_, body_) ? n - 1 : n; // the rotation is pinned
+  }
+
+  bool RotatingBody::turns_in_bearings(const std::vector<std::vector<double>> &motions) const
+  {
+    return model_.bodies[body_].floats && motions.size() == 1 && !has_turning_hub(model_, body_) &&
+           is_turn(whole_, whole_.parts()[0], motions.front());
   }
 
   std::vector<double> RotatingBody::find_equilibrium(const double rate) const
@@ -79,10 +86,15 @@ namespace vfife
     const std::string    name = "body \"" + model_.bodies[body_].name() + "\" at " +
                              std::to_string(rate * 30. / pi) + " rpm has";
     const unsigned int n_free = count_free_motions();
+    // A shaft that turns freely in its bearings is pinned at a ring, which carries nothing.
+    std::vector<unsigned int> pinned;
+    if (turns_in_bearings(find_free_motions(whole_, whole_.parts()[0])))
+      pinned.push_back(body_);
     // Nothing holds the body: where it is balanced, the load does no work on rigid motions, and a
     // weak bed of springs only keeps the factorization from dividing by zero.
     const double bed =
-      n_free > 0 ? -choose_shift(assembly, matrices.stiffness(), matrices.mass()) : 0.;
+      n_free > 0 ? -choose_shift(assembly, matrices.stiffness(constant_rate(rate)), matrices.mass())
+                 : 0.;
     return find_spin_state(matrices,
                            constant_rate(rate),
                            true,
@@ -90,7 +102,9 @@ namespace vfife
                            name,
                            [&](const SparseValues &K) -> LinearSolve {
                              const auto solver =
-                               std::make_shared<DirectSolver>(assembly.pattern(), K, communicator_);
+                               std::make_shared<DirectSolver>(assembly.pattern(),
+                                                              add_turn_pins(assembly, pinned, K),
+                                                              communicator_);
                              // Spin softens what nothing holds: as many motions as are free may
                              // have a negative stiffness. On bearings, above a critical speed, so
                              // may others, which Coriolis forces keep stable; where the body is
@@ -150,7 +164,7 @@ namespace vfife
     // About the equilibrium. Hubs that turn freely are not pinned: their rotation is a rigid mode,
     // which is told apart by its frequency.
     const SparseValues K = rate != 0 ? matrices.spinning_stiffness(equilibrium, constant_rate(rate))
-                                     : matrices.stiffness();
+                                     : matrices.stiffness(constant_rate(0.));
     const SparseValues M = matrices.mass();
     // Spin softens translations of a body that nothing holds, or soft bearings do, by this much;
     // the rotation of a hub, and of a shaft in bearings, is left with round-off.

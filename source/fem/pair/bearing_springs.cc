@@ -24,14 +24,16 @@ namespace vfife
     }
   } // namespace
 
-  BearingSprings::BearingSprings(const Model                    &model,
-                                 const std::vector<BearingRing> &rings,
-                                 const double                    arm)
+  BearingSprings::BearingSprings(const Model &model, const BearingRings &rings, const double arm)
     : system_(make_bearing_system(model))
+    , arm_(arm)
   {
-    const std::size_t first = first_bearing(model);
-    for (const BearingRing &ring : rings)
+    const std::size_t     first = first_bearing(model);
+    const Eigen::MatrixXd K =
+      rings.stiffness([&model](const unsigned int body) { return model.bodies[body].rate; });
+    for (std::size_t r = 0; r < rings.list().size(); ++r)
       {
+        const BearingRing &ring = rings.list()[r];
         if (ring.support >= first + model.bearings.size())
           continue; // A coupling is linear, and the same in all axes that turn about its own.
         const Body &body = model.bodies[ring.body];
@@ -47,7 +49,7 @@ namespace vfife
         Vector6 scale = Vector6::Ones();
         scale.tail<3>().setConstant(1. / arm);
         spring.motion.motion.bottomRows<3>() *= arm;
-        spring.linear = scale.asDiagonal() * ring.stiffness_at(body.rate) * scale.asDiagonal();
+        spring.linear = scale.asDiagonal() * K.block<6, 6>(6 * r, 6 * r) * scale.asDiagonal();
         spring.reading *= scale.asDiagonal();
         springs_.push_back(spring);
       }
@@ -117,6 +119,18 @@ namespace vfife
         r.states.push_back({displacements[i], system.loads[i]});
       }
     return r;
+  }
+
+  Eigen::MatrixXd BearingSprings::tangent(const Response &response) const
+  {
+    Eigen::MatrixXd K = response.stiffness;
+    Eigen::VectorXd scale(K.rows());
+    for (std::size_t i = 0; i < springs_.size(); ++i)
+      {
+        K.block<6, 6>(6 * i, 6 * i) += springs_[i].linear;
+        scale.segment<6>(6 * i) << 1., 1., 1., arm_, arm_, arm_;
+      }
+    return scale.asDiagonal() * K * scale.asDiagonal();
   }
 
   double BearingSprings::set_known(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations)

@@ -29,7 +29,7 @@ namespace vfife
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
     /** @p rings: those of the compliance; @p arm [mm]. */
-    BearingSprings(const Model &model, const std::vector<BearingRing> &rings, double arm);
+    BearingSprings(const Model &model, const BearingRings &rings, double arm);
 
     /** Of each ring, for the compliance to watch. */
     std::vector<PointMotion> motions() const;
@@ -55,6 +55,10 @@ namespace vfife
      * rotations. */
     Response evaluate(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations) const;
 
+    /** The tangent of the bearings' whole law in the state of @p response, over displacements and
+     * turns of their rings [N/mm, N, N mm]. */
+    Eigen::MatrixXd tangent(const Response &response) const;
+
     /** Takes the state at the motions @p d as known, its forces being in what else acts; returns
      * the torque that the bearings have there on the driven body about its axis [N mm]. */
     double set_known(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations);
@@ -75,6 +79,7 @@ namespace vfife
 
     std::vector<Spring> springs_; ///< in the order of Model::bearings
     BearingSystem       system_;
+    double              arm_;
   };
 } // namespace vfife
 

@@ -8,7 +8,6 @@
 #include <vfife/fem/pair/coupled_modes.h>
 #include <vfife/fem/solvers/sparse_matrix.h>
 #include <vfife/fem/system/torque_forces.h>
-#include <vfife/model/constraints/supports.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -50,28 +49,15 @@ namespace vfife
       });
     }
 
-    /** What the tangents of bearings at their displacements have more than the linear stiffness
-     * that K has for them. */
-    SparseValues make_bearings(const Assembly &assembly, const std::vector<SeatState> &bearings)
+    /** Of all rings: bearings by their tangents @p bearings at the position, couplings as they are.
+     */
+    Eigen::MatrixXd make_ring_stiffness(const BearingRings       &rings,
+                                        const Eigen::MatrixXd    &bearings,
+                                        const BearingRings::Rate &rate)
     {
-      const Model         &model = assembly.discretization().model();
-      const std::size_t    first = first_bearing(model);
-      std::vector<Vector5> displacements;
-      for (const SeatState &bearing : bearings)
-        displacements.push_back(bearing.displacement);
-      // A housing couples the seats: what each has by itself is kept.
-      const Eigen::MatrixXd tangents = make_bearing_system(model).evaluate(displacements).stiffness;
-      return assembly.ring_matrix([&](const BearingRing &ring) -> Eigen::Matrix<double, 6, 6> {
-        if (ring.support >= first + bearings.size()) // couplings
-          return Eigen::Matrix<double, 6, 6>::Zero();
-        const std::size_t b       = ring.support - first;
-        const Bearing    &bearing = model.bearings[b];
-        const Matrix5     tangent = tangents.block<5, 5>(5 * b, 5 * b);
-        const double      rate    = model.bodies[ring.body].rate;
-        return ShaftSeat(bearing.axes)
-                 .in_space(rate != 0 ? mean_over_turns(tangent) : tangent, 0.) -
-               ring.stiffness_at(rate);
-      });
+      Eigen::MatrixXd K                                 = rings.stiffness(rate);
+      K.topLeftCorner(bearings.rows(), bearings.cols()) = bearings;
+      return K;
     }
 
     /** Forces of a unit torque on the driven body, as the model's torques act. */
@@ -154,11 +140,13 @@ namespace vfife
       Eigen::VectorXd load; ///< of a unit torque
     };
 
-    /** The problem of standing shapes on the span of all modes found. Collective. */
-    Reduced reduce(const Assembly       &assembly,
-                   const SystemMatrices &matrices,
-                   const SparseValues   &mass,
-                   const ModalResult    &found)
+    /** The problem of standing shapes on the span of all modes found; @p more: what the rings'
+     * stiffness is there beyond that of the modes. Collective. */
+    Reduced reduce(const Assembly        &assembly,
+                   const SystemMatrices  &matrices,
+                   const SparseValues    &mass,
+                   const ModalResult     &found,
+                   const Eigen::MatrixXd &more)
     {
       const Model &model = assembly.discretization().model();
       const auto   rate  = [&model](const unsigned int body) { return model.bodies[body].rate; };
@@ -176,8 +164,13 @@ namespace vfife
       Eigen::MatrixXd skew = 2 * (M.project(x, turned) + G.project(x, x));
       // Derivative and turning commute; P is skew under M, so that P^2 is -P^T P.
       Eigen::MatrixXd stiffness = 2 * G.project(x, turned) - M.project(turned, turned);
+      Eigen::MatrixXd ways(more.rows(), x.size());
       for (std::size_t k = 0; k < x.size(); ++k)
-        stiffness(k, k) += found.modes[k].eigenvalue;
+        {
+          stiffness(k, k) += found.modes[k].eigenvalue;
+          ways.col(k) = assembly.rings().displacement(found.modes[k].shape);
+        }
+      stiffness += ways.transpose() * more * ways;
       r.skew      = .5 * (skew - skew.transpose());
       r.stiffness = .5 * (stiffness + stiffness.transpose());
       r.load.resize(x.size());
@@ -244,7 +237,7 @@ namespace vfife
                                   const FemOptions              &fem_options,
                                   const bool                     centrifugal,
                                   const std::vector<ContactTie> &ties,
-                                  const std::vector<SeatState>  &bearings,
+                                  const Eigen::MatrixXd         &bearings,
                                   const unsigned int             n,
                                   const Communicator            &communicator)
   {
@@ -269,10 +262,15 @@ namespace vfife
     const auto         rate = [&d](const unsigned int body) { return d.model().bodies[body].rate; };
     const SparseValues M    = matrices.mass();
     SparseValues       K =
-      centrifugal ? matrices.spinning_stiffness(compliance.spun(), rate) : matrices.stiffness();
+      centrifugal ? matrices.spinning_stiffness(compliance.spun(), rate) : matrices.stiffness(rate);
     K = add_scaled(std::move(K), 1., make_contact(assembly, ties));
-    if (!bearings.empty())
-      K = add_scaled(std::move(K), 1., make_bearings(assembly, bearings));
+    // Turning bodies feel their bearings in the mean over all turns; what stands in space feels
+    // them as they are.
+    const BearingRings   &rings    = assembly.rings();
+    const Eigen::MatrixXd in_space = make_ring_stiffness(rings, bearings, rate),
+                          in_mean  = rings.mean_over_turns(in_space, rate);
+    if (!rings.list().empty())
+      K = add_scaled(std::move(K), 1., assembly.ring_matrix(in_mean - rings.stiffness(rate)));
     CoupledModes result;
     OwnedVector  turn = make_unit_torque(assembly);
     {
@@ -287,7 +285,7 @@ namespace vfife
     result.counted          = found.counted;
     result.n_unknowns       = found.n_unknowns;
     const ShapeReader         reader(d);
-    const Reduced             reduced = reduce(assembly, matrices, M, found);
+    const Reduced             reduced = reduce(assembly, matrices, M, found, in_space - in_mean);
     const std::vector<double> none(found.modes.front().shape.size(), 0.);
     for (unsigned int k = 0; k < n; ++k)
       {

@@ -39,6 +39,11 @@ namespace vfife
     return bearings_.evaluate(bearing_rows(u), rotations_).states;
   }
 
+  Eigen::MatrixXd PairBodies::bearing_tangent(const Eigen::VectorXd &u) const
+  {
+    return bearings_.tangent(bearings_.evaluate(bearing_rows(u), rotations_));
+  }
+
   double PairBodies::set_known(const Eigen::VectorXd &before)
   {
     known_rows_ = before.tail(before.size() - bearing_row(bearings_.size()));

@@ -34,6 +34,8 @@ namespace vfife
       return bearings_.size() > 0;
     }
     std::vector<SeatState> bearing_states(const Eigen::VectorXd &u) const;
+    /** As PairEquilibriumResult has it. */
+    Eigen::MatrixXd bearing_tangent(const Eigen::VectorXd &u) const;
 
     /** Takes the displacements @p before as known, whose forces are in what else acts; returns the
      * torque that bearings have there on the driven body about its axis [N mm]. */

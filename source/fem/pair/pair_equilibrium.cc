@@ -211,6 +211,7 @@ namespace vfife
     // Per unit of the load factor the bodies twist further, and the springs answer.
     const Eigen::VectorXd u = base + now.deflection;
     result.bearings         = bodies_->bearing_states(u);
+    result.bearing_tangent  = bodies_->bearing_tangent(u);
     const auto slope =
       pair_.find_slope(*bodies_, u, acting, compliance_.at_rows(compliance_.twisted()), load(1.));
     result.turn_slope = slope.second;

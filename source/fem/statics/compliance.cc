@@ -32,6 +32,8 @@ namespace vfife
     : model_(model)
     , communicator_(communicator)
     , discretization_(model, all_bodies(model), options.element)
+    // What a housing joins is a part of the law that who asks adds.
+    , rings_(discretization_, HousingLaw::own_seats)
   {
     check_motions();
     spun_.assign(3 * static_cast<std::size_t>(discretization_.n_points()), 0.);
@@ -49,6 +51,9 @@ namespace vfife
 
   bool Compliance::factorize_sectors(const FemOptions &options, const bool centrifugal)
   {
+    // Laws of bearings are asked for ring by ring, and joined by those who ask.
+    if (!model_.bearings.empty() || !model_.couplings.empty())
+      return false;
     FemOptions turning = options;
     turning.hold_hubs  = false;
     try
@@ -85,16 +90,16 @@ namespace vfife
     // A hub that turns freely would leave K singular; its turn is an unknown of who asks, and the
     // pin carries nothing in equilibrium.
     unknowns.rotation = HubRotation::pinned;
-    assembly_         = std::make_unique<Assembly>(discretization_, unknowns, communicator_);
-    rings_            = assembly_->rings();
-    n_unknowns_       = assembly_->unknowns().n();
+    assembly_         = std::make_unique<Assembly>(
+      discretization_, unknowns, communicator_, Assembly::Links(), HousingLaw::own_seats);
+    n_unknowns_ = assembly_->unknowns().n();
     const SystemMatrices matrices(*assembly_, options.mass, options.strain);
+    const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
     if (!centrifugal)
       {
-        factorize(matrices.stiffness(), 0);
+        factorize(matrices.stiffness(rate), 0);
         return;
       }
-    const auto rate = [this](const unsigned int body) { return model_.bodies[body].rate; };
     // The factors that are left are those of the state of spin.
     spun_ =
       find_spin_state(matrices, rate, true, 0., "the bodies have", [&](const SparseValues &K) {

@@ -32,12 +32,16 @@ namespace vfife
           ++s;
         }
     // 3. Bearings and couplings: preload - K B u on the points of their rings.
-    std::vector<double> forces(result.displacements.size(), 0.);
-    for (const BearingRing &ring : find_bearing_rings(discretization))
+    std::vector<double>   forces(result.displacements.size(), 0.);
+    const BearingRings    rings(discretization);
+    const Eigen::VectorXd loads =
+      rings.preload() - rings.stiffness([&model](const unsigned int body) {
+        return model.bodies[body].rate;
+      }) * rings.displacement(result.displacements);
+    for (std::size_t r = 0; r < rings.list().size(); ++r)
       {
-        ring.add_forces(ring.preload - ring.stiffness_at(model.bodies[ring.body].rate) *
-                                         ring.displacement(result.displacements),
-                        forces);
+        const BearingRing &ring = rings.list()[r];
+        ring.add_forces(loads.segment<6>(6 * r), forces);
         for (const unsigned int p : ring.points)
           {
             reactions[ring.support].add(discretization.points()[p], at(forces, p));

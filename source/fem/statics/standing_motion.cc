@@ -53,6 +53,7 @@ namespace vfife
   {
     const Assembly             &assembly = matrices.assembly();
     const Discretization       &d        = assembly.discretization();
+    const Eigen::MatrixXd       bearings = assembly.rings().stiffness(rate);
     std::vector<StandingMotion> all;
     for (const Discretization::Part &part : d.parts())
       {
@@ -68,9 +69,8 @@ namespace vfife
             // its displacements for unknowns.
             std::vector<double> forces =
               assembly.expand(K.apply(assembly.restrict_field(motions[m])));
-            for (const BearingRing &ring : assembly.rings())
-              ring.add_forces(-ring.stiffness_at(rate(ring.body)) * ring.displacement(motions[m]),
-                              forces);
+            assembly.rings().add_forces(-bearings * assembly.rings().displacement(motions[m]),
+                                        forces);
             r.row(m)    = of_part(motions[m], part);
             w.row(m)    = of_part(forces, part);
             mean.row(m) = of_part(assembly.expand(matrices.apply_mass(motions[m])), part);

@@ -8,7 +8,6 @@
 #include <vfife/fem/system/spin_state.h>
 #include <vfife/fem/system/torque_forces.h>
 #include <vfife/fem/system/turn_pins.h>
-#include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +74,6 @@ namespace vfife
     , discretization_(model, bodies, options.element)
     , rotation_(rotation)
   {
-    require_rigid_housing(model);
     for (const Discretization::Part &part : discretization_.parts())
       {
         const bool has_hub = has_turning_hub(model, part.body);
@@ -153,13 +151,11 @@ namespace vfife
             Eigen::Map<Vector3>(sums.data() + row) += spring.second * way;
             strain_energy += .5 * way.dot(spring.second * way);
           }
-        for (const BearingRing &ring : matrices.assembly().rings())
-          {
-            const Eigen::Matrix<double, 6, 1> way     = ring.displacement(u);
-            const Eigen::Matrix<double, 6, 1> springs = ring.stiffness_at(rate(ring.body)) * way;
-            ring.add_forces(springs - ring.preload, sums);
-            strain_energy += way.dot(.5 * springs - ring.preload);
-          }
+        const BearingRings   &rings   = matrices.assembly().rings();
+        const Eigen::VectorXd ways    = rings.displacement(u);
+        const Eigen::VectorXd pressed = rings.stiffness(rate) * ways;
+        rings.add_forces(pressed - rings.preload(), sums);
+        strain_energy += ways.dot(.5 * pressed - rings.preload());
       }
     // Elements are dealt out to the ranks in equal runs.
     const auto first = [&](const unsigned int rank) {
@@ -267,7 +263,7 @@ namespace vfife
         find_spin_state(matrices, rate, loads.spin_softening, 0., "the bodies have", prepared);
     else
       {
-        SparseValues K = matrices.stiffness();
+        SparseValues K = matrices.stiffness(rate);
         // K - Omega^2 S: the displaced mass is thrown outwards too.
         if (loads.centrifugal && loads.spin_softening)
           K = add_scaled(std::move(K), -1., matrices.spin_mass(rate));

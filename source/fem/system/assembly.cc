@@ -9,14 +9,15 @@ namespace vfife
   Assembly::Assembly(const Discretization    &discretization,
                      const Unknowns::Options &options,
                      const Communicator      &communicator,
-                     Links                    links)
+                     Links                    links,
+                     const HousingLaw         housing)
     : discretization_(discretization)
     , communicator_(communicator)
     , unknowns_(discretization, options, communicator.size())
     , first_(unknowns_.first(communicator.rank()))
     , last_(unknowns_.first(communicator.rank() + 1))
     , links_(std::move(links))
-    , rings_(find_bearing_rings(discretization))
+    , rings_(discretization, housing, options.harmonic)
   {
     // Every rank knows all points and numbers all unknowns alike; it sums only the
     // rows that it owns. So no matrix entries are sent: elements at the border
@@ -60,39 +61,52 @@ namespace vfife
     };
     // An element makes a full block: every unknown that its points depend on meets every other one.
     // So does a link, points that something else joins, such as those of a contact spring.
+    const auto touched_by =
+      [&](const std::size_t offset, const unsigned int *points, const unsigned int n) {
+        // All unknowns that the three components of these points depend on: terms of rows row ...
+        // row + 2 lie behind each other.
+        std::vector<int> touched;
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            const std::size_t row = offset + 3 * std::size_t(points[a]);
+            for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row + 2); ++t)
+              touched.push_back(t->unknown);
+          }
+        compress(touched);
+        return touched;
+      };
+    const auto meet = [&](const std::vector<int> &own, const std::vector<int> &others) {
+      for (const int i : own)
+        if (is_mine(i))
+          {
+            auto &row = rows[i - first_];
+            row.insert(row.end(), others.begin(), others.end());
+            // Each column comes from several elements: rows are kept short on the way.
+            if (row.size() > 2 * compressed[i - first_] + 200)
+              {
+                compress(row);
+                compressed[i - first_] = row.size();
+              }
+          }
+    };
     const auto couple = [&](const unsigned int *points, const unsigned int n) {
       for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
         {
-          // All unknowns that the three components of these points depend on: terms of rows row ...
-          // row + 2 lie behind each other.
-          std::vector<int> touched;
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              const std::size_t row = k * copy + 3 * std::size_t(points[a]);
-              for (const auto *t = unknowns_.begin(row); t != unknowns_.end(row + 2); ++t)
-                touched.push_back(t->unknown);
-            }
-          compress(touched);
-          for (const int i : touched)
-            if (is_mine(i))
-              {
-                auto &row = rows[i - first_];
-                row.insert(row.end(), touched.begin(), touched.end());
-                // Each column comes from several elements: rows are kept short on the way.
-                if (row.size() > 2 * compressed[i - first_] + 200)
-                  {
-                    compress(row);
-                    compressed[i - first_] = row.size();
-                  }
-              }
+          const std::vector<int> touched = touched_by(k * copy, points, n);
+          meet(touched, touched);
         }
     };
     for (const unsigned int e : elements_)
       couple(discretization_.element_points(e), n_local);
     for (const std::vector<unsigned int> &link : links_)
       couple(link.data(), link.size());
-    for (const BearingRing &ring : rings_)
-      couple(ring.points.data(), ring.points.size());
+    std::vector<std::vector<int>> of_rings;
+    for (const BearingRing &ring : rings_.list())
+      of_rings.push_back(touched_by(0, ring.points.data(), ring.points.size()));
+    for (std::size_t i = 0; i < of_rings.size(); ++i)
+      for (std::size_t j = 0; j < of_rings.size(); ++j)
+        if (rings_.joins(i, j))
+          meet(of_rings[i], of_rings[j]);
     // Compressed rows: row i has the columns from begin[i] to begin[i + 1]. A list is given back as
     // soon as it is copied: the pattern is not twice in memory.
     pattern_.n         = unknowns_.n();
@@ -117,23 +131,28 @@ namespace vfife
   }
 
   void Assembly::add(const std::size_t      row_offset,
-                     const unsigned int    *points,
+                     const unsigned int    *row_points,
+                     const unsigned int    *column_points,
                      const Eigen::MatrixXd &A,
                      SparseValues          &values) const
   {
     // (T^T A T)_st = sum_ij T_is A_ij T_jt; rows of T are the terms of the displacements.
-    const auto row_of = [&](const int i) {
+    const auto row_of = [row_offset](const unsigned int *points, const int i) {
       return row_offset + 3 * static_cast<std::size_t>(points[i / 3]) + i % 3;
     };
     for (int i = 0; i < A.rows(); ++i)
-      for (const auto *s = unknowns_.begin(row_of(i)); s != unknowns_.end(row_of(i)); ++s)
+      for (const auto *s = unknowns_.begin(row_of(row_points, i));
+           s != unknowns_.end(row_of(row_points, i));
+           ++s)
         {
           if (!is_mine(s->unknown))
             continue;
           for (int j = 0; j < A.cols(); ++j)
             // Consistent masses and all that is "times identity" are two thirds zeros.
             if (A(i, j) != 0)
-              for (const auto *t = unknowns_.begin(row_of(j)); t != unknowns_.end(row_of(j)); ++t)
+              for (const auto *t = unknowns_.begin(row_of(column_points, j));
+                   t != unknowns_.end(row_of(column_points, j));
+                   ++t)
                 values[find_entry(s->unknown, t->unknown)] +=
                   s->coefficient * t->coefficient * A(i, j);
         }
@@ -177,16 +196,19 @@ namespace vfife
     return values;
   }
 
-  SparseValues Assembly::ring_matrix(const RingMatrix &stiffness) const
+  SparseValues Assembly::ring_matrix(const Eigen::MatrixXd &stiffness) const
   {
-    SparseValues      values(pattern_.columns.size(), 0.);
-    const std::size_t copy = 3 * static_cast<std::size_t>(discretization_.n_points());
-    for (const BearingRing &ring : rings_)
-      {
-        const Eigen::MatrixXd A = ring.motion.transpose() * stiffness(ring) * ring.motion;
-        for (unsigned int k = 0; k < unknowns_.n_copies(); ++k)
-          add(k * copy, ring.points.data(), A, values);
-      }
+    SparseValues values(pattern_.columns.size(), 0.);
+    // Points of a ring count through all copies.
+    const std::vector<BearingRing> &rings = rings_.list();
+    for (std::size_t i = 0; i < rings.size(); ++i)
+      for (std::size_t j = 0; j < rings.size(); ++j)
+        if (rings_.joins(i, j))
+          add(0,
+              rings[i].points.data(),
+              rings[j].points.data(),
+              rings[i].motion.transpose() * stiffness.block<6, 6>(6 * i, 6 * j) * rings[j].motion,
+              values);
     return values;
   }
 

@@ -2,40 +2,26 @@
 #include <vfife/base/errors.h>
 #include <vfife/fem/system/bearing_rings.h>
 #include <vfife/fem/system/load_forces.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/body_frame.h>
 #include <vfife/model/constraints/supports.h>
+#include <vfife/model/load_shares.h>
+
+#include <cmath>
 
 namespace vfife
 {
   namespace
   {
-    BearingRing make_ring(const Discretization            &discretization,
-                          const Discretization::Part      &part,
-                          const std::vector<unsigned int> &nodes,
-                          const std::string               &owner)
+    using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+    /** A on displacements and turns alike. */
+    Matrix6 on_both(const Matrix3 &A)
     {
-      if (discretization.sector_angle() > 0)
-        throw InputError(owner + ": a ring needs the whole body, not one sector of it");
-      BearingRing ring;
-      ring.body = part.body;
-      std::vector<double>  shares;
-      std::vector<Vector3> places;
-      for (const auto &share :
-           point_area_shares(discretization.model().bodies[part.body], nodes, discretization, part))
-        {
-          ring.points.push_back(share.first);
-          shares.push_back(share.second);
-          places.push_back(discretization.points()[share.first]);
-        }
-      const MeanMotion         set(shares, places, owner);
-      const MeanMotion::Motion at_rest = set.at_rest();
-      ring.motion.resize(6, 3 * ring.points.size());
-      for (std::size_t i = 0; i < ring.points.size(); ++i)
-        {
-          ring.motion.middleCols<3>(3 * i) = set.derivative(i, at_rest);
-          // Its first three rows are the share of the point.
-          ring.centre += ring.motion(0, 3 * i) * places[i];
-        }
-      return ring;
+      Matrix6 both                   = Matrix6::Zero();
+      both.topLeftCorner<3, 3>()     = A;
+      both.bottomRightCorner<3, 3>() = A;
+      return both;
     }
   } // namespace
 
@@ -55,46 +41,229 @@ namespace vfife
         motion.middleCols<3>(3 * i).transpose() * load;
   }
 
-  std::vector<BearingRing> find_bearing_rings(const Discretization &discretization)
+  BearingRings::BearingRings(const Discretization &discretization,
+                             const HousingLaw      housing,
+                             const unsigned int    harmonic)
+    : discretization_(discretization)
+    , harmonic_(harmonic)
   {
-    std::vector<BearingRing>   rings;
-    const Model               &model     = discretization.model();
-    const std::size_t          bearings  = first_bearing(model);
-    const std::size_t          couplings = bearings + model.bearings.size();
-    const std::vector<Matrix5> own       = model.housing.size() > 0
-                                             ? make_bearing_system(model).own_stiffness()
-                                             : std::vector<Matrix5>();
-    for (const Bearing &bearing : model.bearings)
-      if (const auto *part = discretization.find_part(bearing.body))
+    // Sums over the sectors leave nothing of a ring's mean motion in higher harmonics.
+    if (harmonic > 1)
+      return;
+    add_bearings(housing);
+    add_couplings();
+  }
+
+  BearingRing BearingRings::make_ring(const unsigned int               b,
+                                      const std::vector<unsigned int> &nodes,
+                                      const std::string               &owner) const
+  {
+    const Discretization::Part &part = *discretization_.find_part(b);
+    const Body                 &body = discretization_.model().bodies[b];
+    BearingRing                 ring;
+    ring.body = b;
+    if (discretization_.sector_angle() > 0)
+      {
+        take_sector(body, nodes, owner, ring);
+        return ring;
+      }
+    std::vector<double>  shares;
+    std::vector<Vector3> places;
+    for (const auto &share : point_area_shares(body, nodes, discretization_, part))
+      {
+        ring.points.push_back(share.first);
+        shares.push_back(share.second);
+        places.push_back(discretization_.points()[share.first]);
+      }
+    const MeanMotion         set(shares, places, owner);
+    const MeanMotion::Motion at_rest = set.at_rest();
+    ring.centre                      = set.centre();
+    ring.motion.resize(6, 3 * ring.points.size());
+    for (std::size_t i = 0; i < ring.points.size(); ++i)
+      ring.motion.middleCols<3>(3 * i) = set.derivative(i, at_rest);
+    return ring;
+  }
+
+  void BearingRings::take_sector(const Body                      &body,
+                                 const std::vector<unsigned int> &nodes,
+                                 const std::string               &owner,
+                                 BearingRing                     &ring) const
+  {
+    require_all_copies(body, nodes, owner);
+    const MeanMotion         set(compute_area_shares(body, nodes),
+                         find_undeformed_places(body, nodes),
+                         owner);
+    const MeanMotion::Motion at_rest = set.at_rest();
+    ring.centre                      = set.centre();
+    // The whole ring moves by the sum over the sectors of Re(R^k B z exp(i h k alpha)), B the part
+    // of sector 0: along the axis a with h = 0, in h = 1 along e = (x + i y)/sqrt(2) across it,
+    // R e = e exp(-i alpha). Its energy in springs alike across the axis is that of sqrt(N) a a^T B
+    // z, and of sqrt(2 N) Re(e e^H B z), in the sector.
+    const double  n     = body.mesh().n_sectors;
+    const Vector3 a     = compute_sector_axis(body).direction;
+    const Matrix3 axes  = axes_along(a);
+    const Matrix6 along = on_both(std::sqrt(n) * a * a.transpose());
+    const Matrix6 real =
+      on_both(std::sqrt(2. * n) * .5 * (Matrix3::Identity() - a * a.transpose()));
+    const Matrix6 quarter =
+      on_both(std::sqrt(2. * n) * .5 *
+              (axes.col(1) * axes.col(0).transpose() - axes.col(0) * axes.col(1).transpose()));
+    const unsigned int per_sector = nodes_per_sector(body), n_points = discretization_.n_points();
+    std::vector<Eigen::Matrix<double, 6, 3>> columns;
+    const auto add = [&](const unsigned int point, const Eigen::Matrix<double, 6, 3> &motion) {
+      ring.points.push_back(point);
+      columns.push_back(motion);
+    };
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (nodes[i] < per_sector)
         {
-          rings.push_back(
-            make_ring(discretization, *part, bearing.nodes, "bearing \"" + bearing.name + "\""));
-          BearingRing    &ring     = rings.back();
-          BearingResponse response = bearing.law->linearized();
-          if (!own.empty())
-            response.stiffness = own[&bearing - model.bearings.data()];
-          const ShaftSeat seat(bearing.axes);
-          ring.support        = bearings + (&bearing - model.bearings.data());
-          ring.stiffness      = seat.in_space(response.stiffness, 0.);
-          ring.mean_stiffness = seat.in_space(mean_over_turns(response.stiffness), 0.);
-          // Undisplaced, a load is force and moment along the axes.
-          const Wrench preload   = seat.of_load(response.load, MeanMotion::Motion());
-          ring.preload.head<3>() = preload.force;
-          ring.preload.tail<3>() = preload.moment;
+          const Eigen::Matrix<double, 6, 3> B = set.derivative(i, at_rest);
+          if (harmonic_ == 0)
+            add(nodes[i], along * B);
+          else
+            {
+              // Re((real + i quarter) B (u + i v))
+              add(nodes[i], real * B);
+              add(n_points + nodes[i], -quarter * B);
+            }
         }
-    for (const Coupling &coupling : model.couplings)
-      if (const auto *part = discretization.find_part(coupling.body))
+    ring.motion.resize(6, 3 * ring.points.size());
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      ring.motion.middleCols<3>(3 * i) = columns[i];
+  }
+
+  void BearingRings::add_bearings(const HousingLaw housing)
+  {
+    const Model                &model = discretization_.model();
+    const std::size_t           first = first_bearing(model);
+    const BearingSystem::Linear law   = make_bearing_system(model).linearized();
+    std::vector<std::size_t>    seats;
+    for (std::size_t b = 0; b < model.bearings.size(); ++b)
+      if (const Bearing &bearing = model.bearings[b];
+          discretization_.find_part(bearing.body) != nullptr)
         {
-          rings.push_back(
-            make_ring(discretization, *part, coupling.nodes, "coupling \"" + coupling.name + "\""));
-          BearingRing &ring = rings.back();
-          ring.support      = couplings + (&coupling - model.couplings.data());
-          // About the axis: the same in all axes that turn about it.
-          const Vector3 &axis = model.bodies[coupling.body].axis.direction;
-          ring.stiffness.setZero();
-          ring.stiffness.bottomRightCorner<3, 3>() = coupling.stiffness * axis * axis.transpose();
-          ring.mean_stiffness                      = ring.stiffness;
+          rings_.push_back(
+            make_ring(bearing.body, bearing.nodes, "bearing \"" + bearing.name + "\""));
+          rings_.back().support = first + b;
+          seats.push_back(b);
         }
-    return rings;
+    const std::size_t n = seats.size();
+    if (housing == HousingLaw::joins_seats && model.housing.size() > 0)
+      n_joined_ = n;
+    stiffness_ = Eigen::MatrixXd::Zero(6 * n, 6 * n);
+    preload_   = Eigen::VectorXd::Zero(6 * n);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        preload_.segment<6>(6 * i) = law.load.segment<6>(6 * seats[i]);
+        for (std::size_t j = 0; j < n; ++j)
+          if (joins(i, j))
+            stiffness_.block<6, 6>(6 * i, 6 * j) =
+              law.stiffness.block<6, 6>(6 * seats[i], 6 * seats[j]);
+      }
+  }
+
+  void BearingRings::add_couplings()
+  {
+    const Model      &model = discretization_.model();
+    const std::size_t first = first_bearing(model) + model.bearings.size();
+    for (std::size_t c = 0; c < model.couplings.size(); ++c)
+      {
+        const Coupling &coupling = model.couplings[c];
+        if (discretization_.find_part(coupling.body) == nullptr)
+          continue;
+        const auto row = static_cast<Eigen::Index>(6 * rings_.size());
+        rings_.push_back(
+          make_ring(coupling.body, coupling.nodes, "coupling \"" + coupling.name + "\""));
+        rings_.back().support = first + c;
+        stiffness_.conservativeResizeLike(Eigen::MatrixXd::Zero(row + 6, row + 6));
+        preload_.conservativeResizeLike(Eigen::VectorXd::Zero(row + 6));
+        const Vector3 &axis                  = model.bodies[coupling.body].axis.direction;
+        stiffness_.bottomRightCorner<3, 3>() = coupling.stiffness * axis * axis.transpose();
+      }
+  }
+
+  Eigen::MatrixXd BearingRings::mean_over_turns(const Eigen::MatrixXd &K, const Rate &rate) const
+  {
+    const Model    &model = discretization_.model();
+    Eigen::MatrixXd mean  = K;
+    for (std::size_t i = 0; i < rings_.size(); ++i)
+      for (std::size_t j = 0; j < rings_.size(); ++j)
+        {
+          const unsigned int of[2] = {rings_[i].body, rings_[j].body};
+          Matrix6            block = K.block<6, 6>(6 * i, 6 * j);
+          if (of[0] == of[1] && rate(of[0]) != 0)
+            {
+              // T K T^T has harmonics up to the second: four turns are all.
+              Matrix6 sum = Matrix6::Zero();
+              for (unsigned int k = 0; k < 4; ++k)
+                {
+                  const Matrix6 T =
+                    on_both(rotation_about(model.bodies[of[0]].axis.direction, .5 * pi * k));
+                  sum += .25 * T * block * T.transpose();
+                }
+              block = sum;
+            }
+          else if (of[0] != of[1])
+            {
+              // Of bodies that turn by themselves only what lies along the axis is always there.
+              const auto lasting = [&](const unsigned int body) {
+                const Vector3 &a = model.bodies[body].axis.direction;
+                return on_both(rate(body) != 0 ? Matrix3(a * a.transpose())
+                                               : Matrix3(Matrix3::Identity()));
+              };
+              block = (lasting(of[0]) * block * lasting(of[1])).eval();
+            }
+          mean.block<6, 6>(6 * i, 6 * j) = block;
+        }
+    return mean;
+  }
+
+  Eigen::MatrixXd BearingRings::stiffness(const Rate &rate) const
+  {
+    const Eigen::MatrixXd K = mean_over_turns(stiffness_, rate);
+    if (discretization_.sector_angle() > 0)
+      require_isotropic(K);
+    return K;
+  }
+
+  void BearingRings::require_isotropic(const Eigen::MatrixXd &K) const
+  {
+    const Eigen::MatrixXd mean  = mean_over_turns(K, [](unsigned int) { return 1.; });
+    const auto            first = first_bearing(discretization_.model());
+    for (std::size_t i = 0; i < rings_.size(); ++i)
+      {
+        // Displacements, turns and what joins them have units of their own.
+        const double way  = K.diagonal().segment<3>(6 * i).maxCoeff(),
+                     turn = K.diagonal().segment<3>(6 * i + 3).maxCoeff();
+        for (std::size_t j = 0; j < rings_.size(); ++j)
+          for (unsigned int c = 0; c < 36; ++c)
+            {
+              const std::size_t row = 6 * i + c / 6, column = 6 * j + c % 6;
+              const double      other =
+                (c % 6 < 3 ? K.diagonal().segment<3>(6 * j) : K.diagonal().segment<3>(6 * j + 3))
+                  .maxCoeff();
+              if (std::abs(K(row, column) - mean(row, column)) >
+                  1e-6 * std::sqrt((c < 18 ? way : turn) * other))
+                throw InputError(
+                  "bearing \"" + discretization_.model().bearings[rings_[i].support - first].name +
+                  "\": its stiffness is not the same in all directions across the axis, so that "
+                  "it joins harmonics of one sector; at rest take the whole body "
+                  "(cyclic symmetry = no)");
+            }
+      }
+  }
+
+  Eigen::VectorXd BearingRings::displacement(const std::vector<double> &u) const
+  {
+    Eigen::VectorXd all(6 * rings_.size());
+    for (std::size_t i = 0; i < rings_.size(); ++i)
+      all.segment<6>(6 * i) = rings_[i].displacement(u);
+    return all;
+  }
+
+  void BearingRings::add_forces(const Eigen::VectorXd &load, std::vector<double> &forces) const
+  {
+    for (std::size_t i = 0; i < rings_.size(); ++i)
+      rings_[i].add_forces(load.segment<6>(6 * i), forces);
   }
 } // namespace vfife

@@ -256,4 +256,19 @@ namespace vfife
         values[3 * a + c] = u[3 * static_cast<std::size_t>(p[a]) + c];
     return values;
   }
+
+  void require_all_copies(const Body                      &body,
+                          const std::vector<unsigned int> &nodes,
+                          const std::string               &what)
+  {
+    const unsigned int per_sector = nodes_per_sector(body);
+    std::vector<bool>  inside(body.n_nodes(), false);
+    for (const unsigned int node : nodes)
+      inside[node] = true;
+    for (const unsigned int node : nodes)
+      if (!inside[(node + per_sector) % body.n_nodes()])
+        throw InputError("body \"" + body.name() + "\": " + what +
+                         " is not alike in all sectors: it has node " + std::to_string(node) +
+                         " without its copy in the next one");
+  }
 } // namespace vfife

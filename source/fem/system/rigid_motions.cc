@@ -68,24 +68,31 @@ namespace vfife
     // Bearings and couplings hold what has a stiffness, each by its own measure of it: one of ways
     // and one of turns, whatever the axes of the bearing are.
     if (discretization.sector_angle() == 0)
-      for (const BearingRing &ring : find_bearing_rings(discretization))
-        if (discretization.part_of_point(ring.points.front()).body == part.body)
+      {
+        const BearingRings    rings(discretization, HousingLaw::own_seats);
+        const Eigen::MatrixXd K = rings.stiffness([](unsigned int) { return 0.; });
+        for (std::size_t r = 0; r < rings.list().size(); ++r)
           {
-            Eigen::Matrix<double, 6, 6> motion;
+            const BearingRing &ring = rings.list()[r];
+            if (ring.body != part.body)
+              continue;
+            const Eigen::Matrix<double, 6, 6> stiffness = K.block<6, 6>(6 * r, 6 * r);
+            Eigen::Matrix<double, 6, 6>       motion;
             for (unsigned int d = 0; d < 6; ++d)
               motion.col(d) = ring.displacement(rigid[d]) / (d < 3 ? 1. : size);
             // Turns in units of the body's size, as the motions are.
             Eigen::Matrix<double, 6, 1> scale = Eigen::Matrix<double, 6, 1>::Zero();
             for (unsigned int block = 0; block < 6; block += 3)
               {
-                const double measure = ring.stiffness.diagonal().segment<3>(block).maxCoeff();
+                const double measure = stiffness.diagonal().segment<3>(block).maxCoeff();
                 if (measure > 0)
                   scale.segment<3>(block).setConstant((block == 0 ? 1. : size) /
                                                       std::sqrt(measure));
               }
-            forbidden += motion.transpose() * scale.asDiagonal() * ring.stiffness *
-                         scale.asDiagonal() * motion / part.n_points;
+            forbidden += motion.transpose() * scale.asDiagonal() * stiffness * scale.asDiagonal() *
+                         motion / part.n_points;
           }
+      }
     // Motions that nothing forbids are its kernel.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(forbidden);
     std::vector<std::vector<double>>                                 motions;

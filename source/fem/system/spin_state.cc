@@ -41,7 +41,7 @@ namespace vfife
     };
     // Bodies that are softened may be stable under their stresses only: the stiffness at rest is
     // not softened, and brings the state within reach of its own tangent.
-    state.solve       = prepare(with_bed(matrices.stiffness()));
+    state.solve       = prepare(with_bed(matrices.stiffness(rate)));
     bool   is_at_rest = true;
     double before     = 0;
     for (unsigned int step = 0; step < largest_steps; ++step)

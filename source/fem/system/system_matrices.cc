@@ -49,7 +49,7 @@ namespace vfife
     return assembly_.discretization().model().bodies[body(e)].axis;
   }
 
-  SparseValues SystemMatrices::stiffness() const
+  SparseValues SystemMatrices::stiffness(const Rate &rate) const
   {
     const Discretization &d       = assembly_.discretization();
     SparseValues          K       = assembly_.matrix([&](const unsigned int e) {
@@ -58,17 +58,15 @@ namespace vfife
     const auto            springs = find_springs(d);
     if (!springs.empty())
       K = add_scaled(std::move(K), 1., assembly_.point_matrix(springs));
-    return add_rings(std::move(K),
-                     [&d](const unsigned int body) { return d.model().bodies[body].rate; });
+    return add_rings(std::move(K), rate);
   }
 
   SparseValues SystemMatrices::add_rings(SparseValues K, const Rate &rate) const
   {
-    return assembly_.rings().empty()
+    const BearingRings &rings = assembly_.rings();
+    return rings.list().empty()
              ? K
-             : add_scaled(std::move(K), 1., assembly_.ring_matrix([&rate](const BearingRing &ring) {
-                 return ring.stiffness_at(rate(ring.body));
-               }));
+             : add_scaled(std::move(K), 1., assembly_.ring_matrix(rings.stiffness(rate)));
   }
 
   SparseValues SystemMatrices::mass() const
@@ -202,8 +200,8 @@ namespace vfife
     for (const auto &point : point_stiffnesses(u, rate))
       Eigen::Map<Vector3>(held.data() + 3 * std::size_t(point.first)) -=
         point.second * Eigen::Map<const Vector3>(u.data() + 3 * std::size_t(point.first));
-    for (const BearingRing &ring : assembly_.rings())
-      ring.add_forces(-ring.stiffness_at(rate(ring.body)) * ring.displacement(u), held);
+    const BearingRings &rings = assembly_.rings();
+    rings.add_forces(-rings.stiffness(rate) * rings.displacement(u), held);
     const OwnedVector springs = assembly_.restrict_forces(held);
     return add_scaled(std::move(residual), 1., springs);
   }

@@ -45,19 +45,22 @@ namespace vfife
     const double           stiffness = assembly.mean_diagonal(K);
     std::set<unsigned int> done;
     // The points of a ring are coupled anyway.
-    return add_scaled(std::move(K), 1., assembly.ring_matrix([&](const BearingRing &ring) {
-      Eigen::Matrix<double, 6, 6> pin = Eigen::Matrix<double, 6, 6>::Zero();
-      if (std::find(bodies.begin(), bodies.end(), ring.body) == bodies.end() ||
-          !done.insert(ring.body).second)
-        return pin;
-      const Axis &axis   = d.model().bodies[ring.body].axis;
-      double      square = 0;
-      for (const unsigned int p : ring.points)
-        square +=
-          axis.direction.cross(d.points()[p] - axis.point).squaredNorm() / ring.points.size();
-      pin.bottomRightCorner<3, 3>() =
-        stiffness * square * axis.direction * axis.direction.transpose();
-      return pin;
-    }));
+    const std::vector<BearingRing> &rings = assembly.rings().list();
+    Eigen::MatrixXd pins = Eigen::MatrixXd::Zero(6 * rings.size(), 6 * rings.size());
+    for (std::size_t r = 0; r < rings.size(); ++r)
+      {
+        const BearingRing &ring = rings[r];
+        if (std::find(bodies.begin(), bodies.end(), ring.body) == bodies.end() ||
+            !done.insert(ring.body).second)
+          continue;
+        const Axis &axis   = d.model().bodies[ring.body].axis;
+        double      square = 0;
+        for (const unsigned int p : ring.points)
+          square +=
+            axis.direction.cross(d.points()[p] - axis.point).squaredNorm() / ring.points.size();
+        pins.block<3, 3>(6 * r + 3, 6 * r + 3) =
+          stiffness * square * axis.direction * axis.direction.transpose();
+      }
+    return add_scaled(std::move(K), 1., assembly.ring_matrix(pins));
   }
 } // namespace vfife

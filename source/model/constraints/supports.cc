@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/model/constraints/supports.h>
 
@@ -29,14 +28,6 @@ namespace vfife
     if (model.housing.size() > 0)
       system.set_housing(model.housing);
     return system;
-  }
-
-  void require_rigid_housing(const Model &model)
-  {
-    if (model.housing.size() > 0)
-      throw InputError("Gear pair/Housing/stiffness",
-                       "couples the bearings of all bodies, which runs and loaded tooth contact "
-                       "analysis take; studies of one body by itself need a rigid housing");
   }
 
   std::size_t first_bearing(const Model &model)

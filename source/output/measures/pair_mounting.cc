@@ -6,7 +6,6 @@
 namespace vfife
 {
   PairMounting::PairMounting(const Model &model)
-    : model_(model)
   {
     const Transmission &t = *model.transmission;
     for (unsigned int b = 0; b < 2; ++b)
@@ -27,13 +26,7 @@ namespace vfife
     return model.transmission && (model.bodies[0].floats || model.bodies[1].floats);
   }
 
-  std::vector<unsigned int> PairMounting::bore(const unsigned int body) const
-  {
-    return members_[body].bore ? members_[body].bore->nodes() : std::vector<unsigned int>();
-  }
-
-  template <typename MotionOf>
-  Mounting PairMounting::measure_change(const MotionOf &motion_of) const
+  Mounting PairMounting::measure(const RingMotions &motion_of) const
   {
     std::array<MountedMember, 2> now;
     for (unsigned int b = 0; b < 2; ++b)
@@ -53,18 +46,7 @@ namespace vfife
 
   Mounting PairMounting::measure(const State &state, const Communicator &communicator) const
   {
-    return measure_change(
+    return measure(
       [&](const unsigned int, const BodyRing &bore) { return bore.measure(state, communicator); });
-  }
-
-  Mounting PairMounting::measure(const std::array<std::vector<Vector3>, 2> &displacements,
-                                 const std::array<Matrix3, 2>              &rotations) const
-  {
-    return measure_change([&](const unsigned int b, const BodyRing &bore) {
-      const Vector3 &point = model_.bodies[b].axis.point;
-      return bore.measure([&](const std::size_t i) {
-        return Vector3(point + rotations[b] * (bore.places()[i] + displacements[b][i] - point));
-      });
-    });
   }
 } // namespace vfife

@@ -46,11 +46,11 @@ namespace vfife
   inline double
   compute_peak_to_peak(const std::vector<double> &samples, const double begin, const double end)
   {
-    const auto at    = [&samples](const double row) {
+    const auto at = [&samples](const double row) {
       return samples.begin() + static_cast<std::ptrdiff_t>(row);
     };
-    const auto range = std::minmax_element(at(std::ceil(begin - 1e-6)),
-                                           at(std::floor(end + 1e-6)) + 1);
+    const auto range =
+      std::minmax_element(at(std::ceil(begin - 1e-6)), at(std::floor(end + 1e-6)) + 1);
     return *range.second - *range.first;
   }
 } // namespace vfife

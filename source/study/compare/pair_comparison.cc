@@ -2,8 +2,10 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/study/compare/arm_range.h>
+#include <vfife/study/compare/bearing_comparison.h>
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/pair_comparison.h>
+#include <vfife/study/compare/pair_run.h>
 #include <vfife/study/compare/probe_passages.h>
 #include <vfife/study/compare/quasi_static.h>
 #include <vfife/study/compare/spectrum_lines.h>
@@ -13,7 +15,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
 namespace vfife
 {
@@ -32,131 +33,6 @@ namespace vfife
       const auto ends = std::minmax_element(values.begin(), values.end());
       return *ends.second - *ends.first;
     }
-
-    std::string number_text(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
-
-    /** A run and what its rows need. */
-    class PairRun
-    {
-    public:
-      PairRun(const ComparedCase &run, const ComparisonTolerances &tolerances)
-        : tolerances(tolerances)
-        , history(run.table("history.csv"))
-        , run_(run)
-        , rate_(summary(summary_place::figure(figure_name::speed_of("pinion"))))
-        , mesh_frequency(summary(summary_place::figure(figure_name::mesh_frequency)))
-        , start(summary(summary_place::steady_start))
-        , is_steady_(summary(summary_place::is_steady) == 1)
-        , is_ripple_unsteady_(summary(summary_place::is_ripple_steady) == 0)
-      {
-      }
-
-      double summary(const std::string &pointer) const
-      {
-        return run_.number("summary.json", pointer);
-      }
-
-      const ComparedCase &folder() const
-      {
-        return run_;
-      }
-
-      /** Mean of a column of the history over the steady part. */
-      double steady_mean(const std::string &column) const
-      {
-        return summary(summary_place::steady_mean(column));
-      }
-
-      bool has(const std::string &file) const
-      {
-        return run_.has(file);
-      }
-
-      Table table(const std::string &file) const
-      {
-        return run_.table(file);
-      }
-
-      /** The times and values of a column in the steady part. */
-      void
-      cut(const std::string &column, std::vector<double> &time, std::vector<double> &values) const
-      {
-        // Up to the end of the run, which is that of the steady part but for a part of a tooth
-        // mesh.
-        for (std::size_t i = 0; i < history.n_rows(); ++i)
-          if (history.numbers(column::time)[i] >= start)
-            {
-              time.push_back(history.numbers(column::time)[i]);
-              values.push_back(history.numbers(column)[i]);
-            }
-      }
-
-      /** Means of a column over the tooth meshes of the steady part, at @p positions. */
-      std::vector<std::optional<double>> at_positions(const std::string         &column,
-                                                      const std::vector<double> &positions) const
-      {
-        std::vector<double> time, values;
-        cut(column, time, values);
-        return compute_mean_mesh(time, values, mesh_frequency, positions);
-      }
-
-      /** The tolerance of what holds for slow runs only, and why. @p swing: what the modes may add,
-       * in the unit of the row. */
-      void judge_slow(const double tolerance, ComparisonRow &row, const double swing = 0.) const
-      {
-        // [rpm]. What the speed excludes is said first, then what the run, then what the modes do.
-        const double limit = tolerances.slow * 30 / pi;
-        if (rate_ > limit * (1 + 1e-9))
-          row.reason += "; at " + number_text(rate_) +
-                        " rpm the static pair is no reference, which "
-                        "it is up to " +
-                        number_text(limit) + " rpm: the difference is stated";
-        else if (!is_steady_)
-          row.reason += "; the run has no steady part";
-        else if (swing > tolerance)
-          row.reason += "; harmonics of the mesh near the coupled modes may add " +
-                        number_text(swing) + " " + row.unit + " without damping";
-        else
-          row.tolerance = tolerance;
-      }
-
-      /** The same for figures of the ripple. */
-      void judge_slow_ripple(const double tolerance, ComparisonRow &row, const double swing) const
-      {
-        if (is_ripple_unsteady_)
-          row.reason += "; the run's ripple is not steady";
-        else
-          judge_slow(tolerance, row, swing);
-      }
-
-      /** The tolerance of what holds on average at any speed. */
-      void judge_steady(const double tolerance, ComparisonRow &row) const
-      {
-        if (is_steady_)
-          row.tolerance = tolerance;
-        else
-          row.reason += "; the run has no steady part, so means are those of its last third";
-      }
-
-      const ComparisonTolerances &tolerances;
-      const Table                 history;
-
-    private:
-      const ComparedCase &run_;
-      double              rate_; ///< of the pinion [rpm]
-
-    public:
-      const double mesh_frequency; ///< [Hz]
-      const double start;          ///< of the steady part [s]
-
-    private:
-      bool is_steady_, is_ripple_unsteady_;
-    };
 
     /** How much the transmission error swings over a tooth mesh, and how far the run is from the
      * static @p curve anywhere, both at those of its positions that the run passes. */
@@ -335,7 +211,7 @@ namespace vfife
           if (is_harmonic || n++ >= 3)
             continue;
           ComparisonRow row = compare_with_modes("line " + std::to_string(n) + " of the dte, " +
-                                                   number_text(line.amplitude) + " arcsec",
+                                                   rounded_text(line.amplitude) + " arcsec",
                                                  line.frequency,
                                                  length,
                                                  modes,
@@ -387,7 +263,10 @@ namespace vfife
     const ComparedCase *const coupled  = find_case(cases, analysis, "coupled_modes.csv");
     const ComparedCase *const lumped   = find_case(cases, "lumped", "lumped.json");
     if (loaded != nullptr)
-      add_static_pair(pair, *loaded, coupled, rows);
+      {
+        add_static_pair(pair, *loaded, coupled, rows);
+        add_supports(pair, *loaded, rows);
+      }
     if (loaded != nullptr && loaded->has("loaded_probes.csv") && pair.has("probes.csv"))
       add_probes(pair, *loaded, rows);
     add_balance(pair, rows);

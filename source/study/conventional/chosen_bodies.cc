@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/process/log.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/model/model.h>
@@ -26,5 +27,20 @@ namespace vfife
         bodies.push_back(found - names.begin());
       }
     return bodies;
+  }
+
+  void log_housing(const Model &model, const std::vector<unsigned int> &bodies, Log &log)
+  {
+    if (model.housing.size() == 0)
+      return;
+    std::vector<std::string> held;
+    for (const Bearing &bearing : model.bearings)
+      if (std::find(bodies.begin(), bodies.end(), bearing.body) == bodies.end())
+        held.push_back(bearing.name);
+    if (held.empty())
+      log.line("the housing joins all bearings");
+    else
+      log.line("the housing joins the bearings of this body; those of others are held: ",
+               list_of(held));
   }
 } // namespace vfife

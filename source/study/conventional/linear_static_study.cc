@@ -278,8 +278,9 @@ namespace vfife
       }
     // 2. The solution, and stresses at the nodes.
     // Bodies that are free to move are refused here, before anything is assembled.
-    const StaticSolver solver(
-      model, find_chosen_bodies(fem_, model), fem_, folder.communicator(), rotation);
+    const std::vector<unsigned int> bodies = find_chosen_bodies(fem_, model);
+    log_housing(model, bodies, log);
+    const StaticSolver        solver(model, bodies, fem_, folder.communicator(), rotation);
     const StaticResult        result   = solver.solve(loads);
     const std::vector<Stress> stresses = solver.compute_node_stresses(result);
     summary.run_time                   = seconds_since(start);

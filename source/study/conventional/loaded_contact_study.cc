@@ -17,13 +17,12 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
-#include <vfife/output/measures/pair_mounting.h>
-#include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_probes.h>
+#include <vfife/study/conventional/loaded_supports.h>
 #include <vfife/study/run/run_penalties.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -40,8 +39,6 @@ namespace vfife
       LoadedContactStudy()
         : positions_(make_loaded_contact_table())
         , teeth_(make_loaded_teeth_table())
-        , bearings_(make_loaded_bearing_table())
-        , misalignments_(make_loaded_misalignment_table())
       {
         fem_.mass = MassKind::lumped; // as the mass points of a run
       }
@@ -84,11 +81,6 @@ namespace vfife
                         const std::vector<Stress>   &stresses,
                         Log                         &log);
 
-      void add_misalignment(const Model                 &model,
-                            const Compliance            &compliance,
-                            double                       position,
-                            const PairEquilibriumResult &result);
-
       void find_modes(const Model                 &model,
                       const Compliance            &compliance,
                       const PairEquilibriumResult &result,
@@ -100,7 +92,7 @@ namespace vfife
       OutputOptions        output_;
       FemOptions           fem_;
       LoadedContactOptions options_;
-      Table                positions_, teeth_, bearings_, misalignments_;
+      Table                positions_, teeth_;
     };
   } // namespace
 
@@ -152,6 +144,7 @@ namespace vfife
     // forces that one position has solved for are kept for the next.
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
     LoadedProbes    probes(model);
+    LoadedSupports  supports(model);
     for (const double turn : turns)
       {
         start                              = WallClock::now();
@@ -161,6 +154,7 @@ namespace vfife
           compute_node_stresses(compliance.discretization(), result.displacements);
         add_position(model, compliance, turn / pitch, result, stresses, log);
         probes.add_position(turn / pitch, stresses);
+        supports.add_position(compliance.discretization(), turn / pitch, result);
         log.line("  ",
                  result.iterations,
                  " iterations, residual ",
@@ -187,14 +181,8 @@ namespace vfife
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
     write_edge_contact(gear_case_.edges_under_load(), teeth_, column::position, 1., folder, log);
-    if (!model.bearings.empty())
-      {
-        write_csv(folder, "bearings.csv", bearings_);
-        write_bearing_curves(folder, model.bearings);
-      }
-    if (PairMounting::changes(model))
-      write_csv(folder, "misalignment.csv", misalignments_);
-    write_own_figures(folder, list_loaded_figures(positions_, misalignments_));
+    supports.write(folder);
+    write_own_figures(folder, list_loaded_figures(positions_, supports.misalignments()));
     write_tables(folder, "loaded_contact", positions_);
   }
 
@@ -209,7 +197,7 @@ namespace vfife
                                                   fem_,
                                                   options_.centrifugal,
                                                   result.ties,
-                                                  result.bearings,
+                                                  result.bearing_tangent,
                                                   options_.coupled_modes,
                                                   folder.communicator());
     log.line("coupled modes: ",
@@ -249,32 +237,6 @@ namespace vfife
           }
         write_shapes(folder, "modes/coupled_" + body.name() + ".vtu", body, shapes);
       }
-  }
-
-  void LoadedContactStudy::add_misalignment(const Model                 &model,
-                                            const Compliance            &compliance,
-                                            const double                 position,
-                                            const PairEquilibriumResult &result)
-  {
-    const Transmission                 &t = *model.transmission;
-    const PairMounting                  mounting(model);
-    std::array<std::vector<Vector3>, 2> displacements;
-    std::array<Matrix3, 2>              rotations;
-    for (const Discretization::Part &part : compliance.discretization().parts())
-      {
-        const bool   is_driven = part.body == t.driven;
-        const double turn      = is_driven
-                                   ? t.driven_sense * t.ratio() * result.driver_turn + result.turn
-                                   : t.driver_sense * result.driver_turn;
-        rotations[part.body]   = rotation_about(model.bodies[part.body].axis.direction, turn);
-        for (const unsigned int node : mounting.bore(part.body))
-          displacements[part.body].push_back(Eigen::Map<const Vector3>(
-            result.displacements.data() + 3 * std::size_t(part.first_point + node)));
-      }
-    std::vector<Table::Cell> row =
-      list_mounting_columns().cells_of(mounting.measure(displacements, rotations));
-    row.insert(row.begin(), position);
-    misalignments_.add_row(row);
   }
 
   void LoadedContactStudy::add_position(const Model                 &model,
@@ -317,16 +279,6 @@ namespace vfife
                         tooth.largest_pressure,
                         tooth.area});
       }
-    const auto columns = list_bearing_columns();
-    for (std::size_t b = 0; b < model.bearings.size(); ++b)
-      {
-        std::vector<Table::Cell> row =
-          columns.cells_of({model.bearings[b].name, result.bearings[b]});
-        row.insert(row.begin(), position);
-        bearings_.add_row(row);
-      }
-    if (PairMounting::changes(model))
-      add_misalignment(model, compliance, position, result);
     // Where teeth break: the largest stress of either fillet, and of the web's faces.
     const std::vector<const char *> fillets = {node_set::concave_fillet, node_set::convex_fillet};
     const Body &driver = model.bodies[t.driver], &driven = model.bodies[t.driven];

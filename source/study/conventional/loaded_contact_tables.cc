@@ -50,6 +50,8 @@ namespace vfife
     Table table;
     table.add_column(column::position, "tooth meshes");
     list_mounting_columns().add_to(table);
+    table.add_column(column::error_of_bearings, "arcsec");
+    table.add_column(column::error_of_shaft_bending, "arcsec");
     return table;
   }
 

@@ -93,6 +93,7 @@ namespace vfife
     const Body               &body = model.bodies[b];
     const RotatingBody        rotating(model, b, fem_, folder.communicator());
     std::vector<ModesAtSpeed> speeds;
+    log_housing(model, {b}, log);
     for (const double rate : fem_.rates())
       {
         // Each speed is a problem of its own: stresses of its spin, its Coriolis forces.

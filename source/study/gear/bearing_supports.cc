@@ -62,9 +62,9 @@ namespace vfife
 
   std::vector<LumpedSupport> find_bearing_supports(const Model &model)
   {
-    const Transmission        &t   = *model.transmission;
-    const std::vector<Matrix5> own = make_bearing_system(model).own_stiffness();
-    std::vector<LumpedSupport> supports;
+    const Transmission         &t   = *model.transmission;
+    const BearingSystem::Linear law = make_bearing_system(model).linearized();
+    std::vector<LumpedSupport>  supports;
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
         const Body &body = model.bodies[b];
@@ -73,7 +73,9 @@ namespace vfife
         // 1. K and C over the five motions, in units in which the masses are one.
         const RigidMember member(body);
         const Vector5     scale = member.masses.cwiseSqrt().cwiseInverse();
-        Matrix5           K = Matrix5::Zero(), C = Matrix5::Zero();
+        Matrix5           C     = Matrix5::Zero();
+        // Of all seats of a model; those of the other member are held.
+        Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(6 * model.bearings.size(), 5);
         for (std::size_t s = 0; s < model.bearings.size(); ++s)
           if (model.bearings[s].body == b)
             {
@@ -83,10 +85,11 @@ namespace vfife
                                   bearing.nodes,
                                   compute_area_shares(body, bearing.nodes),
                                   "bearing \"" + bearing.name + "\"");
-              const Matrix6x5 D = member.motion_at(ring.centre()) * scale.asDiagonal();
-              K += D.transpose() * seat.in_space(own[s], 0.) * D;
+              const Matrix6x5 D         = member.motion_at(ring.centre()) * scale.asDiagonal();
+              ways.middleRows<6>(6 * s) = D;
               C += D.transpose() * seat.in_space(bearing.law->damping(), 0.) * D;
             }
+        const Matrix5                                K = ways.transpose() * law.stiffness * ways;
         const Eigen::SelfAdjointEigenSolver<Matrix5> modes(K);
         if (!(modes.eigenvalues().minCoeff() > 1e-9 * modes.eigenvalues().maxCoeff()))
           throw InputError("Lumped/bearings",

@@ -22,10 +22,8 @@ namespace vfife
   DeflectionProbe::DeflectionProbe(const Model &model, const Communicator &communicator)
     : model_(model)
     , communicator_(communicator)
+    , supports_of_(model)
   {
-    const Transmission &t = *model.transmission;
-    add_member(t.driver, t.driver_bore);
-    add_member(t.driven, t.driven_bore);
   }
 
   Vector3 DeflectionProbe::flank_displacement(const State       &state,
@@ -93,69 +91,6 @@ namespace vfife
     shape.rim_turn  = solution.tail<3>();
   }
 
-  void DeflectionProbe::add_member(const unsigned int b, const std::vector<unsigned int> &bore)
-  {
-    // Bodies that no bearing holds have bores that turn only.
-    const Body &body = model_.bodies[b];
-    if (!body.floats)
-      return;
-    members_[b].bore.emplace(body, bore, "bore of the " + body.name());
-    for (const Bearing &bearing : model_.bearings)
-      if (bearing.body == b)
-        members_[b].seats.push_back(
-          {BodyRing(body,
-                    bearing.nodes,
-                    compute_area_shares(body, bearing.nodes),
-                    "bearing \"" + bearing.name + "\""),
-           ShaftSeat(bearing.axes).in_space(bearing.law->linearized().stiffness, 0.)});
-  }
-
-  void DeflectionProbe::measure_supports(const State &state, Shape &shape) const
-  {
-    using Vector6         = Eigen::Matrix<double, 6, 1>;
-    const Transmission &t = *model_.transmission;
-    for (const unsigned int b : {t.driver, t.driven})
-      {
-        const Member &member = members_[b];
-        if (!member.bore)
-          continue;
-        const Vector3 &axis = model_.bodies[b].axis.direction;
-        // Way of the mean contact along the normal where a body moves by d at a centre and its axis
-        // tilts, in the drive direction; the driver's opens what the driven one's closes.
-        const auto lead = [&](const Vector3 &centre, const Vector3 &d, const Vector3 &tilt) {
-          return (b == t.driven ? 1. : -1.) *
-                 t.contact_normal.dot(d + tilt.cross(t.contact_point - centre)) / t.arm;
-        };
-        const auto tilt = [&axis](const MeanMotion::Motion &motion) {
-          return Vector3(axis.cross(motion.rotation * axis));
-        };
-        // 1. The bore.
-        const MeanMotion::Motion motion = member.bore->measure(state, communicator_);
-        const double hub = lead(member.bore->centre(), motion.displacement, tilt(motion));
-        shape.hub += hub;
-        shape.driven_hub += b == t.driven ? hub : 0.;
-        // 2. The rigid motion (u at the bore's centre, turn) that fits the seats' best, in the
-        // energy of the bearings: sum D^T K D (u, turn) = sum D^T K q.
-        Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-        Vector6                     right  = Vector6::Zero();
-        for (const Seat &seat : member.seats)
-          {
-            const MeanMotion::Motion    at_seat = seat.ring.measure(state, communicator_);
-            const Vector3               r       = seat.ring.centre() - member.bore->centre();
-            Eigen::Matrix<double, 6, 6> D       = Eigen::Matrix<double, 6, 6>::Identity();
-            for (unsigned int c = 0; c < 3; ++c)
-              D.block<3, 1>(0, 3 + c) = Vector3::Unit(c).cross(r);
-            Vector6 q;
-            q << at_seat.displacement, tilt(at_seat);
-            matrix += D.transpose() * seat.stiffness * D;
-            right += D.transpose() * seat.stiffness * q;
-          }
-        // Nothing holds the turn about the axis.
-        const Vector6 rigid = matrix.completeOrthogonalDecomposition().solve(right);
-        shape.bearings += lead(member.bore->centre(), rigid.head<3>(), rigid.tail<3>());
-      }
-  }
-
   DeflectionProbe::Shape DeflectionProbe::measure(State &state) const
   {
     const Transmission &t = *model_.transmission;
@@ -173,7 +108,8 @@ namespace vfife
                                          flank_displacement(state, t.driver, drive.slave_surface)) /
                     t.arm;
     fit_rim(state, shape);
-    measure_supports(state, shape);
+    shape.supports = supports_of_.measure(
+      [&](const unsigned int, const BodyRing &ring) { return ring.measure(state, communicator_); });
     return shape;
   }
 
@@ -235,10 +171,9 @@ namespace vfife
     const Vector3 tilt = turn - axis.direction.dot(turn) * axis.direction;
     const Vector3 shift =
       loaded.rim_shift - spun_.rim_shift + tilt.cross(t.contact_point - axis.point);
-    const double driven_hub = loaded.driven_hub - spun_.driven_hub;
+    const double driven_hub = loaded.supports.driven_hub - spun_.supports.driven_hub;
     parts.rim_tilt          = t.contact_normal.dot(shift) / t.arm - driven_hub;
-    supports_.bearings      = loaded.bearings - spun_.bearings;
-    supports_.bending       = loaded.hub - spun_.hub - supports_.bearings;
+    supports_               = SupportLeads::find_parts(spun_.supports, loaded.supports);
     // The parts add up by definition: what the split cannot tell apart, is here.
     parts.teeth = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt -
                   supports_.bearings - supports_.bending;

@@ -16,7 +16,8 @@ namespace vfife
   struct Model;
 
   /** What acts on all bodies in one step, over all ranks [mJ/s]: work done on them, and losses. Of
-   * what the mesh damping takes `swing` comes from the motion relative to the kinematic rotation. */
+   * what the mesh damping takes `swing` comes from the motion relative to the kinematic rotation.
+   */
   struct StepPowers
   {
     double drive = 0, torque = 0, damping = 0, mesh = 0, swing = 0, contact = 0;

@@ -25,18 +25,20 @@ namespace vfife
   double read_row(const SectorRow &row, const std::vector<double> &u);
 
   /**
-   * A body of equal sectors that are all held alike, about its state of steady spin: what its
-   * harmonics (CyclicHarmonic) have in common. A hub that turns freely leaves a rigid turn, from
-   * which everything else is parted: fields are M-orthogonal to it. One sector is little work, and
-   * each rank does it by itself: ranks share harmonics.
+   * A body of equal sectors that are all held alike, in bearings too, about its state of steady
+   * spin: what its harmonics (CyclicHarmonic) have in common. A hub that turns freely, or a shaft
+   * that nothing drives, leaves a rigid turn, from which everything else is parted: fields are
+   * M-orthogonal to it. One sector is little work, and each rank does it by itself: ranks share
+   * harmonics.
    */
   class CyclicBody
   {
   public:
     /**
      * Throws InputError where sectors are no turned copies of each other, are not held or driven
-     * alike, or the body can move otherwise than by turning on its hub, and for bearings, couplings
-     * and loads; NumericalError where the body is not stable at @p rate [rad/s].
+     * alike, or the body can move otherwise than by turning about its axis, for bearings at rest
+     * that are not alike across the axis, and for loads; NumericalError where the body is not
+     * stable at @p rate [rad/s].
      */
     CyclicBody(const Model &model, unsigned int body, const FemOptions &options, double rate);
 
@@ -73,11 +75,14 @@ namespace vfife
       return spin_;
     }
 
-    /** Whether the hub turns freely about the axis. */
+    /** Whether nothing holds the turn about the axis. */
     bool turns() const
     {
       return turns_;
     }
+    /** Whether spin may soften motions of harmonic @p number in bearings below zero, which Coriolis
+     * forces keep stable. */
+    bool whirls(unsigned int number) const;
     /** What hubs do in harmonics of vibrations. */
     HubRotation rotation() const
     {

@@ -75,12 +75,15 @@ namespace vfife
     }
 
   private:
-    /** Rigid motions that nothing holds, but for the rotation of a hub about the axis. */
+    /** Rigid motions that nothing holds, but for the turn about the axis of a hub or in bearings.
+     */
     unsigned int count_free_motions() const;
-    void         solve_harmonic(double                     rate,
-                                const std::vector<double> &equilibrium,
-                                unsigned int               harmonic,
-                                ModesAtSpeed              &result) const;
+    /** Whether that turn is all that bearings leave free. */
+    bool turns_in_bearings(const std::vector<std::vector<double>> &motions) const;
+    void solve_harmonic(double                     rate,
+                        const std::vector<double> &equilibrium,
+                        unsigned int               harmonic,
+                        ModesAtSpeed              &result) const;
     void add_modes(unsigned int harmonic, const ModalResult &found, ModesAtSpeed &result) const;
     void add_waves(const Assembly     &assembly,
                    unsigned int        harmonic,

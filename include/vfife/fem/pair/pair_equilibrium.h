@@ -31,10 +31,13 @@ namespace vfife
 
     std::vector<SeatState>    bearings; ///< in the order of Model::bearings
     std::vector<ToothContact> teeth;
-    std::vector<ContactTie>   ties;               ///< the linearized contact
-    double                    contact_torque = 0; ///< on the driven body, resists the load [N mm]
-    unsigned int              iterations     = 0;
-    double                    residual       = 0; ///< unbalanced over contact forces
+    std::vector<ContactTie>   ties; ///< the linearized contact
+    /** The linearized bearings over the displacements and turns of their rings, axes of time zero,
+     * six rows each [N/mm, N, N mm]. */
+    Eigen::MatrixXd bearing_tangent;
+    double          contact_torque = 0; ///< on the driven body, resists the load [N mm]
+    unsigned int    iterations     = 0;
+    double          residual       = 0; ///< unbalanced over contact forces
   };
 
   /**

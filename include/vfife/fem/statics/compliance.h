@@ -25,7 +25,7 @@ namespace vfife
    * pinned about the axis, and so is the driven body of a pair that turns in bearings: the pin
    * carries nothing where loads have no moment about the axis, and the rotation of such a body is
    * an unknown of whoever asks (PairEquilibrium). Bearings are springs, linear and in the mean over
-   * turns where bodies turn (BearingRing::stiffness_at()).
+   * turns where bodies turn (BearingRings::stiffness()).
    *
    * In spin the matrix is the tangent K(u0) - Omega^2 S (+ curvature of the hub) at the state of
    * spin u0 (doc/fem.md). All functions are collective; results are equal on all ranks.
@@ -70,7 +70,7 @@ namespace vfife
     bool turns_freely(unsigned int body) const;
 
     /** Of bearings and couplings. */
-    const std::vector<BearingRing> &rings() const
+    const BearingRings &rings() const
     {
       return rings_;
     }
@@ -137,10 +137,10 @@ namespace vfife
     const Model                  &model_;
     const Communicator           &communicator_;
     Discretization                discretization_;
+    BearingRings                  rings_; ///< seats by themselves
     std::unique_ptr<Assembly>     assembly_;
     std::unique_ptr<DirectSolver> solver_;
     std::vector<SectorBody>       sectors_; ///< of all bodies, and no matrix of theirs; or none
-    std::vector<BearingRing>      rings_;
     unsigned int                  n_unknowns_ = 0;
     std::vector<double>           spun_, twisted_;
     std::vector<StandingMotion>   standing_;

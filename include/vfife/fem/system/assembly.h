@@ -45,14 +45,15 @@ namespace vfife
     Assembly(const Discretization    &discretization,
              const Unknowns::Options &options,
              const Communicator      &communicator,
-             Links                    links = {});
+             Links                    links   = {},
+             HousingLaw               housing = HousingLaw::joins_seats);
 
     const Discretization &discretization() const
     {
       return discretization_;
     }
     /** Of bearings and couplings, whose points are coupled. */
-    const std::vector<BearingRing> &rings() const
+    const BearingRings &rings() const
     {
       return rings_;
     }
@@ -75,9 +76,8 @@ namespace vfife
     /** Sums 3 x 3 matrices of points (copies of images included), for each copy. */
     SparseValues point_matrix(const std::vector<std::pair<unsigned int, Matrix3>> &points) const;
 
-    /** B^T K B of the bearings' rings. */
-    using RingMatrix = std::function<Eigen::Matrix<double, 6, 6>(const BearingRing &)>;
-    SparseValues ring_matrix(const RingMatrix &stiffness) const;
+    /** B^T K B of the rings of bearings and couplings, K over the motions of all of them. */
+    SparseValues ring_matrix(const Eigen::MatrixXd &stiffness) const;
 
     /** 3n x 3n matrices of the n points of each link. */
     SparseValues link_matrix(const std::function<Eigen::MatrixXd(unsigned int link)> &link) const;
@@ -110,10 +110,18 @@ namespace vfife
     {
       return unknown >= first_ && unknown < last_;
     }
-    void        find_elements();
-    void        make_pattern();
+    void find_elements();
+    void make_pattern();
+    void add(const std::size_t      row_offset,
+             const unsigned int    *points,
+             const Eigen::MatrixXd &A,
+             SparseValues          &values) const
+    {
+      add(row_offset, points, points, A, values);
+    }
     void        add(const std::size_t      row_offset,
-                    const unsigned int    *points,
+                    const unsigned int    *row_points,
+                    const unsigned int    *column_points,
                     const Eigen::MatrixXd &A,
                     SparseValues          &values) const;
     std::size_t find_entry(unsigned int row, unsigned int column) const;
@@ -123,7 +131,7 @@ namespace vfife
     Unknowns                  unknowns_;
     unsigned int              first_, last_;
     Links                     links_;
-    std::vector<BearingRing>  rings_;
+    BearingRings              rings_;
     std::vector<unsigned int> elements_; ///< that touch own unknowns
     SparsePattern             pattern_;
   };

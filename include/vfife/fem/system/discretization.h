@@ -116,6 +116,12 @@ namespace vfife
     std::vector<std::pair<unsigned int, unsigned int>> images_;
     double                                             sector_angle_ = 0;
   };
+
+  /** Throws InputError, naming @p what, where a body of equal sectors has one of @p nodes without
+   * its copies in all sectors. */
+  void require_all_copies(const Body                      &body,
+                          const std::vector<unsigned int> &nodes,
+                          const std::string               &what);
 } // namespace vfife
 
 #endif

@@ -23,11 +23,13 @@ namespace vfife
       return assembly_;
     }
 
-    /** Without spin, with the model's springs to the ground, bearings and couplings. */
-    SparseValues stiffness() const;
-    SparseValues mass() const;
     /** Angular velocity of a body of the model about its axis [rad/s]. */
-    using Rate = std::function<double(unsigned int body)>;
+    using Rate = BearingRings::Rate;
+
+    /** Without stresses of spin, with the model's springs to the ground, bearings and couplings as
+     * bodies feel them that turn at @p rate. */
+    SparseValues stiffness(const Rate &rate) const;
+    SparseValues mass() const;
 
     /** Omega^2 S with S = m_ab (1 - a a^T): the mass of motions across the axis. */
     SparseValues spin_mass(const Rate &rate) const;

@@ -27,10 +27,6 @@ namespace vfife
   /** All bearings of a model, in its order, in its housing. */
   BearingSystem make_bearing_system(const Model &model);
 
-  /** For solvers of a body by itself: throws InputError where a housing couples its bearings with
-   * others. */
-  void require_rigid_housing(const Model &model);
-
   /** Place of the first bearing in list_supports(); couplings follow the bearings. */
   std::size_t first_bearing(const Model &model);
 

@@ -55,6 +55,9 @@ namespace vfife
     std::vector<Vector3>      places_;
     MeanMotion                set_;
   };
+
+  /** The mean motion that a ring of a body of the model has. */
+  using RingMotions = std::function<MeanMotion::Motion(unsigned int body, const BodyRing &ring)>;
 } // namespace vfife
 
 #endif

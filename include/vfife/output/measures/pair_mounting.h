@@ -8,7 +8,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 namespace vfife
 {
@@ -23,7 +22,7 @@ namespace vfife
   class PairMounting
   {
   public:
-    /** The model must have a transmission and outlive this. */
+    /** The model must have a transmission. */
     explicit PairMounting(const Model &model);
 
     /** Whether a member hangs in bearings, so that the mounting changes at all. */
@@ -32,13 +31,8 @@ namespace vfife
     /** What the state has more than the undeformed pair. Collective. */
     Mounting measure(const State &state, const Communicator &communicator) const;
 
-    /** The same where @p displacements [mm] are those of the bores' nodes in axes that have turned
-     * by @p rotations since time zero, about the bodies' axes; in the order of the bodies. */
-    Mounting measure(const std::array<std::vector<Vector3>, 2> &displacements,
-                     const std::array<Matrix3, 2>              &rotations) const;
-
-    /** Nodes of a body's bore whose displacements are asked for; empty: it does not move. */
-    std::vector<unsigned int> bore(unsigned int body) const;
+    /** The same where the rings of the bores move so. */
+    Mounting measure(const RingMotions &motion_of) const;
 
   private:
     struct Member
@@ -46,11 +40,6 @@ namespace vfife
       MountedMember           undeformed;
       std::optional<BodyRing> bore; ///< none: it turns as prescribed
     };
-    /** Where motion_of(body, its bore) has taken the members, less the undeformed pair. */
-    template <typename MotionOf>
-    Mounting measure_change(const MotionOf &motion_of) const;
-
-    const Model          &model_;
     std::array<Member, 2> members_;
     Mounting              undeformed_;
   };

@@ -23,7 +23,8 @@ namespace vfife
    * position. */
   Table make_loaded_bearing_table();
 
-  /** Columns of misalignment.csv of a loaded tooth contact analysis. */
+  /** Columns of misalignment.csv of a loaded tooth contact analysis: the misalignment and the parts
+   * of the transmission error of bearings and shafts. */
   Table make_loaded_misalignment_table();
 
   /** Largest von Mises stress of some named sets of a body [MPa], 0 where it has none. */
@@ -34,6 +35,12 @@ namespace vfife
   /** Figures of an analysis for tables of several, over its positions: means, peak to peak of the
    * transmission errors, largest stresses, mean misalignment where there are rows of one. */
   NamedFigures list_loaded_figures(const Table &positions, const Table &misalignments);
+
+  namespace column
+  {
+    constexpr char error_of_bearings[]      = "transmission error of bearings";
+    constexpr char error_of_shaft_bending[] = "transmission error of shaft bending";
+  } // namespace column
 } // namespace vfife
 
 #endif

@@ -2,14 +2,9 @@
 #ifndef vfife_study_run_deflection_parts_h
 #define vfife_study_run_deflection_parts_h
 
-#include <vfife/bearing/shaft_seat.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
-#include <vfife/output/measures/body_ring.h>
-
-#include <array>
-#include <optional>
-#include <vector>
+#include <vfife/output/measures/support_leads.h>
 
 namespace vfife
 {
@@ -29,14 +24,6 @@ namespace vfife
     double web_windup  = 0; ///< rotation of the rim against the hub under load
     double rim_tilt = 0; ///< of the rim's rigid motion under load tilt and shift, from the hub on
     double teeth    = 0; ///< what remains: bending of teeth and rim, contact, pinion body
-  };
-
-  /** Parts of the transmission error of a loaded pair on shafts [rad]: what the shafts of both
-   * members do without turning about their axes, taken to the mean contact. */
-  struct SupportParts
-  {
-    double bearings = 0; ///< the rigid motion of each shaft that its bearings' displacements make
-    double bending  = 0; ///< the motion of the bores beyond that
   };
 
   /** The lowest oscillation of a loaded pair whose driver is held. */
@@ -88,37 +75,21 @@ namespace vfife
         Vector3::Zero(); ///< rigid motion of the rim: u = shift + tilt x (x - axis point)
       Vector3 rim_turn = Vector3::Zero();
 
-      double hub        = 0; ///< of contact, what the rigid motions of both bores make
-      double bearings   = 0; ///< of that, what the displacements in the bearings make
-      double driven_hub = 0; ///< of hub, the driven member's
+      SupportLeads::Leads supports; ///< of contact, what shafts make
     };
-    /** Of a bearing. */
-    struct Seat
-    {
-      BodyRing                    ring;
-      Eigen::Matrix<double, 6, 6> stiffness; ///< fixed frame
-    };
-    struct Member
-    {
-      std::optional<BodyRing> bore;
-      std::vector<Seat>       seats;
-    };
-
-    void  add_member(unsigned int body, const std::vector<unsigned int> &bore);
     Shape measure(State &state) const;
-    void  measure_supports(const State &state, Shape &shape) const;
     Vector3
     flank_displacement(const State &state, unsigned int body, const std::string &surface) const;
     void fit_rim(const State &state, Shape &shape) const;
 
-    const Model          &model_;
-    const Communicator   &communicator_;
-    std::array<Member, 2> members_; ///< by body
-    Shape                 spun_;
-    SupportParts          supports_;
-    double                partial_torque_ = 0, partial_turn_ = 0; ///< [N mm], [rad]
-    double                loaded_turn_ = 0;                       ///< [rad]
-    NodeField             partial_position_;                      ///< [mm]
+    const Model        &model_;
+    const Communicator &communicator_;
+    SupportLeads        supports_of_;
+    Shape               spun_;
+    SupportParts        supports_;
+    double              partial_torque_ = 0, partial_turn_ = 0; ///< [N mm], [rad]
+    double              loaded_turn_ = 0;                       ///< [rad]
+    NodeField           partial_position_;                      ///< [mm]
   };
 } // namespace vfife
 
