@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/types.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/element/frame.h>
 
@@ -22,6 +23,44 @@ namespace vfife
 
     const Choices<StartSolver> start_solvers = {{"factorization", StartSolver::factorization},
                                                 {"relaxation", StartSolver::relaxation}};
+
+    /** Entries of the dampers, in the section entered. */
+    void declare_damping(dealii::ParameterHandler &prm, DynamicsOptions &options)
+    {
+      declare_quantity(
+        prm,
+        "damping",
+        options.damping,
+        "1/s",
+        "zeta of the damping force -zeta m (v - omega x r) relative to the turning body",
+        Range::not_negative());
+      declare_number(
+        prm,
+        "damping ratio",
+        options.damping_ratio,
+        "Instead of damping: damping ratio of a vibration at the damping frequency, "
+        "zeta/(4 pi frequency); at others it goes with the reciprocal of the frequency; "
+        "0: damping holds",
+        Range::between(0., 1.));
+      declare_quantity(prm,
+                       "damping frequency",
+                       options.damping_frequency,
+                       "Hz",
+                       "Frequency at which the damping ratio holds",
+                       Range::not_negative());
+      declare_quantity(
+        prm,
+        "mesh damping",
+        options.mesh_damping,
+        "1/s",
+        "zeta_k of -zeta_k m (omega - omega_kinematic) x r on the driven member of a gear pair",
+        Range::not_negative());
+      declare_choice(prm,
+                     "damping rate",
+                     options.damping_rate,
+                     damping_rates,
+                     "Angular velocity omega of the body in the damping force");
+    }
   } // namespace
 
   void RelaxationOptions::declare(dealii::ParameterHandler &prm)
@@ -89,32 +128,15 @@ namespace vfife
                    largest_added_mass,
                    "Share of a body's mass that mass scaling may add; more is refused",
                    Range::between(0., 1.));
-    declare_quantity(
-      prm,
-      "damping",
-      damping,
-      "1/s",
-      "zeta of the damping force -zeta m (v - omega x r) relative to the turning body",
-      Range::not_negative());
-    declare_quantity(
-      prm,
-      "mesh damping",
-      mesh_damping,
-      "1/s",
-      "zeta_k of -zeta_k m (omega - omega_kinematic) x r on the driven member of a gear pair",
-      Range::not_negative());
-    declare_choice(prm,
-                   "damping rate",
-                   damping_rate,
-                   damping_rates,
-                   "Angular velocity omega of the body in the damping force");
+    default_damping_ = damping;
+    declare_damping(prm, *this);
     declare_choice(prm, "start", start, starts, "How a turning gear pair takes up its load");
     declare_choice(prm,
                    "start solver",
                    start_solver,
                    start_solvers,
                    "What finds the equilibrium of a gear pair before the start; a factorization is "
-                   "fast and takes some 45 kB of memory a node");
+                   "fast and takes up to 45 kB of memory a node");
     declare_number(prm,
                    "energy limit",
                    energy_limit,
@@ -129,16 +151,39 @@ namespace vfife
     relaxation.declare(prm);
   }
 
+  double DynamicsOptions::mass_damping() const
+  {
+    return damping_ratio > 0 ? 4. * pi * damping_frequency * damping_ratio : damping;
+  }
+
+  double damping_ratio_at(const double frequency, const double zeta)
+  {
+    return zeta / (4. * pi * frequency);
+  }
+
   void DynamicsOptions::check(const std::string &section) const
   {
+    // What is at its default has not been given, as in a file that states all entries.
+    if (damping_ratio > 0 && damping != default_damping_)
+      throw InputError(section + "/damping ratio",
+                       "damping is given twice, as damping [1/s] and as damping ratio: leave one "
+                       "of them out");
+    if ((damping_ratio > 0) != (damping_frequency > 0))
+      throw InputError(section + (damping_ratio > 0 ? "/damping frequency" : "/damping ratio"),
+                       damping_ratio > 0
+                         ? "is missing: a damping ratio holds at one frequency"
+                         : "is missing or zero, though a damping frequency is given");
     // Compliance of the reference pair, measured once: -0.2 % at 1e3 1/s, -12 % at 1e4, -28 % at
     // 2e4 (doc/dynamics.md, Mesh damping).
-    if (damping > 2e4 || mesh_damping > 2e5)
-      throw InputError(section + (damping > 2e4 ? "/damping" : "/mesh damping"),
+    const bool too_strong = mass_damping() > 2e4;
+    if (too_strong || mesh_damping > 2e5)
+      throw InputError(section + (!too_strong         ? "/mesh damping"
+                                  : damping_ratio > 0 ? "/damping ratio"
+                                                      : "/damping"),
                        "so strong a damper drags the deformation that stands still in space "
                        "through the turning material and "
                        "falsifies the compliance (more than 25 % at 20000 1/s); allowed are "
-                       "damping up to 20000 1/s and "
+                       "damping up to 20000 1/s (ratio times 4 pi frequency) and "
                        "mesh damping up to 200000 1/s, recommended is not more than 2000 1/s");
   }
 } // namespace vfife

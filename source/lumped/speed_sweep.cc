@@ -47,7 +47,7 @@ namespace vfife
     Table table;
     table.add_text_column(column::direction);
     table.add_column(column::speed, "rpm");
-    table.add_column("mesh frequency", "Hz");
+    table.add_column(column::mesh_frequency, "Hz");
     table.add_column(column::mean_dte, "arcsec");
     table.add_column("rms dte", "arcsec");
     table.add_column(column::peak_to_peak_dte, "arcsec");

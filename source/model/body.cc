@@ -140,6 +140,11 @@ namespace vfife
                      did_you_mean(set, names) + " (sets: " + list + ")");
   }
 
+  double Body::driven_turn(const double time) const
+  {
+    return rate * rate_history.integral(time);
+  }
+
   double Body::mass() const
   {
     return mass_;

@@ -19,10 +19,10 @@ namespace vfife
       return choices;
     }
 
-    /** Steps of @p dt in one tooth mesh, not rounded. */
+    /** Steps of @p dt in one tooth mesh, at the largest speed of a run, not rounded. */
     double steps_per_mesh(const Transmission &transmission, const double dt)
     {
-      return 1. / (transmission.mesh_frequency() * dt);
+      return 1. / (transmission.largest_mesh_frequency() * dt);
     }
   } // namespace
 
@@ -40,6 +40,19 @@ namespace vfife
                     fields_every,
                     "Tooth meshes (for models without a gear pair: samples of the histories) from "
                     "field file to field file, 0 for none");
+    declare_integer(
+      prm,
+      "tracked orders",
+      mesh_orders,
+      "Of a gear pair whose speed changes: orders of the tooth mesh whose amplitudes "
+      "are tracked over the speed (orders.csv), at most a quarter of history every; 0 for "
+      "none");
+    declare_integer(prm,
+                    "order window",
+                    order_window,
+                    "Tooth meshes of which these amplitudes are taken, in windows half of which "
+                    "overlap",
+                    2);
     declare_quantity(
       prm,
       "checkpoint every",
@@ -66,6 +79,11 @@ namespace vfife
       throw InputError(section + "/history every", "must be at least 1");
     if (!(checkpoint_every >= 0) || !std::isfinite(checkpoint_every))
       throw InputError(section + "/checkpoint every", "must be a wall time in seconds, 0 for none");
+  }
+
+  unsigned int OutputOptions::count_tracked_orders() const
+  {
+    return std::min(mesh_orders, history_every / 4);
   }
 
   std::uint64_t OutputOptions::compute_history_steps(const Transmission *transmission,

@@ -46,6 +46,8 @@ void check_command_line()
   refuse({"a.prm", "--chek"});
   refuse({"a.prm", "--che"});
   refuse({"a.prm", "--set"});
+  // Longer than the name of a file may be.
+  refuse({"a.prm", "--restart", std::string(300, 'x').c_str()});
 }
 
 template <typename Thrower>

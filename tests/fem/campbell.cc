@@ -114,6 +114,7 @@ namespace
     at_speed.modes.push_back(mode(3, true, .1, 800.));
     RotatingMode &first  = at_speed.modes[0];
     first.residual       = 1e-7;
+    first.kinetic_share  = .6;
     first.effective_mass = {{1., 2., 3., 4., 5., 6.}};
     ModeDescription &d   = first.description;
     d.nodal_circles      = 1;
@@ -122,7 +123,7 @@ namespace
     d.radial             = .3;
     d.tangential         = .2;
     Table table          = make_mode_table();
-    add_modes("gear", at_speed, table);
+    add_modes("gear", at_speed, 20., table);
     const auto value = [&table](const char *name) { return table.numbers(name)[0]; };
     check("modes: numbered from one", value("mode") == 1 && table.numbers("mode")[1] == 2);
     check_close("modes: speed [rpm]", value("speed"), 200. * 60. / (2. * pi), 1e-10);
@@ -132,6 +133,10 @@ namespace
             value("axial") == .5 && value("radial") == .3 && value("tangential") == .2);
     check("modes: directions",
           table.column("direction").texts == std::vector<std::string>({"forward", "backward"}));
+    check_close("modes: damping ratio, zeta T/(T + U) over omega",
+                value("damping ratio"),
+                20. * .6 / (2. * pi * 700.),
+                1e-15);
     // t -> kg, t mm^2 -> kg mm^2
     for (unsigned int c = 0; c < 3; ++c)
       {

@@ -86,13 +86,23 @@ namespace
     const ModesAtSpeed modes = rotating.find_modes(rate);
     for (const int n : {2, 3})
       {
-        double forward = 0, backward = 0;
+        // Both waves of m w^2 + g w - k = 0 have w w' = k/m: T/(T + U) = w/(w + w'), and the
+        // damping ratio zeta T/(T + U)/w is the same for both, zeta/(w + w').
+        constexpr double zeta    = 30.;
+        double           forward = 0, backward = 0, of_forward = 0, of_backward = 0;
         for (const RotatingMode &mode : modes.modes)
           if (mode.description.nodal_diameter == n && mode.description.axial < .1)
-            (mode.description.forward > .75 ? forward : backward) = mode.frequency;
+            {
+              const bool with                   = mode.description.forward > .75;
+              (with ? forward : backward)       = mode.frequency;
+              (with ? of_forward : of_backward) = mode.damping_ratio(zeta);
+            }
         const double split = (backward - forward) * 2. * pi / std::abs(rate);
         // A thin ring without stretching; 72 linear elements around and chords.
         check_close("ring: split of the waves", split, 4. * n / (n * n + 1.), 5e-3);
+        const double ratio = zeta / (2. * pi * (forward + backward));
+        check_close("ring: damping ratio, forward", of_forward / ratio, 1., 1e-6);
+        check_close("ring: damping ratio, backward", of_backward / ratio, 1., 1e-6);
       }
   }
 

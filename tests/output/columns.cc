@@ -8,9 +8,11 @@
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/contact/law/hertz.h>
+#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/modes/campbell.h>
 #include <vfife/fem/pair/coupled_modes.h>
 #include <vfife/gear/flank_points.h>
@@ -29,6 +31,7 @@
 #include <vfife/output/files/summary.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/measures/order_tracking.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/pattern_writer.h>
@@ -38,6 +41,7 @@
 #include <vfife/study/benchmark/contact_benchmark.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
 #include <vfife/study/cases/body_figures.h>
+#include <vfife/study/cases/damping_figures.h>
 #include <vfife/study/compare/comparison.h>
 #include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
@@ -101,6 +105,7 @@ namespace
     tables.push_back({"teeth.csv", "gear pair", TeethWriter(folder, pair, 1, hertz).table()});
     tables.push_back({"probes.csv", "gear pair", ProbeWriter(folder, 1).table()});
     tables.push_back({"rim.csv", "gear pair", RimWriter(folder, pair, 1).table()});
+    tables.push_back({"orders.csv", "gear pair", make_order_table()});
     tables.push_back({"bearings.csv", "run", BearingWriter(folder, 1).table()});
     tables.push_back({"bearing_curves.csv", "pair or model in bearings", make_bearing_curves({})});
     Table misalignment;
@@ -174,6 +179,16 @@ namespace
                                {speed_of("pinion"), {1, "rpm"}},
                                {torque_of("gear"), {1, "N m"}},
                                {force_on_arm, {1, "N"}}};
+    Transmission gears;
+    gears.driver_teeth = 27;
+    gears.driver_rate  = 1.;
+    DynamicsOptions dynamics;
+    dynamics.damping_ratio     = 1e-3;
+    dynamics.damping_frequency = 1.;
+    std::ostringstream screen;
+    Log                log(screen, false);
+    for (const auto &figure : list_damping(dynamics, &gears, log))
+      summary.figures.push_back(figure);
     using namespace error_part;
     for (const char *part : {total,
                              teeth_and_rest,
@@ -189,7 +204,8 @@ namespace
                             {column::shaft_angle_error, {1, "arcmin"}}};
     summary.steady       = SteadyPart();
     summary.steady->columns.push_back({"COLUMN", "UNIT"});
-    summary.probes.push_back(make_probe_record("PROBE", {0., 1.}, {1., 2.}, 1., {2., 1.}, 1., .5));
+    summary.probes.push_back(make_probe_record(
+      "PROBE", {0., 1.}, {1., 2.}, 1., {2., 1.}, [](const double time) { return time; }, .5));
     summary.energy         = EnergyLedger();
     summary.energy->scale  = 1.;
     summary.damping        = {{"pinion"}};

@@ -35,6 +35,7 @@ namespace
     state.time                   = .25e-3;
     Measurements &m              = state.measured;
     m.driver_angle               = pi / 4;
+    m.rate_factor                = 1.5;
     m.driven_angle               = pi / 10;
     m.rim_angle                  = pi / 11;
     m.transmission_error         = pi / 180 / 100;
@@ -126,10 +127,14 @@ namespace
     model.add_body(cube("pinion"));
     model.add_body(cube("gear"));
     model.transmission.emplace();
-    Values expected = energies("work of the torques");
+    model.transmission->driver_rate  = 200 * pi; // 6000 rpm
+    model.transmission->driver_teeth = 27;
+    Values expected                  = energies("work of the torques");
     expected.merge(Values({{"time", {.25e-3, "s"}},
                            {"pinion angle", {45, "deg"}},
                            {"gear angle", {18, "deg"}},
+                           {"speed", {9000, "rpm"}},
+                           {"mesh frequency", {4050, "Hz"}},
                            {"dte", {36, "arcsec"}},
                            {"rim dte", {-18, "arcsec"}},
                            {"contact force total", {8918, "N"}},

@@ -31,7 +31,13 @@ namespace
     for (int m = 0; m < teeth; ++m)
       turn.push_back(stress_at(begin + meshes + m));
     return make_probe_record(
-      "A", times, stresses, meshes / frequency, turn, frequency, -begin / frequency);
+      "A",
+      times,
+      stresses,
+      meshes / frequency,
+      turn,
+      [](const double time) { return time * frequency; },
+      -begin / frequency);
   }
 
   void check_record(const std::string &name,

@@ -211,7 +211,7 @@ class Waves(unittest.TestCase):
             run = RunFolder(name)
             rim, rate = run.rim, run.gear_rate()
             self.assertAlmostEqual(rate, -200 * np.pi)
-            pattern, rest = split_wave(read_wave(rim, "z", 1), rim["time"], 1, rate)
+            pattern, rest = split_wave(read_wave(rim, "z", 1), 1, run.gear_turn(rim["time"]))
             self.assertAlmostEqual(abs(pattern), 20, places=6)  # digits of the file
             self.assertLess(np.abs(rest).max(), 1e-6)
             rows = rim["time"] < 0.9999e-3  # nine periods of 9 kHz
@@ -262,12 +262,15 @@ class MadeUpRimRun:
     def gear_rate(self):
         return MadeUpRim.RATE
 
+    def gear_turn(self, time):
+        return MadeUpRim.RATE * time
+
 
 class WaveShares(unittest.TestCase):
     def test_shares(self):
         """What stands in space is the amplitude of one wave, the rest its root mean square: a travelling wave's amplitude, a
         vibration's over the root of two."""
-        standing, moving = measure_waves(MadeUpRimRun.rim, slice(None), MadeUpRim.RATE)
+        standing, moving = measure_waves(MadeUpRimRun.rim, slice(None), MadeUpRim.RATE * MadeUpRim.TIME)
         self.assertEqual(standing.shape, (3, 3))
         known = np.array([7, 20, 5])
         rest = np.array([0.4 / np.sqrt(2), 0.6, 0.8 / np.sqrt(2)])

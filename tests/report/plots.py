@@ -2,6 +2,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Geometry and averages of the plots against closed forms, and all plots and pictures of a small made-up
 run. Ends with 77 (skipped) without numpy or matplotlib."""
+import json
 import tempfile
 import unittest
 from pathlib import Path
@@ -21,6 +22,7 @@ from vfife_report.pictures.canvas import Camera, Canvas
 from vfife_report.pictures.hexahedra import Section, find_axis, find_outer_faces
 from vfife_report.plots.bearings import draw_bearing_curves, draw_bearings, draw_misalignment
 from vfife_report.plots.meridian import draw_meridians, read_parts
+from vfife_report.plots.run_up import compute_window_spectra, draw_orders
 
 
 def make_block(cells):
@@ -179,6 +181,57 @@ class Bearings(unittest.TestCase):
                 page = (Path(name) / "report.html").read_text()
                 for word in ("pinion front", "bearing_curves", "misalignment"):
                     self.assertIn(word, page)
+
+
+class RunUp(unittest.TestCase):
+    """A pair that runs up from 1000 to 3000 rpm in 0.2 s, its tooth mesh from 500 to 1500 Hz: order 1 of 4
+    arcsec, order 2 of 1 arcsec."""
+
+    def write(self, folder):
+        write_run(folder, fields=False)
+        time = np.linspace(0, 0.2, 8001)
+        factor = 1 + 10 * time
+        meshes = 500 * (time + 5 * time**2)
+        rows = np.array([time, 1000 * factor, 500 * factor,
+                         -80 + 4 * np.cos(2 * np.pi * meshes) + np.cos(4 * np.pi * meshes),
+                         0 * time - 70, 9000 + 0 * time, 0 * time, 0 * time]).T
+        (folder / "history.csv").write_text("\n".join(
+            ["time [s],speed [rpm],mesh frequency [Hz],dte [arcsec],rim dte [arcsec],contact force total [N],"
+             "energy error [-],strain energy [mJ]", *(",".join(map(repr, map(float, row))) for row in rows), ""]))
+        (folder / "orders.csv").write_text(
+            "time [s],speed [rpm],mesh frequency [Hz],mesh order [-],dte amplitude [arcsec],"
+            "rim dte amplitude [arcsec],contact force total amplitude [N]\n"
+            + "".join(f"{0.02 * k},{1000 * (1 + 0.2 * k)},{500 * (1 + 0.2 * k)},{order},{5 - order},0,10\n"
+                      for k in range(1, 10) for order in (1, 2)))
+        summary = json.loads((folder / "summary.json").read_text())
+        del summary["figures"]["mesh frequency"], summary["steady part"]
+        (folder / "summary.json").write_text(json.dumps(summary))
+        for file in ("teeth.csv", "probes.csv", "rim.csv"):
+            (folder / file).unlink()
+
+    def test_plots(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            self.write(folder)
+            run = RunFolder(folder)
+            self.assertTrue(run.changes_speed())
+            # -6000 rpm at the start: the integral of 1 + 10 t.
+            turn = run.gear_turn(np.array([0.1, 0.2]))
+            self.assertLess(np.abs(turn / (-200 * np.pi * np.array([0.15, 0.4])) - 1).max(), 1e-9)
+            above, below = draw_orders(run).axes
+            self.assertEqual([line.get_label() for line in above.lines], ["mesh order 1", "mesh order 2"])
+            self.assertTrue(np.all(above.lines[0].get_ydata() == 4))
+            self.assertTrue(np.all(below.lines[1].get_ydata() == 10))
+            time, frequency, amplitude = compute_window_spectra(run.history["time"], run.history["dte"])
+            mesh = np.interp(time, run.history["time"], run.history["mesh frequency"])
+            top = frequency[np.argmax(amplitude, axis=1)]
+            self.assertLess(np.abs(top / mesh - 1).max(), 0.1)
+            main([name])
+            page = (folder / "report.html").read_text()
+            self.assertIn("changes from 1000 to 3000 rpm", page)
+            drawn = {path.name for path in (folder / "pictures").iterdir() if path.suffix == ".svg"}
+            self.assertTrue({"orders.svg", "waterfall.svg", "dte.svg"} <= drawn)
+            self.assertFalse({"spectra.svg", "sidebands.svg", "waterfall_force.svg"} & drawn)
 
 
 class WholeRun(unittest.TestCase):

@@ -2,11 +2,13 @@
 // Damping relative to the turning body: decay of a vibration while the body flies on, and the audit
 // of a ring whose drag is known.
 #include "../model_sections.h"
+#include "../refusal.h"
 #include "../tests.h"
 #include "quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
+#include <vfife/dynamics/dynamics_options.h>
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +21,7 @@ namespace
 {
   /** A free bar in its first longitudinal mode, v = V cos(pi x/L), while it flies across: the
    * energy of the mode falls with exp(-zeta t), the momentum stays. */
-  void free_bar(Communicator &world)
+  void free_bar(const std::string &damping, Communicator &world)
   {
     constexpr double zeta = 2000;
     auto             run =
@@ -31,8 +33,8 @@ namespace
                                    "set velocity = 0, 3000, 0 mm/s\n"
                                    "set initial velocity x = 1000*cos(pi*x/100)\n") +
                  "end\nsubsection Material steel\n set Poisson's ratio = 0\nend\n"
-                 "subsection Dynamics\n set damping = 2000\n set end time = 1 ms\nend\n" +
-                 quiet_output(20),
+                 "subsection Dynamics\n" +
+                 damping + " set end time = 1 ms\nend\n" + quiet_output(20),
                world);
     const auto  &kinetic = run["relative kinetic energy"], &strain = run["strain energy"];
     const double start = kinetic.front() + strain.front(), end = kinetic.back() + strain.back();
@@ -50,6 +52,25 @@ namespace
                 run["momentum y"].back() / run["momentum y"].front(),
                 1.,
                 1e-12);
+  }
+
+  /** What is given twice or in halves. */
+  void refusals()
+  {
+    DynamicsOptions options;
+    const auto refuse = [&options] { print_refusal([&options] { options.check("Dynamics"); }); };
+    options.damping_ratio = .002;
+    refuse();
+    options.damping_frequency = 3700;
+    check_close("damping by its ratio [1/s]", options.mass_damping(), 4 * pi * 7.4, 1e-11);
+    check("damping by its ratio: accepted", message_of([&] { options.check("Dynamics"); }).empty());
+    options.damping = 500;
+    refuse();
+    options                   = DynamicsOptions();
+    options.damping_frequency = 3700;
+    refuse();
+    options.damping_ratio = .5;
+    refuse();
   }
 
   /** Speed and spin of a ring that drifts along its axis at w while it turns at rate s. */
@@ -173,7 +194,14 @@ namespace
 int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
-  free_bar(session.world());
+  free_bar(" set damping = 2000\n", session.world());
+  // zeta = 4 pi f ratio at any frequency.
+  std::ostringstream percent;
+  percent.precision(17);
+  percent << 1e2 * 2000 / (4 * pi * 3700);
+  free_bar(" set damping ratio = " + percent.str() + " %\n set damping frequency = 3.7 kHz\n",
+           session.world());
+  refusals();
   drifting_ring("momentum", session.world());
   drifting_ring("mean speed", session.world());
 }

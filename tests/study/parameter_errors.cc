@@ -80,7 +80,6 @@ int main(int argc, char **argv)
   refuse(write_case(gear_body("set web thicknes = 5 mm")), world);
   refuse(write_case(gear_body("set web thickness = 5 deg")), world);
   refuse(write_case(gear_body("set web thickness = -5 mm")), world);
-  refuse(write_case(gear_body("set web thickness = 0 mm")), world);
   refuse(write_case(gear_body("set web angle = 120 deg")), world);
   refuse(write_case("subsection Gear pair\n  subsection Pinion\n    subsection Shaft\n"
                     "      set sections = 90 120 40 20\n    end\n  end\nend\n"),

@@ -39,7 +39,7 @@ namespace vfife
   /** What finds the equilibrium of a gear pair before the start. */
   enum class StartSolver
   {
-    factorization, ///< rounds with the factors of the conventional stiffness matrix: fast, some
+    factorization, ///< rounds with the factors of the conventional stiffness matrix: fast, up to
                    ///< 45 kB a node
     relaxation     ///< dynamic relaxation alone: slow, needs no memory
   };
@@ -63,16 +63,18 @@ namespace vfife
     FrameKind     frame     = FrameKind::polar;
     StiffnessKind stiffness = StiffnessKind::incompatible_modes;
     /** Hourglass blocks of elements without congruent copies in single precision. */
-    bool         single_stiffness = false;
-    StepBound    step_bound       = StepBound::assembly;
-    double       safety           = 0.9;   ///< step over the stable step by that bound
-    double       damping          = 1000.; ///< zeta [1/s]
-    double       mesh_damping     = 2000.; ///< zeta_k [1/s]
-    DampingRate  damping_rate     = DampingRate::momentum;
-    Start        start            = Start::static_preload;
-    StartSolver  start_solver     = StartSolver::factorization;
-    double       energy_limit     = 0.05; ///< energy error at which a run is given up [-]
-    unsigned int largest_steps    = 0;    ///< a run ends in good order after so many, 0: no limit
+    bool         single_stiffness  = false;
+    StepBound    step_bound        = StepBound::assembly;
+    double       safety            = 0.9;   ///< step over the stable step by that bound
+    double       damping           = 1000.; ///< zeta [1/s], where no ratio is given
+    double       damping_ratio     = 0;     ///< of a mode at damping_frequency [-]; 0: none given
+    double       damping_frequency = 0;     ///< [Hz]
+    double       mesh_damping      = 2000.; ///< zeta_k [1/s]
+    DampingRate  damping_rate      = DampingRate::momentum;
+    Start        start             = Start::static_preload;
+    StartSolver  start_solver      = StartSolver::factorization;
+    double       energy_limit      = 0.05; ///< energy error at which a run is given up [-]
+    unsigned int largest_steps     = 0;    ///< a run ends in good order after so many, 0: no limit
     /** Stable step of every element by added mass, before the safety [s]; 0: no mass is added. */
     double            mass_scaling_step  = 0;
     double            largest_added_mass = 0.02; ///< of a body's mass [-]
@@ -80,7 +82,18 @@ namespace vfife
 
     void declare(dealii::ParameterHandler &prm);
     void check(const std::string &section) const;
+
+    /** zeta of the damping force -zeta m (v - omega x r) [1/s]: `damping`, or what gives the ratio
+     * at its frequency, 4 pi f ratio. */
+    double mass_damping() const;
+
+  private:
+    double default_damping_ = damping; ///< at declare()
   };
+
+  /** Damping ratio of a vibration of @p frequency [Hz] under the damping force of @p zeta [1/s],
+   * zeta/(4 pi frequency) [-]. */
+  double damping_ratio_at(double frequency, double zeta);
 } // namespace vfife
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef vfife_model_body_h
 #define vfife_model_body_h
 
+#include <vfife/base/parameters/parameter_history.h>
 #include <vfife/base/types.h>
 #include <vfife/element/hexahedron.h>
 #include <vfife/element/material.h>
@@ -66,14 +67,19 @@ namespace vfife
     /** Moment of inertia of the lumped masses about the body's axis of rotation [t mm^2]. */
     double axial_inertia() const;
 
+    /** Angle about the axis by which a drive has turned the body since time zero [rad]. */
+    double driven_turn(double time) const;
+
     RigidMotion placement;      ///< body frame -> fixed frame at time zero
     Axis        axis;           ///< axis of rotation, fixed frame
     bool turns_on_axis = false; ///< held by bearings: rigid motion is a rotation about the axis
     /** On elastic bearings: it turns about the axis in the mean, and beside that its rigid motion
      * has translations and tilts. */
-    bool    floats = false;
-    double  rate   = 0; ///< angular velocity about the axis at time zero [rad/s]
-    Vector3 velocity =
+    bool   floats = false;
+    double rate   = 0; ///< angular velocity about the axis at time zero [rad/s]
+    /** Of what drives the body: angular velocity over that at time zero. */
+    ParameterHistory rate_history;
+    Vector3          velocity =
       Vector3::Zero(); ///< translation velocity at time zero (bodies without bearings) [mm/s]
     /** Added to the rigid motion at time zero: by node, or empty [mm/s]. */
     std::vector<Vector3> initial_velocity;

@@ -47,18 +47,18 @@ namespace vfife
   };
 
   /**
-   * A torque about the body's axis, applied as tangential nodal forces of constant traction.
-   * History: linear ramp from zero over ramp_time, then constant (ramp_time 0: full from the
-   * start).
+   * A torque about the body's axis, applied as tangential nodal forces of constant traction: value
+   * times history, on a linear ramp from zero over ramp_time (0: full from the start).
    */
   struct Torque
   {
     std::string               name;
     unsigned int              body = 0;
-    std::vector<unsigned int> nodes;         ///< of the body
-    std::vector<double>       areas;         ///< area that belongs to each node [mm^2]
-    double                    value     = 0; ///< [N mm], + about the axis direction
-    double                    ramp_time = 0; ///< [s]
+    std::vector<unsigned int> nodes;          ///< of the body
+    std::vector<double>       areas;          ///< area that belongs to each node [mm^2]
+    double                    value     = 0;  ///< [N mm], + about the axis direction
+    double                    ramp_time = 0;  ///< [s]
+    ParameterHistory          history   = {}; ///< over the value at time zero
   };
 
   /** Two surfaces that may touch. */

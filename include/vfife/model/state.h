@@ -76,7 +76,8 @@ namespace vfife
   /** What observers report of one instant; equal on all ranks. */
   struct Measurements
   {
-    double driver_angle = 0, driven_angle = 0, rim_angle = 0;  ///< in the drive direction [rad]
+    double driver_angle = 0, driven_angle = 0, rim_angle = 0; ///< in the drive direction [rad]
+    double rate_factor        = 1; ///< prescribed rate of the driver over that at time zero [-]
     double transmission_error = 0, rim_transmission_error = 0; ///< [rad]
     double contact_force  = 0; ///< sum over pairs of the resultants' magnitudes [N]
     double contact_torque = 0; ///< on the driven member [N mm]

@@ -23,6 +23,9 @@ namespace vfife
     unsigned int history_every = 50;
     /** Tooth meshes (for models without a gear pair: samples) between field files, 0: none. */
     unsigned int fields_every = 5;
+    /** Orders of the tooth mesh that are tracked where the speed changes, 0: none; and tooth meshes
+     * in a window. */
+    unsigned int mesh_orders = 5, order_window = 8;
     /** Wall time between checkpoints [s], 0: none. */
     double checkpoint_every = 600;
     /** Whether plots and pictures are drawn at the end. */
@@ -32,6 +35,9 @@ namespace vfife
     void declare(dealii::ParameterHandler &prm);
     /** Throws InputError when the entries contradict each other. */
     void check(const std::string &section) const;
+
+    /** mesh_orders, as far as the samples tell them: with at least four in a period. */
+    unsigned int count_tracked_orders() const;
 
     /**
      * Steps between samples of the histories for a step of @p dt [s]: as many as fit into a tooth

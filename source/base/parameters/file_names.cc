@@ -15,17 +15,24 @@ namespace vfife
     // What tells these entries from free text, shown to the user as what is allowed.
     const char *const file_words    = "the name of a file";
     const char *const formula_words = "a formula or the name of a file (.csv, .txt)";
+    const char *const quantity_words =
+      "a quantity, a formula of t or the name of a file (.csv, .txt)";
 
     /** Any text; its description is what the entry is known by. */
     class NamedPattern : public dealii::Patterns::PatternBase
     {
     public:
-      explicit NamedPattern(const char *words)
+      using Check = std::function<void(const std::string &)>;
+
+      explicit NamedPattern(const char *words, const Check &check = {})
         : words_(words)
+        , check_(check)
       {
       }
-      bool match(const std::string &) const override
+      bool match(const std::string &text) const override
       {
+        if (check_)
+          check_(text);
         return true;
       }
       std::string description(const OutputStyle = Machine) const override
@@ -39,6 +46,7 @@ namespace vfife
 
     private:
       const char *words_;
+      Check       check_; ///< throws the reason of a refusal
     };
 
     void declare(dealii::ParameterHandler &prm,
@@ -89,10 +97,21 @@ namespace vfife
     declare(prm, name, value, meaning, formula_words);
   }
 
+  void declare_quantity_or_table(dealii::ParameterHandler                       &prm,
+                                 const std::string                              &name,
+                                 const std::string                              &default_text,
+                                 const std::function<void(const std::string &)> &check,
+                                 const std::function<void(const std::string &)> &store,
+                                 const std::string                              &meaning)
+  {
+    prm.declare_entry(name, default_text, NamedPattern(quantity_words, check), meaning);
+    prm.add_action(name, store);
+  }
+
   bool names_a_file(const std::string &pattern, const std::string &text)
   {
     return (pattern == file_words && !text.empty()) ||
-           (pattern == formula_words && names_a_table(text));
+           ((pattern == formula_words || pattern == quantity_words) && names_a_table(text));
   }
 
   bool is_there(const std::string &path)

@@ -2,12 +2,23 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_history.h>
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/number_text.h>
+#include <vfife/base/text/quantity.h>
 #include <vfife/base/text/shown_text.h>
 
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <functional>
 #include <sstream>
+#include <tuple>
 
 namespace vfife
 {
@@ -19,33 +30,62 @@ namespace vfife
       return std::string("+-.0123456789").find(word[0]) != std::string::npos;
     }
 
-    /** Time and factor of each row, times increasing. */
-    std::vector<std::pair<double, double>> read_rows(const std::string &path)
+    /** The words of a line; columns may be divided by commas, blanks or tabs. */
+    std::vector<std::string> split(std::string line)
+    {
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream       stream(line);
+      std::vector<std::string> words;
+      for (std::string word; stream >> word;)
+        words.push_back(word);
+      return words;
+    }
+
+    /** Internal units of one of what the heading of a column has in brackets, as @p unit is meant
+     * where it has none. */
+    std::array<double, 2> read_factors(const std::string &heading, const std::string &unit)
+    {
+      std::array<double, 2> factors = {{1., parse_quantity("1", unit)}};
+      std::size_t           begin   = 0;
+      for (unsigned int column = 0; column < 2; ++column)
+        {
+          const std::size_t end  = std::min(heading.find(',', begin), heading.size());
+          const std::size_t open = heading.find('[', begin), close = heading.find(']', begin);
+          if (open < close && close < end)
+            factors[column] = parse_quantity("1 " + heading.substr(open + 1, close - open - 1),
+                                             column == 0 ? "s" : unit);
+          begin = std::min(end + 1, heading.size());
+        }
+      return factors;
+    }
+
+    /** Time [s] and value [internal units] of each row, times increasing. */
+    std::vector<std::pair<double, double>> read_rows(const std::string &path,
+                                                     const std::string &unit)
     {
       std::ifstream file(path);
       if (!file)
         throw InputError("the table \"" + path + "\" cannot be read");
       std::vector<std::pair<double, double>> rows;
+      std::array<double, 2>                  factors = read_factors("", unit);
       unsigned int                           n_lines = 0;
       for (std::string line; std::getline(file, line);)
         {
           const std::string place =
             "the table \"" + path + "\", line " + std::to_string(++n_lines) + ": ";
-          // Columns may be divided by commas, blanks or tabs.
-          std::replace(line.begin(), line.end(), ',', ' ');
-          std::istringstream       stream(line);
-          std::vector<std::string> words;
-          for (std::string word; stream >> word;)
-            words.push_back(word);
+          const std::vector<std::string> words = split(line);
           // Headings come before the numbers.
           if (words.empty() || (rows.empty() && !begins_number(words[0])))
-            continue;
+            {
+              factors = words.empty() ? factors : read_factors(line, unit);
+              continue;
+            }
           if (words.size() != 2)
             throw InputError(place + "a time and a factor are needed, not " +
                              std::to_string(words.size()) + " numbers");
           std::string                     rest[2];
-          const std::pair<double, double> row = {read_number(words[0], rest[0]),
-                                                 read_number(words[1], rest[1])};
+          const std::pair<double, double> row = {factors[0] * read_number(words[0], rest[0]),
+                                                 factors[1] * read_number(words[1], rest[1])};
           if (!rest[0].empty() || !rest[1].empty())
             throw InputError(place + "\"" + shown(rest[0].empty() ? words[1] : words[0]) +
                              "\" is no number");
@@ -57,6 +97,41 @@ namespace vfife
         throw InputError("the table \"" + path + "\" has no rows of two numbers");
       return rows;
     }
+
+    /** Whether a text speaks of time: t stands in it as a word. */
+    bool is_formula_of_time(const std::string &text)
+    {
+      const auto in_word = [&text](const std::size_t i) {
+        return i < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+      };
+      for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == 't' && !in_word(i + 1) && !(i > 0 && in_word(i - 1)))
+          return true;
+      return false;
+    }
+
+    using Quadrature = boost::math::quadrature::gauss<double, 10>;
+
+    /** Of what has the integral @p whole by the rule on the whole: halved until both halves add up
+     * to it, at most so many times, which a jump needs. */
+    double integrate(const std::function<double(double)> &rate,
+                     const double                         begin,
+                     const double                         end,
+                     const double                         whole,
+                     const double                         tolerance,
+                     const unsigned int                   halvings)
+    {
+      const double middle = 0.5 * (begin + end), left = Quadrature::integrate(rate, begin, middle),
+                   right = Quadrature::integrate(rate, middle, end);
+      if (std::abs(left + right - whole) <= tolerance || halvings == 0)
+        return left + right;
+      return integrate(rate, begin, middle, left, tolerance, halvings - 1) +
+             integrate(rate, middle, end, right, tolerance, halvings - 1);
+    }
+
+    /** Length of the panels into which the integral of a formula is divided [s]. */
+    constexpr double panel = 1e-4;
   } // namespace
 
   void ParameterHistory::declare(dealii::ParameterHandler &prm)
@@ -71,14 +146,9 @@ namespace vfife
 
   void ParameterHistory::check(const std::string &section)
   {
-    formula_.reset();
-    rows_.clear();
     try
       {
-        if (names_a_table(text_))
-          rows_ = read_rows(text_);
-        else
-          formula_.emplace(text_);
+        read(text_, "-");
       }
     catch (const InputError &error)
       {
@@ -86,11 +156,45 @@ namespace vfife
       }
   }
 
+  void ParameterHistory::read(const std::string &text, const std::string &unit)
+  {
+    formula_.reset();
+    rows_.clear();
+    areas_.clear();
+    panels_.clear();
+    scale_ = parse_quantity("1", unit);
+    if (!names_a_table(text))
+      {
+        formula_.emplace(text);
+        return;
+      }
+    rows_ = read_rows(text, unit);
+    areas_.push_back(0.);
+    for (std::size_t i = 1; i < rows_.size(); ++i)
+      areas_.push_back(areas_.back() + 0.5 * (rows_[i].first - rows_[i - 1].first) *
+                                         (rows_[i].second + rows_[i - 1].second));
+  }
+
+  bool ParameterHistory::is_constant() const
+  {
+    return !formula_ && rows_.empty();
+  }
+
+  bool ParameterHistory::is_formula() const
+  {
+    return formula_.has_value();
+  }
+
+  double ParameterHistory::end() const
+  {
+    return rows_.empty() ? 0. : rows_.back().first;
+  }
+
   double ParameterHistory::value(const double time) const
   {
     // One of three: a formula of t, a table, or neither of them, which is the factor 1.
     if (formula_)
-      return (*formula_)(Vector3::Zero(), time);
+      return scale_ * (*formula_)(Vector3::Zero(), time);
     if (rows_.empty())
       return 1.;
     // The first row at or behind this time: linear from the one before, constant outside the table.
@@ -105,5 +209,127 @@ namespace vfife
     const auto  &last = *(next - 1);
     const double part = (time - last.first) / (next->first - last.first);
     return last.second + part * (next->second - last.second);
+  }
+
+  double ParameterHistory::table_integral(const double time) const
+  {
+    if (time <= rows_.front().first)
+      return (time - rows_.front().first) * rows_.front().second;
+    const auto next =
+      std::lower_bound(rows_.begin(), rows_.end(), time, [](const auto &row, const double t) {
+        return row.first < t;
+      });
+    const std::size_t last = next - rows_.begin() - 1;
+    return areas_[last] + 0.5 * (time - rows_[last].first) * (rows_[last].second + value(time));
+  }
+
+  double ParameterHistory::formula_integral(const double begin, const double end) const
+  {
+    if (begin == end)
+      return 0.;
+    const auto   rate  = [this](const double t) { return value(t); };
+    const double whole = Quadrature::integrate(rate, begin, end);
+    return integrate(rate, begin, end, whole, 1e-14 * std::abs(whole), 40);
+  }
+
+  double ParameterHistory::integral(const double time) const
+  {
+    if (is_constant())
+      return time;
+    if (!formula_)
+      return table_integral(time) - table_integral(0.);
+    if (time <= 0)
+      return -formula_integral(time, 0.);
+    // Whole panels are kept: whenever it is asked, and in whatever order, the answer is the same.
+    const std::size_t whole = static_cast<std::size_t>(time / panel);
+    if (panels_.empty())
+      panels_.push_back(0.);
+    while (panels_.size() <= whole)
+      panels_.push_back(panels_.back() +
+                        formula_integral((panels_.size() - 1) * panel, panels_.size() * panel));
+    return panels_[whole] + formula_integral(whole * panel, time);
+  }
+
+  double ParameterHistory::find_time(const double integral) const
+  {
+    if (is_constant())
+      return integral;
+    // In steps of a hundredth of the time at the value of time zero, so that no fall to zero is
+    // passed over; then the root between two of them.
+    constexpr unsigned int most_steps = 1000000;
+    const double           step       = 1e-2 * integral / value(0.);
+    for (unsigned int i = 1; i <= most_steps && value(i * step) > 0; ++i)
+      if (this->integral(i * step) >= integral)
+        {
+          const auto     rest       = [&](const double t) { return this->integral(t) - integral; };
+          const auto     tolerance  = boost::math::tools::eps_tolerance<double>(50);
+          std::uintmax_t iterations = 100;
+          const auto     found      = boost::math::tools::toms748_solve(
+            rest, (i - 1) * step, i * step, tolerance, iterations);
+          return 0.5 * (found.first + found.second);
+        }
+    throw InputError("falls to zero, or nearly so, before that");
+  }
+
+  std::pair<double, double> ParameterHistory::find_range(const double end) const
+  {
+    std::pair<double, double> range = std::minmax(value(0.), value(end));
+    const auto                meet  = [&range](const double number) {
+      range = {std::min(range.first, number), std::max(range.second, number)};
+    };
+    for (const auto &[time, number] : rows_)
+      if (time > 0 && time < end)
+        meet(number);
+    constexpr unsigned int n = 10000;
+    for (unsigned int i = 1; i < n && formula_; ++i)
+      meet(value(i * end / n));
+    return range;
+  }
+
+  void declare_quantity_over_time(dealii::ParameterHandler &prm,
+                                  const std::string        &name,
+                                  double                   &start,
+                                  ParameterHistory         &factor,
+                                  const std::string        &unit,
+                                  const std::string        &meaning,
+                                  const Range              &range)
+  {
+    const double      default_start = start;
+    const std::string default_text  = quantity_text(start, unit);
+    const auto        read          = [=](const std::string &text) {
+      std::pair<double, ParameterHistory> both;
+      if (!names_a_table(text) && !is_formula_of_time(text))
+        {
+          both.first =
+            text == default_text ? default_start : read_quantity_in_range(text, unit, range);
+          return both;
+        }
+      ParameterHistory &history = both.second;
+      history.read(text, unit);
+      both.first = history.value(0.);
+      // Each number that is given, in the unit in which its range is stated.
+      std::vector<std::pair<double, double>> given = history.rows_;
+      given.emplace_back(0., both.first);
+      for (const auto &row : given)
+        read_quantity_in_range(number_text(in_unit(row.second, unit)), unit, range);
+      if (both.first == 0)
+        throw InputError("what changes with time must not be zero at time zero");
+      for (auto &row : history.rows_)
+        row.second /= both.first;
+      for (double &area : history.areas_)
+        area /= both.first;
+      history.scale_ /= both.first;
+      return both;
+    };
+    declare_quantity_or_table(
+      prm,
+      name,
+      default_text,
+      [read](const std::string &text) { read(text); },
+      [read, &start, &factor](const std::string &text) { std::tie(start, factor) = read(text); },
+      describe_quantity(meaning + "; or over time, as a formula of t [s] or a table file (.csv, "
+                                  ".txt) of time [s] and value",
+                        unit,
+                        range));
   }
 } // namespace vfife

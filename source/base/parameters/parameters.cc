@@ -176,6 +176,21 @@ namespace vfife
     prm_.leave_subsection();
   }
 
+  double
+  read_quantity_in_range(const std::string &text, const std::string &unit, const Range &range)
+  {
+    const Unit    &bare     = find_unit(unit);
+    const Quantity quantity = read_quantity(text, bare.name);
+    check_range(quantity, bare, range);
+    return quantity.internal();
+  }
+
+  std::string
+  describe_quantity(const std::string &meaning, const std::string &unit, const Range &range)
+  {
+    return description_of(meaning, range_words(range), unit);
+  }
+
   void declare_quantity(dealii::ParameterHandler &prm,
                         const std::string        &name,
                         double                   &value,
@@ -185,11 +200,8 @@ namespace vfife
   {
     // A bare number is in the unit of the description, whatever the units inside; what is stored is
     // in these.
-    const Unit &bare = find_unit(unit);
-    const auto  read = [&bare, range](const std::string &text) {
-      const Quantity quantity = read_quantity(text, bare.name);
-      check_range(quantity, bare, range);
-      return quantity.internal();
+    const auto read = [unit, range](const std::string &text) {
+      return read_quantity_in_range(text, unit, range);
     };
     const std::string words = range_words(range);
     declare(
@@ -200,7 +212,7 @@ namespace vfife
       read,
       [&value](const double number) { value = number; },
       "a number" + (words.empty() ? "" : ", " + words) + " [" + unit + "]",
-      description_of(meaning, words, unit));
+      describe_quantity(meaning, unit, range));
   }
 
   void declare_vector(dealii::ParameterHandler &prm,

@@ -70,7 +70,8 @@ namespace vfife
         }
       else
         for (const std::string &file : files)
-          if (std::filesystem::path(file).extension() != ".prm" && !std::filesystem::exists(file))
+          if (std::error_code error; std::filesystem::path(file).extension() != ".prm" &&
+                                     !std::filesystem::exists(file, error))
             throw InputError("there is no folder \"" + file + "\" in which a run could go on");
       if (files.empty() && !line.output_folder.empty())
         files.push_back(line.output_folder + "/parameters.prm");

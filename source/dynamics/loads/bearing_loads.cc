@@ -178,10 +178,12 @@ namespace vfife
 
   void BearingLoads::respond_coupling(const double time, const bool at_rest, Seat &seat)
   {
-    // The driver's end has turned by rate times time; what the shaft lags behind winds the spring.
-    const double rate = seat.body->rate, expected = at_rest ? 0. : rate * time;
-    const double wound  = seat.seat.twist(seat.motion, expected) - expected;
-    const double torque = -seat.coupling->stiffness * wound;
+    // The driver's end has turned as prescribed; what the shaft lags behind winds the spring.
+    const double rate     = seat.body->rate * seat.body->rate_history.value(time);
+    const double expected = at_rest ? 0. : seat.body->driven_turn(time);
+    seat.drive_rate       = rate;
+    const double wound    = seat.seat.twist(seat.motion, expected) - expected;
+    const double torque   = -seat.coupling->stiffness * wound;
     seat.damper_torque =
       at_rest ? 0. : -seat.coupling->damping * (seat.seat.twist_rate(seat.motion) - rate);
     seat.drive_torque = torque + seat.damper_torque;
@@ -263,7 +265,7 @@ namespace vfife
   {
     double power = 0;
     for (const Seat &seat : seats_)
-      power += seat.drive_torque * seat.body->rate;
+      power += seat.drive_torque * seat.drive_rate;
     return power;
   }
 
@@ -271,7 +273,7 @@ namespace vfife
   {
     double power = 0;
     for (const Seat &seat : seats_)
-      power += seat.damper_torque * seat.body->rate;
+      power += seat.damper_torque * seat.drive_rate;
     return power;
   }
 

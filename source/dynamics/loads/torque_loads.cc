@@ -11,7 +11,7 @@ namespace vfife
     for (const Torque &torque : model.torques)
       {
         const Body &body = model.bodies[torque.body];
-        Load        load{body.axis, torque.value, torque.ramp_time, {}};
+        Load        load{body.axis, torque.value, torque.ramp_time, torque.history, {}};
         // Nodes with this load keep their radius (free rotation, rigid hub), or nearly so: the
         // undeformed one counts.
         const std::vector<double> shares = compute_torque_shares(torque, body);
@@ -44,7 +44,8 @@ namespace vfife
   {
     for (Load &load : loads_)
       add(load,
-          load.value * (load.ramp_time > 0 ? std::min(1., time / load.ramp_time) : 1.),
+          load.value * load.history.value(time) *
+            (load.ramp_time > 0 ? std::min(1., time / load.ramp_time) : 1.),
           positions,
           forces);
   }

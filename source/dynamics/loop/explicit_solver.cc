@@ -263,19 +263,20 @@ namespace vfife
       {
         // -zeta m (v - u): u turns with the body at the rate of its momentum, or of its mean speed
         const Body &body  = model_.bodies[b];
-        damping_[b].zeta  = options_.damping;
+        damping_[b].zeta  = options_.mass_damping();
         damping_[b].rigid = rigid_[b];
         if (options_.damping_rate == DampingRate::mean_speed && UpdateAxis::of(body).use_axis &&
-            options_.damping > 0)
+            damping_[b].zeta > 0)
           damping_[b].rigid = compute_mean_speed_rate(body, state, b, communicator_);
 
         // slip = zeta_k (omega - omega_kinematic) axis x r on the driven body of a gear pair
         damping_[b].mesh = RigidVelocity();
         if (model_.transmission && model_.transmission->driven == b)
           {
-            const Transmission &t = *model_.transmission;
-            const double        rate =
-              body.axis.direction.dot(rigid_[b].omega) - t.driven_sense * t.driven_rate();
+            // The momentum's rate is that of v-, half a step before the state.
+            const Transmission &t    = *model_.transmission;
+            const double        rate = body.axis.direction.dot(rigid_[b].omega) -
+                                t.driven_sense * t.driven_rate(state.time - 0.5 * dt_);
             damping_[b].mesh.omega    = options_.mesh_damping * rate * body.axis.direction;
             damping_[b].mesh.velocity = -damping_[b].mesh.omega.cross(body.axis.point);
           }

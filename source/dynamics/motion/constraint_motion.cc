@@ -16,8 +16,7 @@ namespace vfife
     for (const Constraint &constraint : model.constraints)
       {
         const Body &body = model.bodies[constraint.body];
-        groups_.push_back(
-          {&constraint, constraint.kind, constraint.body, body.axis, body.rate, {}});
+        groups_.push_back({&constraint, constraint.kind, constraint.body, body.axis, {}});
       }
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
@@ -104,7 +103,7 @@ namespace vfife
     // with.
     if (group.definition->angle)
       return *group.definition->angle * factor(*group.definition);
-    return frame == MotionFrame::fixed ? group.rate * time : 0.;
+    return frame == MotionFrame::fixed ? model_.bodies[group.body].driven_turn(time) : 0.;
   }
 
   Vector3 ConstraintMotion::move_led(const Group       &group,

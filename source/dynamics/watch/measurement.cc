@@ -47,7 +47,7 @@ namespace vfife
     // driver that turns as prescribed has no lead.
     const Transmission &t      = *model.transmission;
     const Body         &driven = model.bodies[t.driven];
-    const double        turned = t.driven_rate() * state.time; // in the drive direction
+    const double        turned = t.driven_turn(state.time); // in the drive direction
 
     // Differences from the kinematic turn are measured, so that no digits are lost in large angles.
     const auto lead = [&](const std::vector<unsigned int> &nodes) {
@@ -61,11 +61,12 @@ namespace vfife
     if (!t.driver_bore.empty())
       drive = t.driver_sense * measure_rotation(model.bodies[t.driver],
                                                 t.driver_bore,
-                                                t.driver_sense * t.driver_rate * state.time,
+                                                t.driver_sense * t.driver_turn(state.time),
                                                 state,
                                                 communicator);
     const double start       = t.driven_start - t.ratio() * (t.driver_start + drive);
-    m.driver_angle           = t.driver_start + t.driver_rate * state.time + drive;
+    m.driver_angle           = t.driver_start + t.driver_turn(state.time) + drive;
+    m.rate_factor            = t.rate_history.value(state.time);
     m.driven_angle           = t.driven_start + turned + bore;
     m.rim_angle              = t.driven_start + turned + rim;
     m.transmission_error     = start + bore;

@@ -68,10 +68,12 @@ namespace vfife
       table.add_column(std::string("effective mass ") + axis, "kg");
     for (const char *axis : {"x", "y", "z"})
       table.add_column(std::string("effective inertia ") + axis, "kg mm^2");
+    table.add_column(column::damping_ratio, "-");
     return table;
   }
 
-  void add_modes(const std::string &body, const ModesAtSpeed &modes, Table &table)
+  void
+  add_modes(const std::string &body, const ModesAtSpeed &modes, const double zeta, Table &table)
   {
     for (std::size_t k = 0; k < modes.modes.size(); ++k)
       {
@@ -93,6 +95,7 @@ namespace vfife
                                          d.tangential};
         for (const double value : mode.effective_mass)
           row.emplace_back(1e3 * value); // t -> kg
+        row.emplace_back(mode.damping_ratio(zeta));
         table.add_row(row);
       }
   }

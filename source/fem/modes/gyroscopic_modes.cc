@@ -120,6 +120,10 @@ namespace vfife
         const auto square = [&](const OwnedVector &a, const OwnedVector &b) {
           return assembly.dot(a, a) + assembly.dot(b, b);
         };
+        const double kinetic =
+          w * w * (assembly.dot(wave.real, Mr) + assembly.dot(wave.imaginary, Mi));
+        const double elastic = assembly.dot(wave.real, Kr) + assembly.dot(wave.imaginary, Ki);
+        wave.kinetic_share   = kinetic / (kinetic + elastic);
         wave.residual = std::sqrt(square(rest_real, rest_imaginary) / square(Mr, Mi)) / (w * w);
         waves.push_back(std::move(wave));
       }

@@ -118,6 +118,15 @@ namespace vfife
       .displacements;
   }
 
+  double RotatingMode::damping_ratio(const double zeta) const
+  {
+    // M u'' + (2 C + zeta M) u' + K u = 0, u = phi exp(lambda t): the first order of zeta is
+    // delta lambda = -zeta omega m/(2 omega m + g), m = phi* M phi and g the skew part; with
+    // omega^2 m + omega g = k this is -zeta omega^2 m/(omega^2 m + k) = -zeta T/(T + U).
+    return frequency > 0 ? zeta * kinetic_share / (2. * pi * frequency)
+                         : std::numeric_limits<double>::quiet_NaN();
+  }
+
   ModesAtSpeed RotatingBody::find_modes(const double rate) const
   {
     ModesAtSpeed result;
@@ -227,6 +236,7 @@ namespace vfife
         RotatingMode entry;
         entry.frequency               = wave.rate / (2. * pi);
         entry.residual                = wave.residual;
+        entry.kinetic_share           = wave.kinetic_share;
         entry.shape                   = node_shape(assembly.expand(wave.real), harmonic);
         std::vector<double> imaginary = node_shape(assembly.expand(wave.imaginary), harmonic);
         scale_to_one(entry.shape, imaginary);

@@ -18,13 +18,13 @@ namespace vfife
     }
   } // namespace
 
-  ProbeRecord make_probe_record(const std::string         &name,
-                                const std::vector<double> &times,
-                                const std::vector<double> &stresses,
-                                const double               end,
-                                const std::vector<double> &turn,
-                                const double               frequency,
-                                const double               passes_mesh)
+  ProbeRecord make_probe_record(const std::string                   &name,
+                                const std::vector<double>           &times,
+                                const std::vector<double>           &stresses,
+                                const double                         end,
+                                const std::vector<double>           &turn,
+                                const std::function<double(double)> &meshes,
+                                const double                         passes_mesh)
   {
     ProbeRecord record;
     record.name          = name;
@@ -41,9 +41,9 @@ namespace vfife
     // Where the largest stress is the probe comes after `ahead` meshes more, and was n - ahead
     // meshes ago: in the record if that was within it, which whole meshes decide.
     const double ahead = largest - turn.begin(), ago = ahead > 0 ? n - ahead : 0.;
-    const double recorded     = (end - times.front()) * frequency;
+    const double recorded     = meshes(end) - meshes(times.front());
     record.has_peak           = ago <= recorded + 1e-6;
-    const double after        = (end - passes_mesh) * frequency + ahead;
+    const double after        = meshes(end) - meshes(passes_mesh) + ahead;
     record.largest_after_mesh = after - n * std::floor(after / n + .5);
     record.has_median =
       record.least <= record.median + ProbeRecord::level * (record.largest - record.median);

@@ -111,6 +111,14 @@ namespace vfife
           columns.add(column::angle_of(driven), "deg", [](Now now) {
             return now.driven_angle / degree;
           });
+          // As the drive prescribes them.
+          const double speed = pair->driver_rate, mesh = pair->mesh_frequency();
+          columns.add(column::speed, "rpm", [speed](Now now) {
+            return speed * now.rate_factor * 30 / pi;
+          });
+          columns.add(column::mesh_frequency, "Hz", [mesh](Now now) {
+            return mesh * now.rate_factor;
+          });
           columns.add(column::dte, "arcsec", [](Now now) {
             return now.transmission_error / arcsecond;
           });

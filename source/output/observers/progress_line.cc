@@ -76,7 +76,7 @@ namespace vfife
          << " %  " << std::setprecision(3) << 1e3 * state.time << " ms";
     if (model.transmission)
       text << std::setprecision(1) << "  mesh "
-           << (state.time - start_time_) * model.transmission->mesh_frequency();
+           << model.transmission->meshes(state.time) - model.transmission->meshes(start_time_);
     text << "  step " << state.step << std::scientific << std::setprecision(1) << "  energy error "
          << state.measured.energy.error();
     if (model.transmission)

@@ -4,15 +4,16 @@ from functools import partial
 
 from .data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
 from .data.fields import read_fields_of_bodies, read_last_fields
-from .data.needs import (has_axis, has_bearings, has_file, has_history, has_misalignment, has_pair,
-                         has_pairs, has_pairs_with, has_pattern, has_probes, has_rim, has_rim_over_meshes, has_speeds,
-                         has_tooth_mesh, has_tooth_pressures)
+from .data.needs import (changes_speed, has_axis, has_bearings, has_file, has_history, has_misalignment,
+                         has_orders, has_pair, has_pairs, has_pairs_with, has_pattern, has_probes, has_rim,
+                         has_rim_over_meshes, has_speeds, has_tooth_mesh, has_tooth_pressures)
 from .data.study import Study
 from .pictures.bodies import draw_bodies
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
 from .pictures.scene import Scene, is_in_mesh
 from .pictures.teeth_in_mesh import draw_teeth_in_mesh
-from .plots import bearings, campbell, comparisons, histories, lumped, rim, spectra, speed_response, tooth_contact
+from .plots import (bearings, campbell, comparisons, histories, lumped, rim, run_up, spectra,
+                    speed_response, tooth_contact)
 from .plots.curves import draw_curves
 from .plots.loaded_contact import draw_loaded_contact
 from .plots.plot_row import PlotRow, draw_rows
@@ -43,6 +44,14 @@ RUN_PLOTS = (
     PlotRow("sidebands.svg", (has_tooth_mesh,), spectra.draw_sidebands,
             "Transmission error around the first harmonics of the mesh (Hann's window).",
             "Spectra and periodicity"),
+    PlotRow("orders.svg", (has_orders,), run_up.draw_orders,
+            "Amplitudes of the mesh orders over the speed, angle by angle.", "Over the speed",
+            data="orders.csv"),
+    PlotRow("waterfall.svg", (changes_speed,), run_up.draw_waterfall,
+            "Spectra of the transmission error over the speed (windows of the record, Hann's).",
+            "Over the speed"),
+    PlotRow("waterfall_force.svg", (changes_speed,), partial(run_up.draw_waterfall, column=CONTACT_FORCE),
+            "Spectra of the contact force over the speed.", "Over the speed"),
     PlotRow("probes.svg", (has_probes,), histories.draw_probes,
             "Von Mises stress at the probes.", "Stress at the probes"),
     PlotRow("rim_content.svg", (has_rim,), rim.draw_rim_content,

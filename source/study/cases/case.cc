@@ -16,6 +16,11 @@ namespace vfife
   {
   }
 
+  bool Case::may_be_made_longer() const
+  {
+    return true;
+  }
+
   double Case::ramp_time() const
   {
     return 0.;

@@ -193,12 +193,60 @@ namespace vfife
 
   double GearCase::end_time() const
   {
-    return operation_.meshes / mesh_frequency();
+    if (operation_.end_time > 0)
+      return operation_.end_time;
+    const double at_first_speed = operation_.meshes / mesh_frequency();
+    if (operation_.speed_history.is_constant())
+      return at_first_speed;
+    try
+      {
+        return operation_.speed_history.find_time(at_first_speed);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("Operation/speed",
+                         std::string(error.what()) + ": " + std::to_string(operation_.meshes) +
+                           " tooth meshes are asked for");
+      }
+  }
+
+  double GearCase::run_meshes() const
+  {
+    return operation_.end_time > 0
+             ? mesh_frequency() * operation_.speed_history.integral(operation_.end_time)
+             : operation_.meshes;
+  }
+
+  bool GearCase::may_be_made_longer() const
+  {
+    return !operation_.speed_history.is_formula();
+  }
+
+  double GearCase::largest_speed_factor() const
+  {
+    // Of a table on the whole: a run that is made longer goes on with the same samples. What has
+    // no speed, as kinds that stand still, has no end either.
+    const ParameterHistory &history = operation_.speed_history;
+    if (history.is_constant() || !(operation_.speed > 0))
+      return 1.;
+    return history.find_range(history.is_formula() ? end_time() : history.end()).second;
+  }
+
+  void GearCase::check_histories(const DynamicsOptions &dynamics) const
+  {
+    if (!operation_.torque_history.is_constant() && dynamics.start == Start::ramp)
+      throw InputError("Operation/torque",
+                       "a torque over time and a ramp at the start contradict each other: leave "
+                       "Dynamics/start at \"static preload\"");
+    if (!(operation_.speed_history.find_range(end_time()).first > 0))
+      throw InputError("Operation/speed",
+                       "falls to zero within the run; it has to be positive to its end");
   }
 
   double GearCase::ramp_time() const
   {
-    return operation_.ramp / mesh_frequency();
+    const double at_first_speed = operation_.ramp / mesh_frequency();
+    return at_first_speed > 0 ? operation_.speed_history.find_time(at_first_speed) : 0.;
   }
 
   void GearCase::check_run(const DynamicsOptions &dynamics) const
@@ -207,14 +255,16 @@ namespace vfife
       throw InputError("Dynamics/start",
                        "a gear pair starts by \"static preload\" or \"ramp\"; \"undeformed\" is "
                        "for models of the section Model");
+    check_histories(dynamics);
   }
 
   // dt = 1/(f s n), n = ceil(1/(f s dt_s)): whole steps from sample to sample, so that samples lie
-  // at the same positions of every tooth mesh.
+  // at the same positions of every tooth mesh. Where the speed changes, its largest value counts.
   double GearCase::choose_step(const double stable_step, const unsigned int samples) const
   {
-    const double steps_per_sample = std::ceil(1. / (mesh_frequency() * stable_step * samples));
-    return 1. / (mesh_frequency() * samples * steps_per_sample);
+    const double frequency        = mesh_frequency() * largest_speed_factor();
+    const double steps_per_sample = std::ceil(1. / (frequency * stable_step * samples));
+    return 1. / (frequency * samples * steps_per_sample);
   }
 
   bool GearCase::has_web() const

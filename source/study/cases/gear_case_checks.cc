@@ -30,7 +30,7 @@ namespace vfife
 
     std::string check_damping(const GearCase &, const RunPlan &plan)
     {
-      const double largest = std::max(plan.dynamics.damping, plan.dynamics.mesh_damping);
+      const double largest = std::max(plan.dynamics.mass_damping(), plan.dynamics.mesh_damping);
       // Recommended in doc/conventions.md, Damping; DynamicsOptions refuses dampers that are far
       // stronger.
       if (!(largest > 2000.))
@@ -43,7 +43,8 @@ namespace vfife
 
     std::string check_damping_rate(const GearCase &, const RunPlan &plan)
     {
-      if (plan.dynamics.damping_rate == DampingRate::momentum || !(plan.dynamics.damping > 0))
+      if (plan.dynamics.damping_rate == DampingRate::momentum ||
+          !(plan.dynamics.mass_damping() > 0))
         return "";
       return "damping relative to the mean speed exerts a torque about the axis; the damping audit "
              "of summary.json states it";
@@ -57,11 +58,11 @@ namespace vfife
       if (operation.ramp == 0)
         return "start = ramp with ramp = 0 is a step of the torque: the contact force overshoots "
                "and the flanks may part";
-      if (operation.ramp >= operation.meshes)
+      if (operation.ramp >= gear_case.run_meshes())
         return text("the ramp of ",
                     operation.ramp,
                     " tooth meshes does not end within the run of ",
-                    operation.meshes,
+                    gear_case.run_meshes(),
                     ": no steady part is possible");
       return "";
     }
@@ -140,12 +141,12 @@ namespace vfife
     {
       const unsigned int every = plan.output.fields_every;
       // [tooth meshes], as the length of the run.
-      if (every <= gear_case.operation().meshes)
+      if (every <= gear_case.run_meshes())
         return "";
       return text("fields every = ",
                   every,
                   " is more than the run's ",
-                  gear_case.operation().meshes,
+                  gear_case.run_meshes(),
                   " tooth meshes: fields are written at the start and the end only");
     }
 

@@ -29,13 +29,17 @@ namespace vfife
     constexpr double penalty_over_stiffness = 30.;
 
     /** Body frame placed in the fixed frame with its axis of rotation. */
-    void place(Body &body, const RigidMotion &placement, const double rate)
+    void place(Body                   &body,
+               const RigidMotion      &placement,
+               const double            rate,
+               const ParameterHistory &rate_history)
     {
       body.placement      = placement;
       body.axis.point     = placement.translation;
       body.axis.direction = placement.rotation.col(2);
       body.turns_on_axis  = true;
       body.rate           = rate;
+      body.rate_history   = rate_history;
     }
   } // namespace
 
@@ -56,6 +60,8 @@ namespace vfife
     t.driver_sense           = pinion_drives ? sense : -sense;
     t.driven_sense           = -t.driver_sense;
     t.driver_rate            = operation_.speed * (pinion_drives ? 1. : pair.speed_ratio());
+    t.rate_history           = operation_.speed_history;
+    t.largest_factor         = largest_speed_factor();
     t.contact_point          = mean.position;
     t.contact_normal         = pinion_drives ? mean.normal : Vector3(-mean.normal);
     const RigidMotion pinion = pair.pinion_placement(0.);
@@ -83,9 +89,13 @@ namespace vfife
     const double       sense  = operation_.direction == TurningDirection::forward ? 1. : -1.;
     place(pinion,
           pair.pinion_placement(mean.rot1 - pair.pinion().turn(pair.pinion_side(side))),
-          sense * operation_.speed);
+          sense * operation_.speed,
+          operation_.speed_history);
     Body gear = make_body(pair, 1);
-    place(gear, pair.gear_placement(mean.rot2), -sense * operation_.speed * pair.speed_ratio());
+    place(gear,
+          pair.gear_placement(mean.rot2),
+          -sense * operation_.speed * pair.speed_ratio(),
+          operation_.speed_history);
 
     model.add_body(std::move(pinion));
     model.add_body(std::move(gear));
@@ -176,6 +186,7 @@ namespace vfife
     if (!sections.empty())
       {
         member.supports.add_driven(model, t.driven, member.shaft_section(), sections, torque);
+        model.torques.back().history = operation_.torque_history;
         return;
       }
     Constraint hub;
@@ -191,8 +202,9 @@ namespace vfife
     load.body  = t.driven;
     load.nodes = t.driven_bore;
     // A constant traction on the bore, against the sense in which the driven member turns.
-    load.areas = compute_nodal_areas(driven, t.driven_bore);
-    load.value = torque;
+    load.areas   = compute_nodal_areas(driven, t.driven_bore);
+    load.value   = torque;
+    load.history = operation_.torque_history;
     model.torques.push_back(load);
   }
 
@@ -243,7 +255,7 @@ namespace vfife
   {
     const Body &gear = model.bodies[1];
     // Of all sectors that which passes the mesh at 75 % of the run: late, and still within it.
-    const unsigned int tooth = gear_tooth_in_mesh(std::lround(0.75 * operation_.meshes));
+    const unsigned int tooth = gear_tooth_in_mesh(std::lround(0.75 * run_meshes()));
     for (const char *set : {node_set::node_A_front, node_set::node_A_back})
       if (gear.has_node_set(set) && tooth < gear.node_set(set).size())
         model.probes.push_back({set, 1, gear.node_set(set)[tooth]});

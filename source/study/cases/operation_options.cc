@@ -5,6 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <utility>
+
 namespace vfife
 {
   namespace
@@ -16,15 +18,23 @@ namespace vfife
   void OperationOptions::declare(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Operation");
-    declare_quantity(prm, "speed", speed, "rpm", "Speed of the pinion", Range::not_negative());
-    declare_quantity(prm,
-                     "torque",
-                     torque,
-                     "N m",
-                     "Torque on the driven member (the gear, if nothing else is said), against its "
-                     "rotation",
-                     Range::not_negative());
+    declare_quantity_over_time(
+      prm, "speed", speed, speed_history, "rpm", "Speed of the pinion", Range::not_negative());
+    declare_quantity_over_time(prm,
+                               "torque",
+                               torque,
+                               torque_history,
+                               "N m",
+                               "Torque on the driven member (the gear, if nothing else is said), "
+                               "against its rotation",
+                               Range::not_negative());
     declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1, 1000000);
+    declare_quantity(prm,
+                     "end time",
+                     end_time,
+                     "s",
+                     "Length of the run instead of tooth meshes; 0: these decide",
+                     Range::not_negative());
     declare_number(prm,
                    "ramp",
                    ramp,
@@ -61,6 +71,16 @@ namespace vfife
       throw InputError(section + "/torque",
                        "the torque on the driven member is missing or zero; flanks without load do "
                        "not stay in contact");
+  }
+
+  void OperationOptions::require_constant(const std::string &section,
+                                          const std::string &study) const
+  {
+    for (const auto &[entry, history] :
+         {std::make_pair("/speed", &speed_history), std::make_pair("/torque", &torque_history)})
+      if (!history->is_constant())
+        throw InputError(section + entry,
+                         "the " + study + " takes one value; what changes with time is for runs");
   }
 
   void OperationOptions::require_driving_pinion(const std::string &section,

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/study/compare/pair_run.h>
@@ -25,6 +26,10 @@ namespace vfife
     , is_steady_(summary(summary_place::is_steady) == 1)
     , is_ripple_unsteady_(summary(summary_place::is_ripple_steady) == 0)
   {
+    if (!(mesh_frequency > 0))
+      throw InputError("the case \"" + run.name +
+                       "\" cannot be compared: its run states no mesh frequency, as one whose "
+                       "speed changes");
   }
 
   double PairRun::steady_mean(const std::string &column) const

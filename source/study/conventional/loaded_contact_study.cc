@@ -56,6 +56,7 @@ namespace vfife
       {
         gear_case_.check();
         gear_case_.operation().require_driving_pinion("Operation", "loaded tooth contact analysis");
+        gear_case_.operation().require_constant("Operation", "loaded tooth contact analysis");
         dynamics_.check("Dynamics");
         fem_.check("Fem");
       }

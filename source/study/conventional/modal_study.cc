@@ -5,12 +5,14 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/modes/campbell.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/output_options.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
@@ -18,6 +20,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -32,6 +35,11 @@ namespace vfife
       {
         case_ = make_case(file);
         case_->declare(prm, file);
+        // Of the section Dynamics the damping is of use: that of a run of the same file.
+        OutputOptions unused;
+        case_->set_defaults(dynamics_, unused);
+        dynamics_.declare(prm);
+        case_->declare_run(prm);
         declare_section(prm, "Fem", fem_);
       }
 
@@ -40,6 +48,7 @@ namespace vfife
         // Speeds are those of the section Fem, at rest if nothing is said, and nothing loads the
         // bodies.
         case_->check_bodies();
+        dynamics_.check("Dynamics");
         fem_.check("Fem");
       }
 
@@ -60,8 +69,10 @@ namespace vfife
 
     private:
       void solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
+      void log_damping(const ModesAtSpeed &found, Log &log) const;
 
       std::unique_ptr<Case> case_;
+      DynamicsOptions       dynamics_;
       FemOptions            fem_;
       Table                 modes_      = make_mode_table();
       Table                 campbell_   = make_campbell_table();
@@ -83,6 +94,26 @@ namespace vfife
         write_tables(folder, "resonances", resonances_);
       }
     write_tables(folder, "modes", modes_);
+  }
+
+  void ModalStudy::log_damping(const ModesAtSpeed &found, Log &log) const
+  {
+    const double zeta    = dynamics_.mass_damping();
+    const auto   percent = [zeta](const RotatingMode &mode) {
+      return 1e2 * mode.damping_ratio(zeta);
+    };
+    const auto lowest = std::find_if(found.modes.begin(),
+                                     found.modes.end(),
+                                     [](const RotatingMode &mode) { return mode.frequency > 0; });
+    if (!(zeta > 0) || lowest == found.modes.end())
+      return;
+    log.line("damping of ",
+             zeta,
+             " 1/s: ratios from ",
+             percent(*lowest),
+             " % of the lowest vibration to ",
+             percent(found.modes.back()),
+             " % of the highest (modes.csv)");
   }
 
   void ModalStudy::solve_body(const Model        &model,
@@ -122,7 +153,8 @@ namespace vfife
                  " s");
         if (rate != 0)
           log.line("largest displacement under spin ", 1e3 * found.growth, " um");
-        add_modes(body.name(), found, modes_);
+        log_damping(found, log);
+        add_modes(body.name(), found, dynamics_.mass_damping(), modes_);
 
         // Shapes go into the file and out of memory, speed by speed; branches need frequencies
         // alone.

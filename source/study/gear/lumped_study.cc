@@ -153,6 +153,7 @@ namespace vfife
           gear_case_.check_bodies();
         operation().check("Operation");
         operation().require_driving_pinion("Operation", "lumped model");
+        operation().require_constant("Operation", "lumped model");
         options_.check();
         sweep_.check("Lumped");
       }

@@ -54,6 +54,7 @@ namespace vfife
       {
         gear_case_.check();
         gear_case_.operation().require_driving_pinion("Operation", "reduced pair");
+        gear_case_.operation().require_constant("Operation", "reduced pair");
         dynamics_.check("Dynamics");
         output_.check("Output");
         sweep_.check("Reduced");
@@ -213,7 +214,7 @@ namespace vfife
                             Log                       &log) const
     {
       const unsigned int  per_mesh = n_steps_of_mesh();
-      const std::uint64_t n_steps  = std::uint64_t(gear_case_.operation().meshes) * per_mesh;
+      const std::uint64_t n_steps  = std::llround(gear_case_.run_meshes() * per_mesh);
       ReducedPair pair(model, reduce(model, folder.communicator(), log), penalties, options);
 
       ReducedRun          run(folder, log, model, pair);
@@ -223,7 +224,7 @@ namespace vfife
         model,
         [&](const std::vector<Probe> &copies) { return pair.measure_probes(copies); },
         log,
-        gear_case_.operation().meshes);
+        static_cast<unsigned int>(gear_case_.run_meshes() + 1e-6));
       PairResults results(
         model, gear_case_.hertz_contact(), output_, history_steps, n_steps * options.step);
       results.add_observers(run.observers(),
@@ -287,7 +288,7 @@ namespace vfife
       const unsigned int        per_mesh     = n_steps_of_mesh();
       ReducedPairOptions        options;
       options.step         = 1. / (frequency * per_mesh);
-      options.damping      = dynamics_.damping;
+      options.damping      = dynamics_.mass_damping();
       options.mesh_damping = dynamics_.mesh_damping;
       log.line("penalty ",
                penalties.front(),

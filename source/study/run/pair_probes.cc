@@ -81,7 +81,7 @@ namespace vfife
   std::vector<ProbeRecord> PairProbes::judge(const double time, const Table &rows) const
   {
     std::vector<ProbeRecord> records;
-    const double             frequency = model_.transmission->mesh_frequency();
+    const Transmission      &pair = *model_.transmission;
     for (const Probe &probe : model_.probes)
       {
         std::vector<double> times, stresses;
@@ -93,13 +93,14 @@ namespace vfife
             }
         if (times.empty())
           continue;
-        records.push_back(make_probe_record(probe.name,
-                                            times,
-                                            stresses,
-                                            time,
-                                            measure_turn(probe),
-                                            frequency,
-                                            passes_mesh(probe) / frequency));
+        records.push_back(make_probe_record(
+          probe.name,
+          times,
+          stresses,
+          time,
+          measure_turn(probe),
+          [&pair](const double at) { return pair.meshes(at); },
+          pair.time_of(passes_mesh(probe))));
         log_.line(records.back().explain());
       }
     return records;

@@ -37,9 +37,11 @@ namespace vfife
   void PairResults::add_observers(RunObservers &observers, RimWriter::Measure measure_rim)
   {
     // The pattern on the flanks is gathered over the last tooth mesh [s] of the run.
-    const double one_mesh = 1. / model_.transmission->mesh_frequency();
-    teeth_                = &observers.add<TeethWriter>(model_, history_steps_, hertz_).table();
-    observers.add<PatternWriter>(model_, std::max(0., end_time_ - one_mesh), history_steps_);
+    const Transmission &pair  = *model_.transmission;
+    const double        start = pair.has_constant_rate() ? end_time_ - 1. / pair.mesh_frequency()
+                                                         : pair.time_of(pair.meshes(end_time_) - 1.);
+    teeth_                    = &observers.add<TeethWriter>(model_, history_steps_, hertz_).table();
+    observers.add<PatternWriter>(model_, std::max(0., start), history_steps_);
     probes_ = &observers.add<ProbeWriter>(history_steps_).table();
     observers.add<RimWriter>(model_, history_steps_, std::move(measure_rim));
     if (PairMounting::changes(model_))
@@ -50,15 +52,19 @@ namespace vfife
                                          const std::optional<Vector2> &arm_range) const
   {
     // Of the case, not of its motion: known before the first step, and stated after a failure too.
-    const Transmission &t       = *model_.transmission;
-    const double        torque  = load_torque(model_);
-    NamedFigures        figures = {
-             {figure_name::mesh_frequency, {t.mesh_frequency(), "Hz"}},
-             {figure_name::speed_of(model_.bodies[t.driver].name()), {t.driver_rate * 30. / pi, "rpm"}},
-             {figure_name::torque_of(model_.bodies[t.driven].name()), {1e-3 * torque, "N m"}},
-             {figure_name::effective_arm, {t.arm, "mm"}},
-             {figure_name::force_on_arm, {torque / t.arm, "N"}},
-             {"contact penalty", {penalty, "N/mm^3"}}};
+    const Transmission &t      = *model_.transmission;
+    const double        torque = load_torque(model_);
+    // What changes in the run has no single number: it is stated for the start, by another name.
+    const std::string speed_when  = t.has_constant_rate() ? "" : " at the start",
+                      torque_when = has_constant_torque() ? "" : " at the start";
+    NamedFigures figures = {{figure_name::mesh_frequency + speed_when, {t.mesh_frequency(), "Hz"}},
+                            {figure_name::speed_of(model_.bodies[t.driver].name()) + speed_when,
+                             {t.driver_rate * 30. / pi, "rpm"}},
+                            {figure_name::torque_of(model_.bodies[t.driven].name()) + torque_when,
+                             {1e-3 * torque, "N m"}},
+                            {figure_name::effective_arm, {t.arm, "mm"}},
+                            {figure_name::force_on_arm + torque_when, {torque / t.arm, "N"}},
+                            {"contact penalty", {penalty, "N/mm^3"}}};
     if (arm_range)
       {
         figures.push_back({figure_name::least_arm, {t.arm * (*arm_range)[0], "mm"}});
@@ -75,6 +81,13 @@ namespace vfife
                        1. / model_.transmission->mesh_frequency(),
                        folder,
                        log);
+  }
+
+  bool PairResults::has_constant_torque() const
+  {
+    return std::all_of(model_.torques.begin(), model_.torques.end(), [](const Torque &torque) {
+      return torque.history.is_constant();
+    });
   }
 
   void PairResults::log_hertz(Log &log) const
@@ -96,6 +109,11 @@ namespace vfife
                                 RunSummary  &summary,
                                 Log         &log) const
   {
+    if (!model_.transmission->has_constant_rate() || !has_constant_torque())
+      {
+        log.line("no steady part is looked for: speed or torque changes during the run");
+        return;
+      }
     double ramp_end = 0;
     for (const Torque &torque : model_.torques)
       ramp_end = std::max(ramp_end, torque.ramp_time);

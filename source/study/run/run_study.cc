@@ -7,6 +7,8 @@
 #include <vfife/dynamics/watch/measurement.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
+#include <vfife/output/measures/order_tracking.h>
 #include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
@@ -15,6 +17,7 @@
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
+#include <vfife/study/cases/damping_figures.h>
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/run/contact_width_watch.h>
@@ -70,6 +73,7 @@ namespace vfife
     /** Nothing that the past of a run depends on. */
     const std::vector<std::string> changeable_entries = {"Study/output folder",
                                                          "Operation/tooth meshes",
+                                                         "Operation/end time",
                                                          "Dynamics/end time",
                                                          "Dynamics/largest number of steps",
                                                          "Dynamics/energy limit",
@@ -77,6 +81,18 @@ namespace vfife
                                                          "Output/checkpoint every",
                                                          "Output/pictures",
                                                          "Output/verbosity"};
+
+    /** Those entries of a case. */
+    std::vector<std::string> list_changeable(const Case &of_run)
+    {
+      std::vector<std::string> entries = changeable_entries;
+      const auto               is_end  = [](const std::string &entry) {
+        return entry == "Operation/tooth meshes" || entry == "Operation/end time";
+      };
+      if (!of_run.may_be_made_longer())
+        entries.erase(std::remove_if(entries.begin(), entries.end(), is_end), entries.end());
+      return entries;
+    }
 
     /** Seconds by section. */
     NamedFigures list_times(const Table &report)
@@ -92,6 +108,38 @@ namespace vfife
     const Transmission *transmission_of(const Model &model)
     {
       return model.transmission ? &*model.transmission : nullptr;
+    }
+
+    /** The end of a run that is to last for @p time, with samples in intervals of @p sample [s]: of
+     * a gear pair the first sample that is not before it. */
+    double find_end(const Transmission *pair, const double time, const double sample)
+    {
+      const double end = sample * std::ceil(time / sample * (1. - 1e-9));
+      return pair == nullptr || std::abs(end - time) <= 1e-9 * time ? time : end;
+    }
+
+    /** Whole tooth meshes up to a time. */
+    unsigned int count_meshes(const Transmission &pair, const double time)
+    {
+      return static_cast<unsigned int>(pair.meshes(time) + 1e-6);
+    }
+
+    /** Amplitudes over the speed, where it changes; @p pair may be nullptr. */
+    void write_orders(const OutputFolder  &folder,
+                      const OutputOptions &output,
+                      const Transmission  *pair,
+                      const Table         &history)
+    {
+      const unsigned int orders = output.count_tracked_orders();
+      if (pair != nullptr && !pair->has_constant_rate() && orders > 0)
+        write_csv(folder,
+                  "orders.csv",
+                  track_mesh_orders(history, *pair, output.order_window, orders));
+    }
+
+    void add_figures(const NamedFigures &more, NamedFigures &figures)
+    {
+      figures.insert(figures.end(), more.begin(), more.end());
     }
 
     class RunStudy : public StudyKind
@@ -123,7 +171,7 @@ namespace vfife
                          Log                   &log) override
       {
         // What the log has beyond the checkpoint is written again by the steps that are repeated.
-        checkpoint_ = find_checkpoint(folder, now, changeable_entries, communicator, log);
+        checkpoint_ = find_checkpoint(folder, now, list_changeable(*case_), communicator, log);
         return checkpoint_->log_size;
       }
 
@@ -220,14 +268,15 @@ namespace vfife
     // Observers: those of any model, those of a gear pair, fields.
     // A checkpoint holds the data of the observers one after the other: whoever resumes has to add
     // them in the same order. A run that is ended early still states the time of the whole one.
-    const double whole_time = case_->end_time(), dt = stepped.dt;
-    const double end_time =
-      dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
+    const double        dt            = stepped.dt;
     const Transmission *transmission  = transmission_of(model);
     const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
-    Stepping            stepping(folder, log, model, stepped.solver, output_, history_steps);
-    RunObservers       &observers      = stepping.observers();
-    RunSummary         &summary        = stepping.summary();
+    const double        whole_time = find_end(transmission, case_->end_time(), history_steps * dt);
+    const double        end_time =
+      dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
+    Stepping      stepping(folder, log, model, stepped.solver, output_, history_steps);
+    RunObservers &observers            = stepping.observers();
+    RunSummary   &summary              = stepping.summary();
     summary                            = start_summary("run", model, stepped.solver, dt, folder);
     const Table               &history = observers.add<HistoryWriter>(model, history_steps).table();
     std::optional<PairResults> pair;
@@ -238,10 +287,7 @@ namespace vfife
           return measure_probes(
             model, copies, stepping.state(), stepped.solver.vfife_operator(), communicator);
         };
-        probes.emplace(model,
-                       measure,
-                       log,
-                       std::lround(whole_time * transmission->mesh_frequency()));
+        probes.emplace(model, measure, log, count_meshes(*transmission, whole_time));
         pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time);
         pair->add_observers(observers);
         summary.figures =
@@ -257,6 +303,7 @@ namespace vfife
         observers.add<BearingWriter>(history_steps);
         write_bearing_curves(folder, model.bearings);
       }
+    add_figures(list_damping(dynamics_, transmission, log), summary.figures);
     stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
     summary.contradictions = report_contradictions(
       model, stepped, stepped.expect_run_time(stepping.state(), end_time / dt), log);
@@ -274,6 +321,7 @@ namespace vfife
       if (pair && start->preload() != nullptr)
         complete_pair(
           *pair, *start->preload(), history, PairMounting::changes(model), summary, log);
+      write_orders(folder, output_, transmission, history);
       if (summary.status == "failed")
         return;
       if (pair)

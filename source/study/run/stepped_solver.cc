@@ -50,8 +50,9 @@ namespace vfife
              1e9 * dt,
              " ns");
     if (model.transmission)
-      log.line(std::lround(1. / (model.transmission->mesh_frequency() * dt)),
-               " steps a tooth mesh");
+      log.line(std::lround(1. / (model.transmission->largest_mesh_frequency() * dt)),
+               " steps a tooth mesh",
+               model.transmission->has_constant_rate() ? "" : " at the largest speed");
     // What the mesh would allow without its worst elements: whether a few of them cost all the
     // time.
     const auto without = [&](const int n) { return 1e9 * vfife.stable_step_without(n); };

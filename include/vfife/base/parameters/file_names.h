@@ -4,6 +4,7 @@
 
 #include <vfife/base/parameters/declared_section.h>
 
+#include <functional>
 #include <string>
 
 namespace dealii
@@ -33,6 +34,15 @@ namespace vfife
                                 const std::string        &name,
                                 std::string              &value,
                                 const std::string        &meaning);
+
+  /** Declares an entry whose text is a quantity, a formula or the name of a table: @p check throws
+   * an InputError on a bad text, @p store is called with the default and whenever it is set. */
+  void declare_quantity_or_table(dealii::ParameterHandler                       &prm,
+                                 const std::string                              &name,
+                                 const std::string                              &default_text,
+                                 const std::function<void(const std::string &)> &check,
+                                 const std::function<void(const std::string &)> &store,
+                                 const std::string                              &meaning);
 
   /** Whether an entry of this @p pattern (DeclaredSection::Entry) with this text names a file. */
   bool names_a_file(const std::string &pattern, const std::string &text);

@@ -72,6 +72,14 @@ namespace vfife
                         const std::string        &meaning,
                         const Range              &range = Range::any());
 
+  /** The number of a text as declare_quantity() reads it [internal units]. */
+  double
+  read_quantity_in_range(const std::string &text, const std::string &unit, const Range &range);
+
+  /** What a description says of a unit and a range: "meaning (words) [unit]". */
+  std::string
+  describe_quantity(const std::string &meaning, const std::string &unit, const Range &range);
+
   /**
    * Declares three dimensioned numbers separated by commas, "0, 0, 5 m/s"; each is read as by
    * declare_quantity(), and a unit behind the last one is that of all that carry none. @p value is

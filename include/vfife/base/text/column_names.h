@@ -51,9 +51,11 @@ namespace vfife
 
     // Natural vibrations.
     constexpr char speed[]                = "speed";
+    constexpr char mesh_frequency[]       = "mesh frequency";
     constexpr char frequency[]            = "frequency";
     constexpr char axes[]                 = "axes"; ///< in which they are seen, axes_of_modes
     constexpr char share_of_static_turn[] = "share of the static turn";
+    constexpr char damping_ratio[]        = "damping ratio";
 
     // Responses of the lumped model, also as figures of lumped.json.
     constexpr char direction[]          = "direction"; ///< of a sweep: "up" or "down"

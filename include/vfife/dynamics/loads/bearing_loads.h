@@ -94,6 +94,7 @@ namespace vfife
       Wrench             elastic, damping;  ///< on the shaft
       double             drive_torque  = 0; ///< of both, of a coupling [N mm]
       double             damper_torque = 0; ///< of the damper alone
+      double             drive_rate    = 0; ///< prescribed, of a coupling [rad/s]
     };
 
     /** Largest frequency and decay of the springs and dampers of a seat on the nodes' masses. */

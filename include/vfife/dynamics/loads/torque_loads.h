@@ -41,6 +41,7 @@ namespace vfife
     {
       Axis              axis;
       double            value, ramp_time;
+      ParameterHistory  history;
       std::vector<Node> nodes;
     };
 

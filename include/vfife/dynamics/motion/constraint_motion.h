@@ -121,7 +121,6 @@ namespace vfife
       ConstraintKind    kind;
       unsigned int      body;
       Axis              axis;
-      double            rate;
       std::vector<Node> nodes;
 
       bool turns_freely() const

@@ -14,10 +14,10 @@ namespace vfife
    * A row a mode: body, speed [rpm], mode, frequency [Hz] (turning axes), residual [-], nodal
    * diameter and circles [-] (-1: the body is not made of sectors), share of that diameter [-],
    * direction of travel, shares of axial, radial and tangential motion [-], effective masses x y z
-   * [kg] and inertias x y z [kg mm^2] (fixed axes).
+   * [kg] and inertias x y z [kg mm^2] (fixed axes), damping ratio [-] under @p zeta [1/s].
    */
   Table make_mode_table();
-  void  add_modes(const std::string &body, const ModesAtSpeed &modes, Table &table);
+  void  add_modes(const std::string &body, const ModesAtSpeed &modes, double zeta, Table &table);
 
   /** Modes that belong together over the speeds: same diameter, direction and place in order. */
   struct CampbellBranch

@@ -11,8 +11,10 @@ namespace vfife
   /** A wave u exp(i omega t) with Coriolis forces, u = real + i imaginary (owned unknowns). */
   struct GyroscopicMode
   {
-    double      rate     = 0; ///< omega > 0 [rad/s]
-    double      residual = 0; ///< |(K - omega^2 M + 2 i omega C) u| over omega^2 |M u|
+    double rate     = 0; ///< omega > 0 [rad/s]
+    double residual = 0; ///< |(K - omega^2 M + 2 i omega C) u| over omega^2 |M u|
+    /** T/(T + U) of the energies in the turning axes, means over a period [-]. */
+    double      kinetic_share = 0.5;
     OwnedVector real, imaginary;
   };
 

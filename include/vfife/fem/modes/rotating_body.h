@@ -15,13 +15,19 @@ namespace vfife
   /** A natural vibration of a body that turns, as seen by an observer that turns with it. */
   struct RotatingMode
   {
-    double          frequency = 0; ///< [Hz]
-    double          residual  = 0;
+    double frequency = 0; ///< [Hz]
+    double residual  = 0;
+    /** T/(T + U) of the energies in the turning axes: 1/2 without Coriolis forces [-]. */
+    double          kinetic_share = 0.5;
     ModeDescription description;
     /** As in Mode; not a number for sectors and with Coriolis forces. */
     std::array<double, 6> effective_mass = not_known();
     /** Displacements of the body's nodes, 3 a node, fixed frame, largest 1 mm. */
     std::vector<double> shape;
+
+    /** Of the force -zeta m v relative to the turning body, to the first order of zeta [1/s]; not a
+     * number for a rigid motion [-]. */
+    double damping_ratio(double zeta) const;
 
   private:
     static std::array<double, 6> not_known()

@@ -2,6 +2,7 @@
 #ifndef vfife_output_measures_probe_record_h
 #define vfife_output_measures_probe_record_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,16 +38,16 @@ namespace vfife
    * @param end         of the run [s]
    * @param turn        stress of copy m then, where the probe will be m tooth meshes later; one a
    *                    tooth
-   * @param frequency   tooth meshes a second [Hz]
+   * @param meshes      tooth meshes from the start of the run to a time [s]
    * @param passes_mesh ProbeRecord::passes_mesh [s]
    */
-  ProbeRecord make_probe_record(const std::string         &name,
-                                const std::vector<double> &times,
-                                const std::vector<double> &stresses,
-                                double                     end,
-                                const std::vector<double> &turn,
-                                double                     frequency,
-                                double                     passes_mesh);
+  ProbeRecord make_probe_record(const std::string                   &name,
+                                const std::vector<double>           &times,
+                                const std::vector<double>           &stresses,
+                                double                               end,
+                                const std::vector<double>           &turn,
+                                const std::function<double(double)> &meshes,
+                                double                               passes_mesh);
 } // namespace vfife
 
 #endif

@@ -59,6 +59,10 @@ namespace vfife
     /** Time at which a run ends [s]. */
     virtual double end_time() const = 0;
 
+    /** Whether a run that goes on may end later than it was begun for: its samples do not depend
+     * on its end. */
+    virtual bool may_be_made_longer() const;
+
     /** Time over which the load torque grows where a run starts with a ramp [s]. */
     virtual double ramp_time() const;
 

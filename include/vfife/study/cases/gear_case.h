@@ -28,6 +28,7 @@ namespace vfife
     Model        make_model(Log &log) const override;
     void         check_run(const DynamicsOptions &dynamics) const override;
     double       end_time() const override;
+    bool         may_be_made_longer() const override;
     double       ramp_time() const override;
     double       choose_step(double stable_step, unsigned int samples) const override;
     HertzContact hertz_contact() const override;
@@ -45,7 +46,10 @@ namespace vfife
     Table meridian_table() const;
 
     const OperationOptions &operation() const;
-    double                  mesh_frequency() const;
+    double                  mesh_frequency() const; ///< at time zero [Hz]
+
+    /** Tooth meshes of a run. */
+    double run_meshes() const;
 
     /** Whether the gear's rim is carried by an elastic web. */
     bool has_web() const;
@@ -72,6 +76,9 @@ namespace vfife
        * and end. */
       GearBodyOptions with_levels(const BlankOutline &blank) const;
     };
+    /** The largest speed of a run over that at time zero. */
+    double largest_speed_factor() const;
+    void   check_histories(const DynamicsOptions &dynamics) const;
     /** Throws InputError for shafts that do not go with their bodies or with what holds them. */
     void            check_shafts() const;
     const Material &material(const std::string &name) const;

@@ -2,6 +2,7 @@
 #ifndef vfife_study_cases_operation_options_h
 #define vfife_study_cases_operation_options_h
 
+#include <vfife/base/parameters/parameter_history.h>
 #include <vfife/base/types.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 
@@ -24,11 +25,15 @@ namespace vfife
   /** Section Operation: what the pair is run at. */
   struct OperationOptions
   {
-    double       speed  = 0;  ///< of the pinion [rad/s]
-    double       torque = 0;  ///< on the driven member [N mm]
-    unsigned int meshes = 40; ///< tooth meshes to run
-    double       ramp   = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
-    HubKind      hub    = HubKind::rigid_hub;
+    double speed  = 0; ///< of the pinion at time zero [rad/s]
+    double torque = 0; ///< on the driven member at time zero [N mm]
+    /** Over the values at time zero. */
+    ParameterHistory speed_history, torque_history;
+
+    unsigned int meshes   = 40; ///< tooth meshes to run
+    double       end_time = 0;  ///< of the run instead [s]; 0: meshes decide
+    double       ramp     = 12; ///< of the torque, with Dynamics/start = ramp [tooth meshes]
+    HubKind      hub      = HubKind::rigid_hub;
 
     /** Endurance limit for contact stress of case-hardened steel, quality MQ (ISO 6336-5); 0: none
      * is known [MPa]. */
@@ -43,7 +48,11 @@ namespace vfife
     /** Throws InputError where the gear drives, which @p study (a noun) does not take. */
     void require_driving_pinion(const std::string &section, const std::string &study) const;
 
-    /** Tooth meshes per second [Hz]. */
+    /** Throws InputError where speed or torque change with time, which @p study (a noun) does not
+     * know. */
+    void require_constant(const std::string &section, const std::string &study) const;
+
+    /** Tooth meshes per second at time zero [Hz]. */
     double mesh_frequency(unsigned int pinion_teeth) const
     {
       return speed * pinion_teeth / (2 * pi);

@@ -57,6 +57,8 @@ namespace vfife
     }
 
   private:
+    bool has_constant_torque() const;
+
     const Model         &model_;
     HertzContact         hertz_;
     const OutputOptions &output_;

@@ -37,6 +37,16 @@ def has_rim_over_meshes(run):
     return has_rim(run) and bool(run.samples_per_mesh())
 
 
+def has_orders(run):
+    """Amplitudes by mesh orders of a run whose speed changes."""
+    return run.orders is not None
+
+
+def changes_speed(run):
+    """A history of a gear pair whose speed changes."""
+    return has_pair(run) and run.changes_speed() and "mesh frequency" in run.history
+
+
 def has_bearings(run):
     return run.bearings is not None
 

@@ -22,6 +22,7 @@ class RunFolder:
         self.probes = read_table(self.path / "probes.csv")
         self.pattern = read_table(self.path / "pattern.csv")
         self.rim = read_table(self.path / "rim.csv")
+        self.orders = read_table(self.path / "orders.csv")
         self.bearings = read_table(self.path / "bearings.csv")
         self.misalignment = read_table(self.path / "misalignment.csv")
         # Loaded tooth contact analyses have the last two over positions.
@@ -108,6 +109,18 @@ class RunFolder:
     def body_name(self, index):
         bodies = self.bodies()
         return bodies[index]["name"] if index < len(bodies) else f"body {index}"
+
+    def changes_speed(self):
+        """Whether the prescribed speed of the gear pair is not the same throughout."""
+        return self.history is not None and "speed" in self.history and bool(np.ptp(self.history["speed"]) > 0)
+
+    def gear_turn(self, time):
+        """Angles by which the driven gear has turned about its axis since the start [rad]; 0 if unknown."""
+        if not self.changes_speed():
+            return self.gear_rate() * time
+        at, speed = self.history["time"], self.history["speed"]
+        turned = np.concatenate([[0], np.cumsum(0.5 * np.diff(at) * (speed[1:] + speed[:-1]))])
+        return self.gear_rate() / speed[0] * np.interp(time, at, turned)
 
     def gear_rate(self):
         """Angular velocity of the driven gear about its axis at the start [rad/s]; 0 if unknown."""

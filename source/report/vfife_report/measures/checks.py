@@ -42,7 +42,7 @@ def list_checks(run):
     if taken and taken["value"] is not None:
         yield "mesh damping: energy taken from the swing", f"{taken['value']:.3g} mJ", "not negative", judge(taken["value"] >= 0)
     losses = summary.get("contact losses")
-    if losses and run.value("mesh frequency"):
+    if losses and (run.value("mesh frequency") or run.changes_speed()):
         yield "losses of contact", str(losses["count"]), "0", judge(losses["count"] == 0)
     if "contradictions" in summary:
         count = len(summary["contradictions"])

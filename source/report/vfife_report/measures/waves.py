@@ -26,28 +26,28 @@ def read_wave(rim, component, n):
     return cos + 1j * rim[f"{component} sin {n}"] if n else cos + 0j
 
 
-def split_wave(wave, time, n, rate):
+def split_wave(wave, n, turn):
     """The pattern that stands in space (amplitude with phase) and the rest of C(t), in the axes that
-    turn with the gear at `rate` [rad/s, + about its axis].
+    turn with the gear, which has turned by the angles `turn` [rad, + about its axis].
 
-    The load stands in space, so in the turning gear its pattern of n diameters is a wave of
-    frequency -n rate; for n = 0 it is the mean. A gear of equal sectors has no pattern of its own that
-    would stand in the gear.
+    The load stands in space, so in the turning gear its pattern of n diameters is a wave of phase
+    -n turn; for n = 0 it is the mean. A gear of equal sectors has no pattern of its own that would
+    stand in the gear.
     """
-    turn = np.exp(1j * n * rate * time)
-    standing = np.mean(wave * turn)
-    return standing, wave - standing / turn
+    phase = np.exp(1j * n * turn)
+    standing = np.mean(wave * phase)
+    return standing, wave - standing / phase
 
 
-def measure_waves(rim, rows, rate):
+def measure_waves(rim, rows, turn):
     """Amplitude that stands in space and root mean square of the rest, by component and nodal
-    diameters, (3, n + 1) each [um]."""
+    diameters, (3, n + 1) each [um]; `turn`: RunFolder.gear_turn() at these rows."""
     shape = (len(COMPONENTS), count_diameters(rim) + 1)
     standing, moving = np.empty(shape), np.empty(shape)
     for k, component in enumerate(COMPONENTS):
         for n in range(shape[1]):
             wave = read_wave(rim, component, n)[rows]
-            pattern, rest = split_wave(wave, rim["time"][rows], n, rate)
+            pattern, rest = split_wave(wave, n, turn)
             standing[k, n], moving[k, n] = np.abs(pattern), np.sqrt(np.mean(np.abs(rest)**2))
     return standing, moving
 
@@ -56,7 +56,7 @@ def find_axial_rest(run, n):
     """Times of the steady part and the axial wave of n diameters less what stands in space."""
     rim, rows = run.rim, run.steady_rows(run.rim)
     time = rim["time"][rows]
-    return time, split_wave(read_wave(rim, "z", n)[rows], time, n, run.gear_rate())[1]
+    return time, split_wave(read_wave(rim, "z", n)[rows], n, run.gear_turn(time))[1]
 
 
 def list_directions(rate):

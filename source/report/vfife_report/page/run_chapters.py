@@ -133,6 +133,7 @@ RUN_CHAPTERS = (
     Chapter("Transmission error", tell_transmission_error),
     Chapter("Contact", tell_contact),
     Chapter("Spectra and periodicity", tell_spectra),
+    Chapter("Over the speed"),
     Chapter("Stress at the probes", tell_probes),
     Chapter("Motion of the rim", tell_rim),
     Chapter("Sections"),

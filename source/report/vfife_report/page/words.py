@@ -81,6 +81,11 @@ def list_sentences(run):
                f"gear resists with {parameters['Operation/torque']}. Teeth mesh at {frequency:.0f} Hz; "
                f"the run covers {time * frequency:.3g} tooth meshes ({1e3 * time:.4g} ms) from "
                f"{describe_start(parameters)}.")
+    elif pair and run.changes_speed():
+        speed, time = run.history["speed"], summary["run"]["time"]["value"]
+        yield (f"The speed of the {pair[0].lower()}{pair[1:]} changes from {speed[0]:.0f} to {speed[-1]:.0f} "
+               f"rpm of the driver within {1e3 * time:.4g} ms, from {describe_start(parameters)}; there is "
+               f"no steady part.")
     if "steady part" in summary:
         text = summary["steady part"]["explanation"]
         yield text[0].upper() + text[1:] + "."

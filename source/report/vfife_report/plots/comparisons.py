@@ -110,7 +110,8 @@ def draw_rim_content(study):
     plot, panels = plt.subplots(2, 2, sharex=True, figsize=(9, 6.5))
     for variant in study.pairs_with("rim"):
         rim = variant.run.rim
-        both = measure_waves(rim, variant.run.steady_rows(rim), variant.run.gear_rate())
+        rows = variant.run.steady_rows(rim)
+        both = measure_waves(rim, rows, variant.run.gear_turn(rim["time"][rows]))
         for column, values in enumerate(both):
             for row, component in enumerate(("z", "r")):
                 at = list(COMPONENTS).index(component)

@@ -12,7 +12,8 @@ SHOWN_HISTORIES = 5  # largest number of nodal diameters
 
 def draw_rim_content(run):
     """What stands in space and what moves, by nodal diameters."""
-    both = measure_waves(run.rim, run.steady_rows(run.rim), run.gear_rate())
+    rows = run.steady_rows(run.rim)
+    both = measure_waves(run.rim, rows, run.gear_turn(run.rim["time"][rows]))
     plot, panels = plt.subplots(1, 2, figsize=(9, 4))
     numbers = np.arange(both[0].shape[1])
     for axes, values, title in zip(panels, both, ("standing in space", "rest, root mean square")):

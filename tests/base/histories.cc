@@ -1,0 +1,118 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Quantities over time: values, integrals and their inverse of constants, tables and formulas
+// against closed forms, units of headings, what is refused.
+#include "../history_of.h"
+#include "../refusal.h"
+#include "../tests.h"
+
+#include <vfife/base/types.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace vfife;
+
+namespace
+{
+  constexpr double rpm = pi / 30;
+
+  void constants()
+  {
+    const QuantityOverTime speed = history_of("20000 rpm", "rpm");
+    check("constant: value, and the factor is one",
+          speed.start == 20000 * rpm && speed.factor.is_constant() && speed.factor.value(3.) == 1 &&
+            speed.factor.integral(.3) == .3 && speed.factor.find_time(.3) == .3);
+    check("constant: another unit", history_of("100 rad/s", "rpm").start == 100.);
+  }
+
+  /** A table from 2 to 5 ms, constant outside: straight lines have closed integrals. */
+  void tables()
+  {
+    std::ofstream("speed.csv") << "time [ms],speed [rpm]\n2,1000\n3,3000\n5,2000\n";
+    const QuantityOverTime  speed = history_of("speed.csv", "rad/s");
+    const ParameterHistory &f     = speed.factor;
+    check_close("table: value at time zero, that of the first row", speed.start, 1000 * rpm, 1e-12);
+    check("table: neither constant nor formula", !f.is_constant() && !f.is_formula());
+    check_close("table: factor between rows", f.value(2.25e-3), 1.5, 1e-14);
+    check_close("table: factor behind the last row", f.value(1.), 2., 1e-14);
+    check_close("table: integral in front of it", f.integral(1e-3), 1e-3, 1e-18);
+    check_close("table: integral within it", f.integral(2.5e-3), 2e-3 + .5e-3 * 1.5, 1e-17);
+    check_close("table: integral behind it",
+                f.integral(7e-3),
+                2e-3 + 2e-3 + 2e-3 * 2.5 + 2e-3 * 2,
+                1e-17);
+    check_close("table: integral before time zero", f.integral(-1e-3), -1e-3, 1e-18);
+    for (const double t : {1e-3, 2.7e-3, 4e-3, 9e-3})
+      check_close("table: time of an integral", f.find_time(f.integral(t)), t, 1e-15);
+    const auto range = f.find_range(4e-3);
+    check("table: range", range.first == 1 && std::abs(range.second - 3) < 1e-14);
+    check_close("table: its end", f.end(), 5e-3, 1e-18);
+
+    // The same in the units of the description, blanks and no heading.
+    std::ofstream("plain.txt") << "2e-3 1000\n3e-3 3000\n5e-3 2000\n";
+    const QuantityOverTime plain = history_of("plain.txt", "rpm");
+    check_close("table without heading: value", plain.start, 1000 * rpm, 1e-12);
+    check_close("table without heading: factor", plain.factor.value(4e-3), 2.5, 1e-14);
+  }
+
+  void formulas()
+  {
+    const QuantityOverTime speed = history_of("2000 + 1e5*t + 500*(1 - cos(2*pi*40*t))", "rpm");
+    const auto             exact = [](const double t) {
+      return t + 25. * t * t + .25 * (t - std::sin(80 * pi * t) / (80 * pi));
+    };
+    check_close("formula: value at time zero", speed.start, 2000 * rpm, 1e-12);
+    double wrong = 0, inverse = 0;
+    for (const double t : {.0371, 1e-5, .1, .0123, .2})
+      {
+        wrong   = largest_of(wrong, std::abs(speed.factor.integral(t) / exact(t) - 1));
+        inverse = largest_of(inverse, std::abs(speed.factor.find_time(exact(t)) / t - 1));
+      }
+    check_below("formula: integral to round-off", wrong, 1e-14);
+    check_below("formula: time of an integral", inverse, 1e-13);
+    check_close("formula: before time zero", speed.factor.integral(-.01), exact(-.01), 1e-16);
+    // In whatever order: a run that goes on begins with a late time.
+    const QuantityOverTime late = history_of("2000 + 1e5*t + 500*(1 - cos(2*pi*40*t))", "rpm");
+    check("formula: the same digits in another order",
+          late.factor.integral(.1876) == speed.factor.integral(.1876) &&
+            late.factor.integral(.0371) == speed.factor.integral(.0371));
+    // A jump within a panel.
+    const QuantityOverTime jump = history_of("t < 0.00123 ? 1000 : 3000", "rpm");
+    check_close("formula with a jump: integral",
+                jump.factor.integral(.01),
+                .00123 + 3 * (.01 - .00123),
+                1e-15);
+    check_close("formula: range",
+                history_of("1000 + 1e5*t*(0.01 - t)", "rpm").factor.find_range(.01).second,
+                1.0025,
+                1e-12);
+  }
+
+  void refusals()
+  {
+    std::ofstream("back.csv") << "0,1000\n1,2000\n1,3000\n";
+    std::ofstream("metres.csv") << "time [m],speed [rpm]\n0,1000\n";
+    std::ofstream("negative.csv") << "0,1000\n1,-2000\n";
+    std::ofstream("three.csv") << "0,1000,7\n";
+    for (const char *text : {"20000 rmp",
+                             "20000 mm",
+                             "-3 rpm",
+                             "1000 + * t",
+                             "1e5*t",
+                             "missing.csv",
+                             "back.csv",
+                             "metres.csv",
+                             "negative.csv",
+                             "three.csv"})
+      print_refusal([text] { history_of(text, "rpm", Range::not_negative()); });
+    print_refusal([] { history_of("1000 - 1e6*t", "rpm").factor.find_time(1.); });
+  }
+} // namespace
+
+int main()
+{
+  constants();
+  tables();
+  formulas();
+  refusals();
+}
