@@ -30,7 +30,7 @@ namespace vfife
     }
 
     /** Sense of the axis of rotation about that of the sectors. */
-    double sector_sense(const Body &body)
+    double find_sector_sense(const Body &body)
     {
       return body.axis.direction.dot(compute_sector_axis(body).direction) < 0 ? -1. : 1.;
     }
@@ -70,7 +70,7 @@ namespace vfife
                               const ReducedPairOptions &options)
     : body(std::move(reduced))
     , rate(model.bodies[b].rate)
-    , sense(sector_sense(model.bodies[b]))
+    , sense(find_sector_sense(model.bodies[b]))
     , torque(torque_on(model, b))
     , inertia(body.turns ? body.turn_inertia : model.bodies[b].axial_inertia())
     , motion(body, rate, {options.damping, options.mesh_damping}, options.step)
@@ -205,6 +205,11 @@ namespace vfife
     restart_energy();
   }
 
+  double ReducedPair::sector_sense(const unsigned int b) const
+  {
+    return members_[b]->sense;
+  }
+
   double ReducedPair::driver_turn(const double n_steps) const
   {
     return driver_turn_ + driver_rate_ * n_steps * options_.step;
@@ -295,7 +300,6 @@ namespace vfife
   void ReducedPair::step()
   {
     const Transmission &t      = *model_.transmission;
-    const PressedState  last   = now_;
     const double        way    = torque_way();
     const EnergyLedger  powers = find_powers();
 
@@ -326,8 +330,9 @@ namespace vfife
     const VectorXd base = displace(coordinates);
 
     // 2. The contact at the end of the step, from forces that go on as they did.
-    double         torque  = last.acting.contact_torque;
-    const VectorXd present = now_.force;
+    const double   present_torque = now_.acting.contact_torque;
+    double         torque         = present_torque;
+    const VectorXd present        = now_.force;
     if (earlier_force_.size() > 0)
       {
         now_.force += present - earlier_force_;
@@ -338,7 +343,7 @@ namespace vfife
     now_.acting     = pair_.evaluate(*answers_, base + now_.deflection, now_.turn, true);
     n_iterations_ += pair_.balance(*answers_, base, load, options_.tolerance, now_);
     earlier_force_  = present;
-    earlier_torque_ = last.acting.contact_torque;
+    earlier_torque_ = present_torque;
 
     // 3. The motion with the mean of the forces at both ends.
     const std::vector<ModalForces> after = project(now_);

@@ -79,6 +79,8 @@ namespace vfife
       return n_iterations_;
     }
     const ReducedBody &body(unsigned int b) const;
+    /** Of Body::axis about the axis of the body's sectors: 1 or -1. */
+    double sector_sense(unsigned int b) const;
     /** On the driven body about its axis [N mm]. */
     double load() const
     {

@@ -2,7 +2,6 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/lumped/speed_sweep.h>
-#include <vfife/model/body_frame.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/reduced_options.h>
@@ -123,12 +122,10 @@ namespace vfife
                     const std::function<void()> &report,
                     Log                         &log)
   {
-    const Transmission &t      = *model.transmission;
-    const Body         &driven = model.bodies[t.driven];
-    const double        sense = driven.axis.direction.dot(compute_sector_axis(driven).direction) < 0
-                                  ? -t.driven_sense
-                                  : t.driven_sense;
-    const auto          turn_at = [&](const double speed, const std::string &direction) {
+    const Transmission &t = *model.transmission;
+    // Of the driven body's turn in the drive direction, about the axis of its sectors.
+    const double sense   = t.driven_sense * pair.sector_sense(t.driven);
+    const auto   turn_at = [&](const double speed, const std::string &direction) {
       const double       frequency = speed * t.driver_teeth / (2. * pi);
       const unsigned int steps     = options.find_steps(frequency, cutoff, samples);
       pair.set_speed(speed, 1. / (frequency * steps));
