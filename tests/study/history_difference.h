@@ -68,7 +68,8 @@ namespace histories
 
   /**
    * The size of the numbers of which a quantity with that unit is the sum or the difference; zero
-   * for what is counted, negative for a unit that is not known. With x the largest coordinate, h
+   * for what is counted and for the drive's speed and mesh frequency, which are prescribed;
+   * negative for a unit that is not known. With x the largest coordinate, h
    * the cell, E Young's modulus, m the mass, c the speed of waves and W the largest energy:
    *   length    x: displacements are differences of places
    *   stress    E x/h: strains are differences of places over h
@@ -92,6 +93,8 @@ namespace histories
 
     const std::map<std::string, double> sizes = {{"s", 0.},
                                                  {"-", 0.},
+                                                 {"rpm", 0.},
+                                                 {"Hz", 0.},
                                                  {"mm", x},
                                                  {"um", 1e3 * x},
                                                  {"deg", degrees},
