@@ -73,9 +73,10 @@ namespace vfife
     struct OwnHarmonics
     {
       std::vector<ReducedBody::Harmonic> harmonics;
-      Eigen::VectorXd                    torque_residual, turn_coriolis; ///< of h = 0, or empty
-      unsigned int                       n_unknowns = 0;
-      double                             memory     = 0;
+      /** Of h = 0, or empty. */
+      Eigen::VectorXd torque_residual, euler_residual, turn_coriolis;
+      unsigned int    n_unknowns = 0;
+      double          memory     = 0;
     };
 
     void add_harmonic(const CyclicBody             &body,
@@ -116,10 +117,13 @@ namespace vfife
       // 3. What is the same in all sectors.
       if (number == 0)
         {
+          const auto modal_part = [&](const Eigen::VectorXcd &force) -> Eigen::VectorXd {
+            return (harmonic.shapes * (flexibilities.asDiagonal() * force)).real();
+          };
           harmonic.torque = sector.modal_forces(modes, body.torque()).cast<std::complex<double>>();
-          own.torque_residual =
-            sector.answer(body.torque(), rows) -
-            (harmonic.shapes * (flexibilities.asDiagonal() * harmonic.torque)).real();
+          harmonic.euler  = sector.euler_forces(modes).cast<std::complex<double>>();
+          own.torque_residual = sector.answer(body.torque(), rows) - modal_part(harmonic.torque);
+          own.euler_residual  = sector.euler_answer(rows) - modal_part(harmonic.euler);
           if (body.turns())
             own.turn_coriolis = sector.turn_coriolis(modes);
         }
@@ -163,6 +167,7 @@ namespace vfife
       for (ReducedBody::Harmonic &harmonic : own.harmonics)
         serialize(harmonic, stream);
       pass_matrix(own.torque_residual, stream);
+      pass_matrix(own.euler_residual, stream);
       pass_matrix(own.turn_coriolis, stream);
     }
 
@@ -181,7 +186,10 @@ namespace vfife
           reduced.n_unknowns = std::max(reduced.n_unknowns, found.n_unknowns);
           reduced.memory     = std::max(reduced.memory, found.memory);
           if (found.torque_residual.size() > 0)
-            reduced.torque_residual = found.torque_residual;
+            {
+              reduced.torque_residual = found.torque_residual;
+              reduced.euler_residual  = found.euler_residual;
+            }
           if (found.turn_coriolis.size() > 0)
             reduced.turn_coriolis = found.turn_coriolis;
         }

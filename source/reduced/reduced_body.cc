@@ -8,6 +8,13 @@
 
 namespace vfife
 {
+  Eigen::VectorXcd ReducedBody::Harmonic::forces_of(const AxialLoad &load) const
+  {
+    if (number > 0)
+      return Eigen::VectorXcd::Zero(n_modes());
+    return load.torque * torque + load.acceleration * euler;
+  }
+
   unsigned int ReducedBody::n_modes() const
   {
     unsigned int n = 0;
@@ -41,5 +48,6 @@ namespace vfife
     pass_matrix(harmonic.spin_stiffness, stream);
     pass_matrix(harmonic.shapes, stream);
     pass_matrix(harmonic.torque, stream);
+    pass_matrix(harmonic.euler, stream);
   }
 } // namespace vfife

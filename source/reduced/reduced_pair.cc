@@ -19,15 +19,12 @@ namespace vfife
   {
     /** Part of a tooth mesh between searches for what may touch. */
     constexpr double search_part = .1;
-
-    double torque_on(const Model &model, const unsigned int body)
-    {
-      double sum = 0;
-      for (const Torque &torque : model.torques)
-        if (torque.body == body)
-          sum += torque.value;
-      return sum;
-    }
+    /** Part of a changing speed after which the modes follow it: what spin and Coriolis forces add
+     * to their eigenvalues is 1e-3 of them, and changes by twice that part. */
+    constexpr double rate_part = .01;
+    /** The same for their part of the flexibility, of which a step's Coriolis forces, 1e-3 of the
+     * rest, are all that knows the speed. */
+    constexpr double gain_part = .1;
 
     /** Sense of the axis of rotation about that of the sectors. */
     double find_sector_sense(const Body &body)
@@ -62,7 +59,21 @@ namespace vfife
         gains.push_back(motion.gain(i));
       return gains;
     }
+
+    bool is_near(const double rate, const double other, const double part)
+    {
+      return std::abs(rate - other) <= part * std::abs(other);
+    }
   } // namespace
+
+  double torque_on(const Model &model, const unsigned int body, const double time)
+  {
+    double sum = 0;
+    for (const Torque &torque : model.torques)
+      if (torque.body == body)
+        sum += torque.value * torque.history.value(time);
+    return sum;
+  }
 
   ReducedPair::Member::Member(const Model              &model,
                               const unsigned int        b,
@@ -71,12 +82,13 @@ namespace vfife
     : body(std::move(reduced))
     , rate(model.bodies[b].rate)
     , sense(find_sector_sense(model.bodies[b]))
-    , torque(torque_on(model, b))
+    , axial{torque_on(model, b, 0.), 0.}
     , inertia(body.turns ? body.turn_inertia : model.bodies[b].axial_inertia())
     , motion(body, rate, {options.damping, options.mesh_damping}, options.step)
     , rows(body, gains_of(motion, body.harmonics.size()))
   {
     set_rate(rate);
+    gain_rate = rate;
   }
 
   void ReducedPair::Member::set_rate(const double new_rate)
@@ -86,13 +98,27 @@ namespace vfife
     spin        = body.rate != 0 ? rate * rate / (body.rate * body.rate) : 0.;
   }
 
-  ModalForces ReducedPair::Member::torque_forces() const
+  void ReducedPair::Member::set_gains()
   {
-    ModalForces forces = motion.no_forces();
-    for (std::size_t i = 0; i < body.harmonics.size(); ++i)
-      if (body.harmonics[i].number == 0 && body.harmonics[i].n_modes() > 0)
-        forces.modes[i] = torque * body.harmonics[i].torque;
-    forces.moment = torque;
+    rows.set_gains(gains_of(motion, body.harmonics.size()));
+    gain_rate = motion.rate();
+  }
+
+  void ReducedPair::Member::follow_rate(const double step)
+  {
+    if (!is_near(rate, motion.rate(), rate_part))
+      motion.change(rate, step);
+    if (!is_near(rate, gain_rate, gain_part))
+      set_gains();
+  }
+
+  ModalForces ReducedPair::Member::forces_of(const AxialLoad &load) const
+  {
+    ModalForces forces;
+    for (const ReducedBody::Harmonic &harmonic : body.harmonics)
+      forces.modes.push_back(harmonic.forces_of(load));
+    // The turn is counted from what the body turns with.
+    forces.moment = load.torque - inertia * load.acceleration;
     return forces;
   }
 
@@ -155,7 +181,7 @@ namespace vfife
     : model_(require_pair(model, bodies))
     , options_(options)
     , pair_(model, penalties)
-    , load_(torque_on(model, model.transmission->driven))
+    , load_(torque_on(model, model.transmission->driven, 0.))
   {
     std::vector<const TouchRows *> rows;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -165,7 +191,6 @@ namespace vfife
       }
     answers_     = std::make_unique<Answers>(rows);
     driver_rate_ = model.transmission->driver_rate;
-    find_search_steps();
   }
 
   ReducedPair::~ReducedPair() = default;
@@ -175,32 +200,37 @@ namespace vfife
     return members_[b]->body;
   }
 
-  void ReducedPair::find_search_steps()
+  void ReducedPair::search()
   {
-    const double meshes = std::abs(driver_rate_) * model_.transmission->driver_teeth / (2. * pi);
-    search_steps_       = std::max(1., std::floor(search_part / (meshes * options_.step)));
+    const double meshes = std::abs(members_[model_.transmission->driver]->rate) *
+                          model_.transmission->driver_teeth / (2. * pi);
+    search_steps_ = std::max(1., std::floor(search_part / (meshes * options_.step)));
+    since_search_ = 0;
+    find_candidates(driver_turn(search_steps_));
+  }
+
+  double ReducedPair::speed_factor() const
+  {
+    return driver_rate_ / model_.transmission->driver_rate *
+           model_.transmission->rate_history.value(time_);
   }
 
   void ReducedPair::set_speed(const double driver_rate, const double step)
   {
-    const Transmission &t        = *model_.transmission;
-    const double        relative = driver_rate / t.driver_rate;
-    driver_rate_                 = driver_rate;
-    options_.step                = step;
+    driver_rate_  = driver_rate;
+    options_.step = step;
     for (unsigned int b = 0; b < members_.size(); ++b)
       {
         Member &member = *members_[b];
-        member.set_rate(relative * model_.bodies[b].rate);
+        member.set_rate(speed_factor() * model_.bodies[b].rate);
         member.motion.change(member.rate, step);
-        member.rows.set_gains(gains_of(member.motion, member.body.harmonics.size()));
+        member.set_gains();
       }
     // Steps of another length are no ground to go on from.
     earlier_force_.resize(0);
-    find_search_steps();
     if (nodes_.empty()) // before start()
       return;
-    find_candidates(driver_turn(search_steps_));
-    since_search_   = 0;
+    search();
     now_.deflection = answers_->answer(now_.force);
     restart_energy();
   }
@@ -212,7 +242,9 @@ namespace vfife
 
   double ReducedPair::driver_turn(const double n_steps) const
   {
-    return driver_turn_ + driver_rate_ * n_steps * options_.step;
+    const Transmission &t    = *model_.transmission;
+    const double        time = n_steps * options_.step;
+    return t.has_constant_rate() ? driver_turn_ + driver_rate_ * time : t.driver_turn(time_ + time);
   }
 
   double ReducedPair::driven_turn() const
@@ -282,7 +314,7 @@ namespace vfife
       {
         const Member &member                          = *members_[b];
         u.segment(member.first, member.rows.n_rows()) = member.spin * member.rows.spin() +
-                                                        member.torque * member.rows.torque() +
+                                                        member.rows.under(member.axial) +
                                                         member.rows.displace(coordinates[b]);
       }
     return u;
@@ -297,29 +329,50 @@ namespace vfife
     return forces;
   }
 
-  void ReducedPair::step()
+  std::vector<AxialLoad> ReducedPair::advance_drive()
   {
-    const Transmission &t      = *model_.transmission;
-    const double        way    = torque_way();
-    const EnergyLedger  powers = find_powers();
-
-    // 1. Where the bodies would be with half the present contact forces alone.
+    driver_turn_ = driver_turn(1.);
     ++step_;
     time_ += options_.step;
-    driver_turn_ = driver_turn(1.);
     pair_.set_position(driver_turn_);
-    if (++since_search_ == search_steps_)
+    std::vector<AxialLoad> mean;
+    for (unsigned int b = 0; b < members_.size(); ++b)
       {
-        find_candidates(driver_turn(search_steps_));
-        since_search_ = 0;
+        Member      &member = *members_[b];
+        const double before = member.rate, torque = member.axial.torque;
+        member.axial.torque = torque_on(model_, b, time_);
+        if (!model_.transmission->has_constant_rate())
+          {
+            member.set_rate(speed_factor() * model_.bodies[b].rate);
+            member.axial.acceleration = (member.rate - before) / options_.step;
+            member.follow_rate(options_.step);
+          }
+        if (b == model_.transmission->driver)
+          energy_.drive_work += .5 * member.inertia * (member.rate * member.rate - before * before);
+        mean.push_back({.5 * (torque + member.axial.torque), member.axial.acceleration});
       }
-    std::vector<ModalForces>            half = project(now_);
+    load_     = members_[model_.transmission->driven]->axial.torque;
+    now_.unit = std::max(now_.unit, std::abs(load_) / model_.transmission->arm);
+    return mean;
+  }
+
+  void ReducedPair::step()
+  {
+    const Transmission      &t      = *model_.transmission;
+    const double             way    = torque_way();
+    const EnergyLedger       powers = find_powers();
+    std::vector<ModalForces> half   = project(now_);
+
+    // 1. Where the bodies would be with half the present contact forces alone.
+    const std::vector<AxialLoad> axial = advance_drive();
+    if (++since_search_ >= search_steps_)
+      search();
     std::vector<std::vector<VectorXcd>> coordinates(members_.size());
     TurnLoad                            load;
     for (std::size_t b = 0; b < members_.size(); ++b)
       {
         const Member &member = *members_[b];
-        ModalForces   forces = member.torque_forces();
+        ModalForces   forces = member.forces_of(axial[b]);
         forces.add(.5, half[b]);
         half[b] = std::move(forces);
         for (std::size_t i = 0; i < half[b].modes.size(); ++i)
@@ -352,6 +405,6 @@ namespace vfife
         half[b].add(.5, after[b]);
         members_[b]->motion.advance(half[b]);
       }
-    add_work(way, powers);
+    add_work(axial[t.driven].torque, way, powers);
   }
 } // namespace vfife

@@ -46,7 +46,8 @@ namespace vfife
     return powers;
   }
 
-  void ReducedPair::add_work(const double way_before, const EnergyLedger &before)
+  void
+  ReducedPair::add_work(const double torque, const double way_before, const EnergyLedger &before)
   {
     const EnergyLedger after = find_powers();
     const double       half  = .5 * options_.step;
@@ -54,7 +55,7 @@ namespace vfife
     energy_.damping_loss += half * (before.damping_loss + after.damping_loss);
     energy_.mesh_damping_uptake += half * (before.mesh_damping_uptake + after.mesh_damping_uptake);
     energy_.swing_loss += half * (before.swing_loss + after.swing_loss);
-    energy_.torque_work += load_ * (torque_way() - way_before);
+    energy_.torque_work += torque * (torque_way() - way_before);
   }
 
   void ReducedPair::restart_energy()
@@ -80,7 +81,7 @@ namespace vfife
         energy_.strain += member.motion.strain();
         // What the residual flexibility stores: that at once, less the modes' part of it.
         energy_.strain += .5 * force.dot(rows_of(member, now_.deflection)) +
-                          member.torque * member.rows.torque().dot(force);
+                          member.rows.under(member.axial).dot(force);
         const std::vector<VectorXcd> modal = member.rows.project(force);
         for (std::size_t i = 0; i < modal.size(); ++i)
           energy_.strain -= .5 * modal[i].dot(member.motion.gain(i) * modal[i]).real();
@@ -95,7 +96,7 @@ namespace vfife
     return member.motion.turn() + member.rows.read_all(member.body.find_reading(reading),
                                                        member.coordinates(),
                                                        rows_of(member, now_.force),
-                                                       member.torque);
+                                                       member.axial);
   }
 
   void ReducedPair::measure_transmission(Measurements &measured) const
@@ -150,8 +151,11 @@ namespace vfife
     measure_transmission(state.measured);
     measure_contact(state);
     measure_energy();
-    state.measured.energy       = energy_;
-    state.measured.drive_torque = -now_.acting.driver_torque;
+    state.measured.energy = energy_;
+    const Member &driver  = *members_[model_.transmission->driver];
+    state.measured.drive_torque =
+      driver.inertia * driver.axial.acceleration - now_.acting.driver_torque;
+    state.measured.rate_factor = speed_factor();
     state.measured.body_rates.clear();
     for (const auto &member : members_)
       state.measured.body_rates.push_back(member->rate + member->motion.turn_rate());
@@ -173,7 +177,7 @@ namespace vfife
           {
             const unsigned int k = member.body.find_reading(reading::of_probe(probe.name, c));
             values[c]            = member.spin * member.body.spin[first + k] +
-                        member.rows.read(k, sector, coordinates, force, member.torque);
+                        member.rows.read(k, sector, coordinates, force, member.axial);
           }
         measured.push_back(make_probe_value(model_, probe, values));
       }
@@ -194,7 +198,7 @@ namespace vfife
         const unsigned int mean = body.find_reading(reading::of_rim(c, 0, false));
         coefficients.push_back(
           1e3 * (body.n_sectors * member.spin * body.spin[3 * body.touch_nodes.size() + mean] +
-                 member.rows.read_all(mean, coordinates, force, member.torque)));
+                 member.rows.read_all(mean, coordinates, force, member.axial)));
         for (unsigned int n = 1; n <= largest; ++n)
           {
             const auto read = [&](const bool imaginary) {

@@ -8,6 +8,9 @@
 
 namespace vfife
 {
+  /** The model's torque on a body about its axis [N mm]. */
+  double torque_on(const Model &model, unsigned int body, double time);
+
   /** One of the two bodies. */
   struct ReducedPair::Member
   {
@@ -16,11 +19,12 @@ namespace vfife
     double       sense;           ///< of Body::axis about the axis of its sectors
     double       sector_rate = 0; ///< about the axis of its sectors [rad/s]
     double       spin        = 0; ///< what the state of spin is multiplied by
-    double       torque;          ///< of the model about Body::axis [N mm]
+    AxialLoad    axial;           ///< about Body::axis; acceleration: of its rate
     double       inertia;         ///< about Body::axis [t mm^2]
     ModalMotion  motion;
     TouchRows    rows;
-    Eigen::Index first = 0; ///< of its rows
+    double       gain_rate = 0; ///< at which the modes' part of the flexibility was found [rad/s]
+    Eigen::Index first     = 0; ///< of its rows
 
     Member(const Model              &model,
            unsigned int              b,
@@ -28,8 +32,12 @@ namespace vfife
            const ReducedPairOptions &options);
 
     void set_rate(double new_rate);
-    /** Of its modes under the torque alone. */
-    ModalForces torque_forces() const;
+    /** Takes the modes along to the rate, in steps of @p step [s], where they are far from it. */
+    void follow_rate(double step);
+    /** The flexibility becomes that of the modes' present steps. */
+    void set_gains();
+    /** What @p load does to modes and turn, contact left out. */
+    ModalForces forces_of(const AxialLoad &load) const;
     /** Coordinates of its modes now. */
     std::vector<Eigen::VectorXcd> coordinates() const;
     /** Of forces that stand still in space. */

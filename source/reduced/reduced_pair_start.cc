@@ -21,11 +21,18 @@ namespace vfife
   {
     time_ = driver_turn_ = 0;
     step_                = 0;
-    now_                 = PressedState();
+    for (unsigned int b = 0; b < members_.size(); ++b)
+      {
+        Member &member = *members_[b];
+        member.axial   = {torque_on(model_, b, 0.), 0.};
+        member.set_rate(speed_factor() * model_.bodies[b].rate);
+        member.follow_rate(options_.step);
+      }
+    load_ = members_[model_.transmission->driven]->axial.torque;
+    now_  = PressedState();
     earlier_force_.resize(0);
     pair_.set_position(0.);
-    find_candidates(driver_turn(search_steps_));
-    since_search_ = 0;
+    search();
 
     // Modes give way as they do to forces that stand still in space.
     std::vector<TouchRows>              rows;
@@ -40,7 +47,7 @@ namespace vfife
             own.push_back(node.second);
         rows.emplace_back(member.body, member.standing_gains());
         rows.back().set_nodes(own);
-        coordinates.push_back(member.torque_forces().modes);
+        coordinates.push_back(member.forces_of(member.axial).modes);
         for (std::size_t i = 0; i < coordinates[b].size(); ++i)
           coordinates[b][i] =
             member.motion.standing_flexibility(i, member.sector_rate) * coordinates[b][i];
@@ -62,7 +69,7 @@ namespace vfife
     for (std::size_t b = 0; b < members_.size(); ++b)
       {
         Member     &member = *members_[b];
-        ModalForces forces = member.torque_forces();
+        ModalForces forces = member.forces_of(member.axial);
         forces.add(1., contact[b]);
         member.motion.stand(forces, member.body.turns ? now_.turn : 0., member.sector_rate);
       }
@@ -81,11 +88,12 @@ namespace vfife
     for (const auto &one : members_)
       {
         const Member          &member = *one;
-        std::vector<VectorXcd> modes  = member.torque_forces().modes;
+        const AxialLoad        unit{member.axial.torque / load_, 0.};
+        std::vector<VectorXcd> modes = member.forces_of(unit).modes;
         for (std::size_t i = 0; i < modes.size(); ++i)
-          modes[i] = member.motion.standing_flexibility(i, member.sector_rate) * modes[i] / load_;
+          modes[i] = member.motion.standing_flexibility(i, member.sector_rate) * modes[i];
         twist.segment(member.first, member.rows.n_rows()) =
-          member.torque / load_ * member.rows.torque() + member.rows.displace(modes);
+          member.rows.under(unit) + member.rows.displace(modes);
         changes.push_back(std::move(modes));
       }
     const auto [force, turn] = pair_.find_slope(answers, u, TurnLoad{load_}, twist, 1.);
@@ -108,7 +116,7 @@ namespace vfife
     const double hub = turn + driven.rows.read_all(driven.body.find_reading(reading::bore_turn),
                                                    changes[t.driven],
                                                    rows_of(driven, force),
-                                                   1.);
+                                                   AxialLoad{1., 0.});
     slope.stiffness  = std::abs(1. / hub);
     slope.inertia    = twice / (hub * hub);
     return slope;

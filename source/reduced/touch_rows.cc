@@ -87,6 +87,7 @@ namespace vfife
     shapes_.resize(2 * n_modes, row);
     spin_.resize(row);
     torque_.resize(row);
+    euler_.resize(row);
     for (const Run &run : runs_)
       for (std::size_t k = 0; k < run.places.size(); ++k)
         {
@@ -102,6 +103,7 @@ namespace vfife
             }
           spin_.segment<3>(to)   = body_.spin.segment<3>(from);
           torque_.segment<3>(to) = body_.torque_residual.segment<3>(from);
+          euler_.segment<3>(to)  = body_.euler_residual.segment<3>(from);
         }
     // Teeth that take each other's places leave the flexibility as it is.
     const bool same =
@@ -181,10 +183,10 @@ namespace vfife
                          const unsigned int            sector,
                          const std::vector<VectorXcd> &coordinates,
                          const VectorXd               &forces,
-                         const double                  torque) const
+                         const AxialLoad              &axial) const
   {
     const Eigen::Index row   = reading_row(reading);
-    double             value = body_.torque_residual[row] * torque;
+    double             value = body_.read_axial(row, axial);
     for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
       if (coordinates[i].size() > 0)
         value += (phase(body_, body_.harmonics[i].number, sector) *
@@ -206,10 +208,10 @@ namespace vfife
   double TouchRows::read_all(const unsigned int            reading,
                              const std::vector<VectorXcd> &coordinates,
                              const VectorXd               &forces,
-                             const double                  torque) const
+                             const AxialLoad              &axial) const
   {
     const Eigen::Index row   = reading_row(reading);
-    double             value = body_.n_sectors * body_.torque_residual[row] * torque;
+    double             value = body_.n_sectors * body_.read_axial(row, axial);
     for (std::size_t i = 0; i < body_.harmonics.size(); ++i)
       if (body_.harmonics[i].number == 0 && coordinates[i].size() > 0)
         value +=

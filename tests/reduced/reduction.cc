@@ -89,6 +89,14 @@ namespace
       add_torque_forces(model_.torques[0], discretization_, discretization_.parts()[0], 1., forces);
       return forces;
     }
+    /** Forces of a unit angular acceleration. */
+    Field euler() const
+    {
+      Field forces = momentum_;
+      for (double &force : forces)
+        force *= -1.;
+      return forces;
+    }
     ModalResult modes(const unsigned int n) const
     {
       const Discretization held(model_, {0}, fem_.element);
@@ -225,19 +233,27 @@ namespace
     const auto alike = [&](const Eigen::VectorXd &rows) {
       return whole_field(body, [&](unsigned int) { return rows; });
     };
+    const ReducedBody::Harmonic &umbrella = reduced.harmonics[0];
+    check(name + ": modes with the axis", umbrella.number == 0);
+    const auto under = [&](const Eigen::VectorXd &residual, const AxialLoad &load) {
+      return alike(residual + (umbrella.shapes * umbrella.eigenvalues.cwiseInverse().asDiagonal() *
+                               umbrella.forces_of(load))
+                                .real());
+    };
     if (reduced.turns)
       {
         check_below(name + ": displacements without angular momentum", turn, 1e-8);
-        const ReducedBody::Harmonic &umbrella = reduced.harmonics[0];
-        check(name + ": modes with the axis", umbrella.number == 0);
-        const Field u = alike(
-          reduced.torque_residual +
-          (umbrella.shapes * umbrella.eigenvalues.cwiseInverse().asDiagonal() * umbrella.torque)
-            .real());
         check_below(name + ": displacements under the torque",
-                    difference(whole.answer(whole.torque()), u),
+                    difference(whole.answer(whole.torque()),
+                               under(reduced.torque_residual, {1., 0.})),
                     1e-7);
+        check(name + ": an acceleration turns it only",
+              reduced.euler_residual.norm() == 0. && umbrella.euler.norm() == 0.);
       }
+    else
+      check_below(name + ": displacements under an acceleration",
+                  difference(whole.answer(whole.euler()), under(reduced.euler_residual, {0., 1.})),
+                  1e-7);
     if (reduced.rate != 0)
       // Both are found by Newton's method to 1e-7.
       check_below(name + ": state of spin", difference(whole.spin(), alike(reduced.spin)), 1e-6);

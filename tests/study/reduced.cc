@@ -161,6 +161,47 @@ namespace
     check("contact is not lost", response.at("losses of contact")[3] == 0);
   }
 
+  /** Speed and torque over time, beside a run. */
+  void run_up(Communicator &world)
+  {
+    const auto turn = [&](const std::string &kind) {
+      std::ofstream(kind + "_up.prm") << pair_text(kind);
+      run_pair(kind + "_up.prm",
+               kind + "_up",
+               world,
+               {"Operation/speed=16000 + 5e6*t",
+                "Operation/torque=800 - 1e5*t",
+                "Operation/end time=0.7 ms",
+                "Output/tracked orders=2",
+                "Output/order window=2"});
+      return read_columns(kind + "_up/history.csv");
+    };
+    Columns run = turn("run"), reduced = turn("reduced");
+    check("run-up: samples", run["time"].size() == reduced["time"].size());
+    check_close("turn", reduced["pinion angle"].back() / run["pinion angle"].back(), 1., 1e-9);
+    check_close("speed", reduced["speed"].back() / run["speed"].back(), 1., 1e-9);
+    // The gear's inertia is carried by the flanks from the first step on.
+    check("the contact carries more than the torque",
+          mean(run["contact torque on the gear"]) > 1500.);
+    double distance = 0, ripple = 0;
+    for (std::size_t i = 0; i < run["dte"].size(); ++i)
+      {
+        distance += std::pow(reduced["dte"][i] - run["dte"][i], 2);
+        ripple += std::pow(run["dte"][i] - mean(run["dte"]), 2);
+      }
+    check_below("curve over its own", std::sqrt(distance / ripple), 3e-2);
+    for (const char *column : {"contact torque on the gear",
+                               "kinetic energy",
+                               "work of the drive",
+                               "work of the torques"})
+      check_close(column, mean(reduced[column]) / mean(run[column]), 1., 3e-3);
+    Columns orders = read_columns("run_up/orders.csv"),
+            same   = read_columns("reduced_up/orders.csv");
+    check("orders",
+          orders.at("dte amplitude").size() == same.at("dte amplitude").size() &&
+            !same.at("dte amplitude").empty());
+  }
+
   void refusals(Communicator &world)
   {
     const auto refuse = [&](const std::string &entry, const std::string &value) {
@@ -172,11 +213,12 @@ namespace
     refuse("Contact/friction coefficient", "0.1");
     refuse("Operation/driving member", "gear");
     refuse("Reduced/sweep", "up");
+    refuse("Operation/speed", "20000 - 1e9*t");
     refuse("Reduced/cutof frequency", "3 kHz");
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {beside_run, speeds, refusals});
+  run_parts(argc, argv, {beside_run, speeds, run_up, refusals});
 }

@@ -44,6 +44,12 @@ namespace vfife
     /** Goes on at another rate and step from the motion as it is. Throws as the constructor. */
     void change(double rate, double step);
 
+    /** The present one [rad/s]. */
+    double rate() const
+    {
+      return rate_;
+    }
+
     /** No forces. */
     ModalForces no_forces() const;
 

@@ -13,6 +13,13 @@ namespace vfife
 {
   class ByteStream;
 
+  /** What acts about the axis of rotation of a body, on all sectors alike. */
+  struct AxialLoad
+  {
+    double torque       = 0; ///< of the model's traction [N mm]
+    double acceleration = 0; ///< angular, of what the body turns with: Euler forces [rad/s^2]
+  };
+
   /** A linear reading of a body's displacements, of sector 0; sector k reads the same of itself,
    * turned. */
   struct SectorReading
@@ -52,11 +59,16 @@ namespace vfife
       Eigen::MatrixXcd spin_stiffness;
       Eigen::MatrixXcd shapes; ///< the rows of sector 0, a column a mode [t^-1/2]
       Eigen::VectorXcd torque; ///< modal forces of a unit torque about the axis; empty for h > 0
+      /** Modal forces of the Euler force of a unit angular acceleration about the axis; empty for h
+       * > 0, zero where the body turns freely. */
+      Eigen::VectorXcd euler;
 
       unsigned int n_modes() const
       {
         return eigenvalues.size();
       }
+      /** Modal forces; zero for h > 0. */
+      Eigen::VectorXcd forces_of(const AxialLoad &load) const;
     };
 
     unsigned int n_sectors        = 0;
@@ -85,6 +97,8 @@ namespace vfife
      * among at most 32 touch nodes. */
     double          residual_left = 0;
     Eigen::VectorXd torque_residual; ///< rows under a unit torque, less the modes' part [1/N]
+    /** The same under the Euler force of a unit angular acceleration [mm s^2]. */
+    Eigen::VectorXd euler_residual;
     /** Rows in the state of spin: what the weights read of it (a hub that turns freely: without its
      * turn), or SectorReading::offset. */
     Eigen::VectorXd spin;
@@ -105,6 +119,11 @@ namespace vfife
     unsigned int n_rows() const
     {
       return 3 * touch_nodes.size() + readings.size();
+    }
+    /** A row under @p load, less the modes' part. */
+    double read_axial(const Eigen::Index row, const AxialLoad &load) const
+    {
+      return load.torque * torque_residual[row] + load.acceleration * euler_residual[row];
     }
     /** Place of a reading among the readings; throws std::logic_error where there is none. */
     unsigned int find_reading(const std::string &name) const;

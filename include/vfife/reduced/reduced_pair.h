@@ -39,7 +39,8 @@ namespace vfife
    * A gear pair of reduced bodies in true contact: its steps are those of the modes, exact for
    * forces that are the mean of both ends, and at the end of each the contact is in balance with
    * the flexibilities that act at once (doc/reduced.md, Steps). No step is too long for stability.
-   * The driver turns at its rate, the driven body carries the model's torque on it.
+   * The driver turns at its rate, the driven body carries the model's torque on it, both over time
+   * as the model has them.
    */
   class ReducedPair
   {
@@ -56,8 +57,9 @@ namespace vfife
     /** The equilibrium at time zero, which stands still in space. Throws NumericalError. */
     ReducedEquilibrium start();
 
-    /** From now on the driver turns at @p driver_rate [rad/s, drive direction], in steps of @p step
-     * [s]; the motion relative to it goes on. Throws NumericalError where a body is not stable. */
+    /** From now on the driver of a model whose rate is constant turns at @p driver_rate [rad/s,
+     * drive direction], in steps of @p step [s]; the motion relative to it goes on. Throws
+     * NumericalError where a body is not stable. */
     void set_speed(double driver_rate, double step);
 
     /** One step. Throws NumericalError, naming the position. */
@@ -81,7 +83,7 @@ namespace vfife
     const ReducedBody &body(unsigned int b) const;
     /** Of Body::axis about the axis of the body's sectors: 1 or -1. */
     double sector_sense(unsigned int b) const;
-    /** On the driven body about its axis [N mm]. */
+    /** On the driven body about its axis now [N mm]. */
     double load() const
     {
       return load_;
@@ -94,10 +96,17 @@ namespace vfife
 
     /** Of the driver since time zero after @p n_steps more steps [rad]. */
     double driver_turn(double n_steps) const;
-    double driven_turn() const; ///< kinematic, in the drive direction [rad]
+    /** Rates now over those of the model at time zero. */
+    double speed_factor() const;
+    /** Turn, rates and torques go on to the end of the step that begins: returns their means in it,
+     * by body. */
+    std::vector<AxialLoad> advance_drive();
+    double                 driven_turn() const; ///< kinematic, in the drive direction [rad]
     /** Looks for what may touch until @p later_turn of the driver; forces at nodes that stay go
      * with them. */
     void find_candidates(double later_turn);
+    /** Does that for the steps until the next search. */
+    void search();
     /** Rows in the state of spin, under the torques, and with the modes' @p coordinates by body. */
     Eigen::VectorXd displace(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates) const;
     Eigen::Ref<const Eigen::VectorXd> rows_of(const Member &member, const Eigen::VectorXd &x) const;
@@ -106,14 +115,14 @@ namespace vfife
     ReducedEquilibrium       find_slope(Answers &answers, const Eigen::VectorXd &u);
     /** Way of the torque about the axis, of the driven body's turn and of its bore [rad]. */
     double torque_way() const;
-    void   add_work(double way_before, const EnergyLedger &powers_before);
+    /** Of a step, with the mean @p torque on the driven body. */
+    void add_work(double torque, double way_before, const EnergyLedger &powers_before);
     /** Powers now: of what drives and what is lost [mJ/s]. */
     EnergyLedger find_powers() const;
     void         measure_transmission(Measurements &measured) const;
     void         measure_contact(State &state) const;
     void         measure_energy();
     void         restart_energy();
-    void         find_search_steps();
     /** Mean rotation of bore or rim about the axis beyond the kinematic turn [rad]. */
     double read_turn(const Member &member, const char *reading) const;
 
@@ -126,12 +135,12 @@ namespace vfife
     PressedState                         now_;
     Eigen::VectorXd                      earlier_force_; ///< a step before, at the rows, or empty
     double                               earlier_torque_ = 0;
-    double                               load_           = 0; ///< torque on the driven body [N mm]
-    double                               driver_rate_    = 0; ///< [rad/s]
-    double                               driver_turn_    = 0; ///< since time zero [rad]
-    double                               time_           = 0;
-    std::uint64_t                        step_           = 0;
-    std::uint64_t                        n_iterations_   = 0;
+    double                               load_        = 0; ///< torque on the driven body now [N mm]
+    double                               driver_rate_ = 0; ///< at time zero [rad/s]
+    double                               driver_turn_ = 0; ///< since time zero [rad]
+    double                               time_        = 0;
+    std::uint64_t                        step_        = 0;
+    std::uint64_t                        n_iterations_ = 0;
     unsigned int                         search_steps_ = 1, since_search_ = 0;
     EnergyLedger                         energy_, first_energy_;
   };

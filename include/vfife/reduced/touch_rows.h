@@ -2,7 +2,7 @@
 #ifndef vfife_reduced_touch_rows_h
 #define vfife_reduced_touch_rows_h
 
-#include <vfife/reduced/modal_motion.h>
+#include <vfife/reduced/reduced_body.h>
 
 #include <complex>
 #include <map>
@@ -11,8 +11,6 @@
 
 namespace vfife
 {
-  struct ReducedBody;
-
   /**
    * Nodes of a reduced body that may touch now, on some of its sectors, as rows: three each, along
    * the axes of the body frame turned with the node's sector. What forces there do to the modes,
@@ -53,24 +51,29 @@ namespace vfife
     {
       return spin_;
     }
-    /** Under a unit torque, less what the modes do [1/N]. */
+    /** Under an axial load, less what the modes do [mm]. */
+    Eigen::VectorXd under(const AxialLoad &load) const
+    {
+      return load.torque * torque_ + load.acceleration * euler_;
+    }
+    /** The same under a unit torque [1/N]. */
     const Eigen::VectorXd &torque() const
     {
       return torque_;
     }
 
     /** A reading of the body on a sector, without that of its spin: in modes, and at once by forces
-     * at the rows and a torque [N mm]. */
+     * at the rows and an axial load. */
     double read(unsigned int                         reading,
                 unsigned int                         sector,
                 const std::vector<Eigen::VectorXcd> &coordinates,
                 const Eigen::VectorXd               &forces,
-                double                               torque) const;
+                const AxialLoad                     &axial) const;
     /** Its sum over all sectors. */
     double read_all(unsigned int                         reading,
                     const std::vector<Eigen::VectorXcd> &coordinates,
                     const Eigen::VectorXd               &forces,
-                    double                               torque) const;
+                    const AxialLoad                     &axial) const;
     /** Its sum over the sectors k times exp(i n k alpha), 0 < n < N/2. */
     std::complex<double> read_wave(unsigned int                         reading,
                                    unsigned int                         n,
@@ -104,7 +107,7 @@ namespace vfife
      * that a real product is what complex coordinates displace. */
     Eigen::MatrixXd shapes_;
     Eigen::MatrixXd flexibility_;
-    Eigen::VectorXd spin_, torque_;
+    Eigen::VectorXd spin_, torque_, euler_;
   };
 } // namespace vfife
 

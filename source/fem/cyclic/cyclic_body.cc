@@ -128,19 +128,20 @@ namespace vfife
   {
     spin_ = equilibrium_;
     turn_.assign(spin_.size(), 0.);
-    if (!turns_)
-      return;
     // The turn of the spun body: it costs nothing, K r = 0, where the turn of the undeformed one
     // would have a stiffness of Omega^2 m times the strain of the spin.
+    const Axis &axis = body().axis;
+    rigid_turn_.resize(spin_.size());
+    for (std::size_t p = 0; p < sector().n_points(); ++p)
+      Eigen::Map<Vector3>(rigid_turn_.data() + 3 * p) = axis.direction.cross(
+        sector().points()[p] + Eigen::Map<const Vector3>(spin_.data() + 3 * p) - axis.point);
+    if (!turns_)
+      return;
     Unknowns::Options unknowns;
     unknowns.rotation = HubRotation::free;
     const Assembly       assembly(sector(), unknowns, alone_);
     const SystemMatrices matrices(assembly, options_.mass, options_.strain);
-    const Axis          &axis = body().axis;
-    for (std::size_t p = 0; p < sector().n_points(); ++p)
-      Eigen::Map<Vector3>(turn_.data() + 3 * p) = axis.direction.cross(
-        sector().points()[p] + Eigen::Map<const Vector3>(spin_.data() + 3 * p) - axis.point);
-    const OwnedVector q        = assembly.restrict_field(turn_);
+    const OwnedVector    q     = assembly.restrict_field(rigid_turn_);
     turn_                      = assembly.expand(q);
     const OwnedVector momentum = matrices.apply_mass(turn_);
     const double      inertia  = assembly.dot(momentum, q);

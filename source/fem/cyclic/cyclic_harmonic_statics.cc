@@ -111,6 +111,24 @@ namespace vfife
     return body_.n_sectors() * product(modes, load);
   }
 
+  Eigen::VectorXd CyclicHarmonic::euler_forces(const CyclicModes &modes) const
+  {
+    if (body_.turns())
+      return Eigen::VectorXd::Zero(modes.vectors.size());
+    return -1. * body_.n_sectors() * product(modes, matrices_.apply_mass(body_.rigid_turn()));
+  }
+
+  Eigen::VectorXd CyclicHarmonic::euler_answer(const std::vector<SectorRow> &rows)
+  {
+    if (body_.turns())
+      return Eigen::VectorXd::Zero(rows.size());
+    factorize();
+    const OwnedVector inertia = matrices_.apply_mass(body_.rigid_turn());
+    Eigen::MatrixXd   q       = -Eigen::Map<const Eigen::VectorXd>(inertia.data(), inertia.size());
+    solve(q, Eigen::VectorXd::Zero(1));
+    return (make_phasor_rows(assembly_, number_, rows) * q.cast<Complex>()).real();
+  }
+
   Eigen::VectorXd CyclicHarmonic::turn_coriolis(const CyclicModes &modes) const
   {
     // r^T G z = -(G r)^T z

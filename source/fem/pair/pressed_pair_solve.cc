@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace vfife
@@ -11,10 +12,11 @@ namespace vfife
   namespace
   {
     constexpr unsigned int largest_iterations = 60;
-    /** Where contact may be lost: iterations after which a balance to this residual will do. A
-     * point on the edge between two facets may be pressed by either, with forces that differ. */
+    /** Where contact may be lost: iterations after which the best balance will do, to this
+     * residual. A point on the edge between two facets may be pressed by either, with forces that
+     * differ, and there may be none better. */
     constexpr unsigned int patient_iterations = 12;
-    constexpr double       edge_jump          = 1e-4;
+    constexpr double       edge_jump          = 1e-3;
     /** Halvings of a Newton step. */
     constexpr unsigned int largest_halvings = 8;
     /** Round-off of the potential energy over its largest part. */
@@ -227,13 +229,26 @@ namespace vfife
                                     const std::function<std::string()> &explain)
   {
     std::ostringstream history;
+    PressedState       best;
+    double             least = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0;; ++i)
       {
         const double residual = now.residual(load, model_.transmission->arm);
         history << " " << residual;
-        if (residual < tolerance ||
-            (now.unit > 0 && i >= patient_iterations && residual < edge_jump))
+        if (residual < tolerance)
           return i;
+        if (now.unit > 0 && residual < std::min(least, edge_jump))
+          {
+            best  = now;
+            least = residual;
+          }
+        if (i >= patient_iterations && least < edge_jump)
+          {
+            // The surfaces are left where they have been evaluated.
+            now        = std::move(best);
+            now.acting = evaluate(bodies, base + now.deflection, now.turn, now.touching);
+            return i;
+          }
         if (i >= largest_iterations || !now.presses() || !std::isfinite(residual))
           {
             const std::string excess = explain ? explain() : std::string();

@@ -26,6 +26,7 @@
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/run_length.h>
 #include <vfife/study/run/run_penalties.h>
 #include <vfife/study/start_summary.h>
 
@@ -54,7 +55,9 @@ namespace vfife
       {
         gear_case_.check();
         gear_case_.operation().require_driving_pinion("Operation", "reduced pair");
-        gear_case_.operation().require_constant("Operation", "reduced pair");
+        if (!is_motion())
+          gear_case_.operation().require_constant("Operation", "sweep over speeds");
+        gear_case_.check_run(dynamics_);
         dynamics_.check("Dynamics");
         output_.check("Output");
         sweep_.check("Reduced");
@@ -80,19 +83,31 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
-      /** The largest speed of the driver [rad/s]. */
-      double largest_speed() const
+      /** Whether one motion is computed, not one at each of many speeds. */
+      bool is_motion() const
       {
-        return sweep_.kind == SweepKind::none ? gear_case_.operation().speed : sweep_.highest_speed;
+        return sweep_.kind == SweepKind::none;
+      }
+      /** The largest speed over that of the case at time zero. */
+      double largest_factor() const
+      {
+        return is_motion() ? gear_case_.largest_speed_factor()
+                           : sweep_.highest_speed / gear_case_.operation().speed;
       }
       double cutoff() const
       {
-        return options_.find_cutoff(gear_case_.mesh_frequency() * largest_speed() /
-                                    gear_case_.operation().speed);
+        return options_.find_cutoff(gear_case_.mesh_frequency() * largest_factor());
+      }
+      /** The step, of which so many are a tooth mesh at the largest speed [s]. */
+      double step() const
+      {
+        return 1. / (gear_case_.mesh_frequency() * largest_factor() * n_steps_of_mesh());
       }
       unsigned int n_steps_of_mesh() const
       {
-        return options_.find_steps(gear_case_.mesh_frequency(), cutoff(), output_.history_every);
+        return options_.find_steps(gear_case_.mesh_frequency() * largest_factor(),
+                                   cutoff(),
+                                   output_.history_every);
       }
       std::vector<double> find_penalties(const Communicator &communicator, Log &log) const
       {
@@ -136,7 +151,7 @@ namespace vfife
             list_readings(model, b, dynamics_.stiffness, RimWriter::count_diameters(model)),
             fem,
             {2. * pi * cutoff(), options_.reach},
-            model.bodies[b].rate,
+            largest_factor() * model.bodies[b].rate,
             communicator));
           const ReducedBody &body = bodies.back();
           log.line(model.bodies[b].name(),
@@ -163,15 +178,9 @@ namespace vfife
                              OutputFolder              &folder,
                              Log                       &log) const
     {
-      // Bodies are reduced at the highest speed: what lies below is between it and rest.
-      const double faster = largest_speed() / gear_case_.operation().speed;
-      model.transmission->driver_rate *= faster;
-      for (Body &body : model.bodies)
-        body.rate *= faster;
-      options.step /= faster;
       const auto  start = WallClock::now();
       ReducedPair pair(model, reduce(model, folder.communicator(), log), penalties, options);
-      pair.set_speed(sweep_.lowest_speed, options.step);
+      pair.set_speed(sweep_.lowest_speed, step());
       const ReducedEquilibrium found = pair.start();
       log.line("equilibrium at the lowest speed: ", found.iterations, " iterations");
       Table      resonance = make_resonance_response_table(), waves = make_wave_response_table();
@@ -213,26 +222,27 @@ namespace vfife
                             OutputFolder              &folder,
                             Log                       &log) const
     {
-      const unsigned int  per_mesh = n_steps_of_mesh();
-      const std::uint64_t n_steps  = std::llround(gear_case_.run_meshes() * per_mesh);
+      const double        h             = options.step;
+      const std::uint64_t history_steps = output_.compute_history_steps(&*model.transmission, h);
+      const double        end_time =
+        find_end(&*model.transmission, gear_case_.end_time(), history_steps * h);
+      const std::uint64_t n_steps = std::llround(end_time / h);
       ReducedPair pair(model, reduce(model, folder.communicator(), log), penalties, options);
 
-      ReducedRun          run(folder, log, model, pair);
-      const std::uint64_t history_steps = per_mesh / output_.history_every;
+      ReducedRun   run(folder, log, model, pair);
       const Table &history = run.observers().add<HistoryWriter>(model, history_steps).table();
       PairProbes   probes(
         model,
         [&](const std::vector<Probe> &copies) { return pair.measure_probes(copies); },
         log,
-        static_cast<unsigned int>(gear_case_.run_meshes() + 1e-6));
-      PairResults results(
-        model, gear_case_.hertz_contact(), output_, history_steps, n_steps * options.step);
+        count_meshes(*model.transmission, end_time));
+      PairResults results(model, gear_case_.hertz_contact(), output_, history_steps, end_time);
       results.add_observers(run.observers(),
                             [&](const unsigned int n) { return pair.measure_rim(n); });
       RunSummary summary = start_summary("reduced", model, folder);
       summary.figures    = results.list_figures(penalties.front(), gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {cutoff(), "Hz"}});
-      summary.figures.push_back({"steps in a tooth mesh", {double(per_mesh), "-"}});
+      summary.figures.push_back({"steps in a tooth mesh", {double(n_steps_of_mesh()), "-"}});
       results.log_hertz(log);
 
       Swing      swing;
@@ -261,12 +271,13 @@ namespace vfife
         if (summary.status == "failed")
           return;
         results.add_contact(penalty_lag, history.n_rows(), summary);
+        results.write_orders(folder, history);
         results.write_edges(gear_case_, folder, log);
         summary.probes = probes.judge(run.state().time, results.probe_rows());
         summary.figures.push_back(
           {"iterations a step", {double(pair.n_iterations()) / n_steps, "-"}});
       };
-      run.run(n_steps, options.step, history_steps, prepared, complete, summary);
+      run.run(n_steps, h, history_steps, prepared, complete, summary);
       log.line("finished: ",
                n_steps,
                " steps in ",
@@ -284,20 +295,19 @@ namespace vfife
       const Communicator       &communicator = folder.communicator();
       Model                     model        = gear_case_.make_model(log);
       const std::vector<double> penalties    = find_penalties(communicator, log);
-      const double              frequency    = gear_case_.mesh_frequency();
-      const unsigned int        per_mesh     = n_steps_of_mesh();
       ReducedPairOptions        options;
-      options.step         = 1. / (frequency * per_mesh);
+      options.step         = step();
       options.damping      = dynamics_.mass_damping();
       options.mesh_damping = dynamics_.mesh_damping;
       log.line("penalty ",
                penalties.front(),
                " N/mm^3, ",
-               per_mesh,
+               n_steps_of_mesh(),
                " steps of ",
                1e9 * options.step,
-               " ns in a tooth mesh");
-      if (sweep_.kind != SweepKind::none)
+               largest_factor() == 1. ? " ns in a tooth mesh"
+                                      : " ns in a tooth mesh at the largest speed");
+      if (!is_motion())
         sweep(model, penalties, options, folder, log);
       else
         move(model, penalties, options, folder, log);

@@ -4,6 +4,8 @@
 #include <vfife/base/text/table.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/result_places.h>
+#include <vfife/output/files/table_writer.h>
+#include <vfife/output/measures/order_tracking.h>
 #include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/pattern_writer.h>
@@ -81,6 +83,14 @@ namespace vfife
                        1. / model_.transmission->mesh_frequency(),
                        folder,
                        log);
+  }
+
+  void PairResults::write_orders(const OutputFolder &folder, const Table &history) const
+  {
+    const Transmission &t      = *model_.transmission;
+    const unsigned int  orders = output_.count_tracked_orders();
+    if (!t.has_constant_rate() && orders > 0)
+      write_csv(folder, "orders.csv", track_mesh_orders(history, t, output_.order_window, orders));
   }
 
   bool PairResults::has_constant_torque() const

@@ -7,8 +7,6 @@
 #include <vfife/dynamics/watch/measurement.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
-#include <vfife/output/files/table_writer.h>
-#include <vfife/output/measures/order_tracking.h>
 #include <vfife/output/measures/pair_mounting.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
@@ -24,6 +22,7 @@
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/run_length.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>
@@ -108,33 +107,6 @@ namespace vfife
     const Transmission *transmission_of(const Model &model)
     {
       return model.transmission ? &*model.transmission : nullptr;
-    }
-
-    /** The end of a run that is to last for @p time, with samples in intervals of @p sample [s]: of
-     * a gear pair the first sample that is not before it. */
-    double find_end(const Transmission *pair, const double time, const double sample)
-    {
-      const double end = sample * std::ceil(time / sample * (1. - 1e-9));
-      return pair == nullptr || std::abs(end - time) <= 1e-9 * time ? time : end;
-    }
-
-    /** Whole tooth meshes up to a time. */
-    unsigned int count_meshes(const Transmission &pair, const double time)
-    {
-      return static_cast<unsigned int>(pair.meshes(time) + 1e-6);
-    }
-
-    /** Amplitudes over the speed, where it changes; @p pair may be nullptr. */
-    void write_orders(const OutputFolder  &folder,
-                      const OutputOptions &output,
-                      const Transmission  *pair,
-                      const Table         &history)
-    {
-      const unsigned int orders = output.count_tracked_orders();
-      if (pair != nullptr && !pair->has_constant_rate() && orders > 0)
-        write_csv(folder,
-                  "orders.csv",
-                  track_mesh_orders(history, *pair, output.order_window, orders));
     }
 
     void add_figures(const NamedFigures &more, NamedFigures &figures)
@@ -321,7 +293,8 @@ namespace vfife
       if (pair && start->preload() != nullptr)
         complete_pair(
           *pair, *start->preload(), history, PairMounting::changes(model), summary, log);
-      write_orders(folder, output_, transmission, history);
+      if (pair)
+        pair->write_orders(folder, history);
       if (summary.status == "failed")
         return;
       if (pair)

@@ -88,7 +88,13 @@ namespace vfife
     {
       return options_.hold_hubs ? HubRotation::held : HubRotation::free;
     }
-    /** Displacements of the sector's points in a small turn of the spun body, per angle [mm]. */
+    /** Displacements of the sector's points in a small rigid turn of the spun body about its axis,
+     * of those that are held as well, per angle [mm]. */
+    const std::vector<double> &rigid_turn() const
+    {
+      return rigid_turn_;
+    }
+    /** The same of a body that turns(); zero of others [mm]. */
     const std::vector<double> &turn() const
     {
       return turn_;
@@ -119,7 +125,7 @@ namespace vfife
     Communicator        alone_;
     RotatingBody        rotating_;
     double              rate_;
-    std::vector<double> equilibrium_, spin_, turn_, torque_;
+    std::vector<double> equilibrium_, spin_, rigid_turn_, turn_, torque_;
     bool                turns_        = false;
     double              turn_inertia_ = 0;
   };

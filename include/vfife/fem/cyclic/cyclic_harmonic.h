@@ -63,6 +63,11 @@ namespace vfife
 
     /** h = 0: z_j^T f of the whole body. */
     Eigen::VectorXd modal_forces(const CyclicModes &modes, const std::vector<double> &forces) const;
+    /** h = 0: z_j^T f of the whole body, f = -M r the Euler force of a unit angular acceleration
+     * about the axis. Zero where the body turns freely: its turn takes all of that force. */
+    Eigen::VectorXd euler_forces(const CyclicModes &modes) const;
+    /** h = 0: what the rows read of the static displacements under the Euler force. */
+    Eigen::VectorXd euler_answer(const std::vector<SectorRow> &rows);
     /** h = 0: r^T G z_j of the whole body, r the rigid turn. */
     Eigen::VectorXd turn_coriolis(const CyclicModes &modes) const;
 

@@ -181,7 +181,8 @@ namespace vfife
 
     /**
      * Finds the equilibrium: displacements are @p base and the bodies' answer. @p tolerance: of
-     * PressedState::residual(); where contact may be lost, 1e-4 after 12 iterations. Returns the
+     * PressedState::residual(); where contact may be lost, the best one below 1e-3 after 12
+     * iterations. Returns the
      * iterations; throws NumericalError, naming position and history of residuals, and what @p
      * explain says where that is not empty.
      */

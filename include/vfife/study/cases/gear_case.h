@@ -48,6 +48,9 @@ namespace vfife
     const OperationOptions &operation() const;
     double                  mesh_frequency() const; ///< at time zero [Hz]
 
+    /** The largest speed of a run over that at time zero. */
+    double largest_speed_factor() const;
+
     /** Tooth meshes of a run. */
     double run_meshes() const;
 
@@ -76,9 +79,7 @@ namespace vfife
        * and end. */
       GearBodyOptions with_levels(const BlankOutline &blank) const;
     };
-    /** The largest speed of a run over that at time zero. */
-    double largest_speed_factor() const;
-    void   check_histories(const DynamicsOptions &dynamics) const;
+    void check_histories(const DynamicsOptions &dynamics) const;
     /** Throws InputError for shafts that do not go with their bodies or with what holds them. */
     void            check_shafts() const;
     const Material &material(const std::string &name) const;

@@ -50,6 +50,9 @@ namespace vfife
     /** Says whether edges of the teeth of @p pair_case have carried: write_edge_contact(). */
     void write_edges(const Case &pair_case, const OutputFolder &folder, Log &log) const;
 
+    /** Writes amplitudes of the @p history over the speed, where it changes. */
+    void write_orders(const OutputFolder &folder, const Table &history) const;
+
     /** Rows of probes.csv. */
     const Table &probe_rows() const
     {
