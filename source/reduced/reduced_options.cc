@@ -37,6 +37,12 @@ namespace vfife
                     "Teeth on each side of a loaded one whose residual flexibility is kept",
                     1,
                     1000);
+    declare_text(prm,
+                 "store",
+                 store,
+                 "Folder in which the reduced bodies are kept, so that other speeds and torques do "
+                 "not pay for them again. Those of other bodies there are refused. Without a name "
+                 "nothing is kept");
     declare_integer(prm,
                     "settling meshes",
                     settling_meshes,

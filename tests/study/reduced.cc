@@ -202,6 +202,59 @@ namespace
             !same.at("dte amplitude").empty());
   }
 
+  std::string read_text(const std::string &path)
+  {
+    std::ifstream      file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  /** Bodies that are kept. */
+  void store(Communicator &world)
+  {
+    std::filesystem::remove_all("kept");
+    std::ofstream("store.prm") << pair_text("reduced");
+    const auto turn = [&](const std::string &folder, std::vector<std::string> entries) {
+      entries.emplace_back("Reduced/store=kept");
+      entries.emplace_back("Operation/tooth meshes=1");
+      run_pair("store.prm", folder, world, entries);
+    };
+    turn("store_first", {});
+    const std::string first = read_text("kept/gear.reduction");
+    turn("store_second", {"Operation/torque=800 N m"});
+    check("kept bodies: the same history",
+          read_text("store_second/history.csv") == read_text("store_first/history.csv"));
+    check("bodies of a file, not reduced ones",
+          read_text("store_second/run.log").find("from \"kept\"") != std::string::npos &&
+            read_text("store_first/run.log").find("from \"kept\"") == std::string::npos);
+    // Slower and under another torque they serve as well.
+    turn("store_slower", {"Operation/speed=15000 rpm", "Operation/torque=500 N m"});
+    check("another speed and torque",
+          read_text("store_slower/run.log").find("from \"kept\"") != std::string::npos &&
+            first == read_text("kept/gear.reduction"));
+    const auto refuse = [&](const std::vector<std::string> &entries) {
+      print_refusal([&]() { turn("store_refused", entries); });
+    };
+    refuse({"Gear pair/Gear/Body/web thickness=7 mm"});
+    refuse({"Material steel/density=7000 kg/m^3"});
+    std::string damaged = first;
+    damaged[damaged.size() / 2] ^= 1;
+    std::ofstream("kept/gear.reduction", std::ios::binary) << damaged;
+    refuse({});
+    std::ofstream("kept/gear.reduction", std::ios::binary) << first.substr(0, 1000);
+    refuse({});
+    std::ofstream("kept/gear.reduction", std::ios::binary) << "something else, long enough for a "
+                                                              "header and whatever comes behind it";
+    refuse({});
+    std::filesystem::remove("kept/gear.reduction");
+    // For more than the bodies are kept for they are reduced again.
+    turn("store_again", {"Reduced/reach=5"});
+    check("more than is kept",
+          read_text("store_again/run.log").find("the body is reduced again") != std::string::npos &&
+            read_text("kept/gear.reduction").size() > first.size());
+  }
+
   void refusals(Communicator &world)
   {
     const auto refuse = [&](const std::string &entry, const std::string &value) {
@@ -220,5 +273,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {beside_run, speeds, run_up, refusals});
+  run_parts(argc, argv, {beside_run, speeds, run_up, store, refusals});
 }

@@ -134,6 +134,8 @@ namespace vfife
 
   /** Passes the modes of a harmonic. */
   void serialize(ReducedBody::Harmonic &harmonic, ByteStream &stream);
+  /** Passes the body. Throws InputError where what is read cannot be one. */
+  void serialize(ReducedBody &body, ByteStream &stream);
 } // namespace vfife
 
 #endif

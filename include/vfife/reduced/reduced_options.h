@@ -2,6 +2,8 @@
 #ifndef vfife_reduced_reduced_options_h
 #define vfife_reduced_reduced_options_h
 
+#include <string>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -16,6 +18,7 @@ namespace vfife
     unsigned int steps_per_mesh = 150; ///< at least
     unsigned int steps_per_mode = 6;   ///< at least, in the shortest period of a kept mode
     unsigned int reach          = 4;   ///< sectors on each side whose residual flexibility is kept
+    std::string  store;                ///< folder in which reduced bodies are kept; empty: none
 
     // Of sweeps over speed, tooth meshes at each of them:
     unsigned int settling_meshes = 40; ///< before what is counted

@@ -26,6 +26,10 @@ namespace vfife
     double tolerance = 1e-7;
   };
 
+  /** Throws InputError where the model is no gear pair on ideal bores, and for friction or damping
+   * of its contact. */
+  void require_reducible(const Model &model);
+
   /** The equilibrium from which a reduced pair starts. */
   struct ReducedEquilibrium
   {
@@ -46,8 +50,8 @@ namespace vfife
   {
   public:
     /** @p bodies: both, in the model's order. @p penalties: of the contact pairs [N/mm^3]. Throws
-     * InputError where the model is no gear pair, its driven body does not turn freely, and for
-     * friction or damping of the contact. The model must outlive the object. */
+     * as require_reducible(), and InputError where the driven body does not turn freely. The model
+     * must outlive the object. */
     ReducedPair(const Model               &model,
                 std::vector<ReducedBody>   bodies,
                 const std::vector<double> &penalties,

@@ -15,18 +15,17 @@
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
-#include <vfife/reduced/body_reduction.h>
-#include <vfife/reduced/pair_readings.h>
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/run_length.h>
+#include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/reduced/reduced_study.h>
 #include <vfife/study/reduced/speed_response.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
-#include <vfife/study/run/run_length.h>
 #include <vfife/study/run/run_penalties.h>
 #include <vfife/study/start_summary.h>
 
@@ -74,9 +73,9 @@ namespace vfife
         log.line("penalty of a run of this file ",
                  find_penalties(communicator, log).front(),
                  " N/mm^3; modes below ",
-                 cutoff(),
+                 least_cutoff(),
                  " Hz, ",
-                 n_steps_of_mesh(),
+                 n_steps_of_mesh(least_cutoff()),
                  " steps in a tooth mesh");
       }
 
@@ -94,37 +93,41 @@ namespace vfife
         return is_motion() ? gear_case_.largest_speed_factor()
                            : sweep_.highest_speed / gear_case_.operation().speed;
       }
-      double cutoff() const
+      /** That which is asked for [Hz]. */
+      double least_cutoff() const
       {
         return options_.find_cutoff(gear_case_.mesh_frequency() * largest_factor());
       }
-      /** The step, of which so many are a tooth mesh at the largest speed [s]. */
-      double step() const
-      {
-        return 1. / (gear_case_.mesh_frequency() * largest_factor() * n_steps_of_mesh());
-      }
-      unsigned int n_steps_of_mesh() const
+      /** Of a tooth mesh at the largest speed. */
+      unsigned int n_steps_of_mesh(const double cutoff) const
       {
         return options_.find_steps(gear_case_.mesh_frequency() * largest_factor(),
-                                   cutoff(),
+                                   cutoff,
                                    output_.history_every);
       }
       std::vector<double> find_penalties(const Communicator &communicator, Log &log) const
       {
         return find_run_penalties(gear_case_, dynamics_, output_.history_every, communicator, log);
       }
-      void move(Model                     &model,
-                const std::vector<double> &penalties,
-                const ReducedPairOptions  &options,
-                OutputFolder              &folder,
-                Log                       &log) const;
-      void sweep(Model                     &model,
-                 const std::vector<double> &penalties,
-                 ReducedPairOptions         options,
-                 OutputFolder              &folder,
-                 Log                       &log) const;
-      std::vector<ReducedBody>
-      reduce(const Model &model, const Communicator &communicator, Log &log) const;
+      /** A pair and how it moves. */
+      struct Motion
+      {
+        double             cutoff         = 0; ///< that of the bodies [Hz]
+        unsigned int       steps_per_mesh = 0; ///< at the largest speed
+        ReducedPairOptions options;
+      };
+      Motion make_motion(const std::vector<ReducedBody> &bodies) const;
+      void   move(Model        &model,
+                  ReducedPair  &pair,
+                  const Motion &motion,
+                  double        penalty,
+                  OutputFolder &folder,
+                  Log          &log) const;
+      void   sweep(const Model  &model,
+                   ReducedPair  &pair,
+                   const Motion &motion,
+                   OutputFolder &folder,
+                   Log          &log) const;
 
       GearCase          gear_case_;
       DynamicsOptions   dynamics_;
@@ -133,54 +136,27 @@ namespace vfife
       SpeedSweepOptions sweep_;
     };
 
-    std::vector<ReducedBody>
-    ReducedStudy::reduce(const Model &model, const Communicator &communicator, Log &log) const
+    ReducedStudy::Motion ReducedStudy::make_motion(const std::vector<ReducedBody> &bodies) const
     {
-      FemOptions fem;
-      fem.mass    = MassKind::lumped; // as the mass points of a run
-      fem.element = dynamics_.stiffness == StiffnessKind::full ? FemElement::full
-                                                               : FemElement::incompatible_modes;
-      std::vector<ReducedBody> bodies;
-      for (unsigned int b = 0; b < model.bodies.size(); ++b)
-        {
-          const auto start = WallClock::now();
-          bodies.push_back(reduce_body(
-            model,
-            b,
-            list_touch_nodes(model, b),
-            list_readings(model, b, dynamics_.stiffness, RimWriter::count_diameters(model)),
-            fem,
-            {2. * pi * cutoff(), options_.reach},
-            largest_factor() * model.bodies[b].rate,
-            communicator));
-          const ReducedBody &body = bodies.back();
-          log.line(model.bodies[b].name(),
-                   ": ",
-                   body.n_modes(),
-                   " modes below ",
-                   cutoff(),
-                   " Hz (with nodal diameters count once), ",
-                   body.touch_nodes.size(),
-                   " nodes a sector that may touch, residual flexibility beyond ",
-                   body.reach,
-                   " sectors at most ",
-                   100. * body.residual_left,
-                   " % of the largest, ",
-                   seconds_since(start),
-                   " s");
-        }
-      return bodies;
+      Motion motion;
+      for (const ReducedBody &body : bodies)
+        motion.cutoff = std::max(motion.cutoff, .5 / pi * body.cutoff);
+      motion.steps_per_mesh = n_steps_of_mesh(motion.cutoff);
+      motion.options.step =
+        1. / (gear_case_.mesh_frequency() * largest_factor() * motion.steps_per_mesh);
+      motion.options.damping      = dynamics_.mass_damping();
+      motion.options.mesh_damping = dynamics_.mesh_damping;
+      return motion;
     }
 
-    void ReducedStudy::sweep(Model                     &model,
-                             const std::vector<double> &penalties,
-                             ReducedPairOptions         options,
-                             OutputFolder              &folder,
-                             Log                       &log) const
+    void ReducedStudy::sweep(const Model  &model,
+                             ReducedPair  &pair,
+                             const Motion &motion,
+                             OutputFolder &folder,
+                             Log          &log) const
     {
-      const auto  start = WallClock::now();
-      ReducedPair pair(model, reduce(model, folder.communicator(), log), penalties, options);
-      pair.set_speed(sweep_.lowest_speed, step());
+      const auto start = WallClock::now();
+      pair.set_speed(sweep_.lowest_speed, motion.options.step);
       const ReducedEquilibrium found = pair.start();
       log.line("equilibrium at the lowest speed: ", found.iterations, " iterations");
       Table      resonance = make_resonance_response_table(), waves = make_wave_response_table();
@@ -193,7 +169,7 @@ namespace vfife
         {
           sweep_speeds(model,
                        options_,
-                       cutoff(),
+                       motion.cutoff,
                        sweep_,
                        output_.history_every,
                        pair,
@@ -208,7 +184,7 @@ namespace vfife
           summary.failure = error.what();
         }
       summary.run_time = seconds_since(start);
-      summary.figures  = {{"cut-off frequency", {cutoff(), "Hz"}},
+      summary.figures  = {{"cut-off frequency", {motion.cutoff, "Hz"}},
                           {"speeds", {double(resonance.n_rows()), "-"}}};
       write_summary(folder, summary);
       if (summary.status == "failed")
@@ -216,20 +192,19 @@ namespace vfife
       log.line(resonance.n_rows(), " speeds in ", duration_text(summary.run_time));
     }
 
-    void ReducedStudy::move(Model                     &model,
-                            const std::vector<double> &penalties,
-                            const ReducedPairOptions  &options,
-                            OutputFolder              &folder,
-                            Log                       &log) const
+    void ReducedStudy::move(Model        &model,
+                            ReducedPair  &pair,
+                            const Motion &motion,
+                            const double  penalty,
+                            OutputFolder &folder,
+                            Log          &log) const
     {
-      const double        h             = options.step;
+      const double        h             = motion.options.step;
       const std::uint64_t history_steps = output_.compute_history_steps(&*model.transmission, h);
       const double        end_time =
         find_end(&*model.transmission, gear_case_.end_time(), history_steps * h);
       const std::uint64_t n_steps = std::llround(end_time / h);
-      ReducedPair pair(model, reduce(model, folder.communicator(), log), penalties, options);
-
-      ReducedRun   run(folder, log, model, pair);
+      ReducedRun          run(folder, log, model, pair);
       const Table &history = run.observers().add<HistoryWriter>(model, history_steps).table();
       PairProbes   probes(
         model,
@@ -240,9 +215,9 @@ namespace vfife
       results.add_observers(run.observers(),
                             [&](const unsigned int n) { return pair.measure_rim(n); });
       RunSummary summary = start_summary("reduced", model, folder);
-      summary.figures    = results.list_figures(penalties.front(), gear_case_.arm_range());
-      summary.figures.push_back({"cut-off frequency", {cutoff(), "Hz"}});
-      summary.figures.push_back({"steps in a tooth mesh", {double(n_steps_of_mesh()), "-"}});
+      summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
+      summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
+      summary.figures.push_back({"steps in a tooth mesh", {double(motion.steps_per_mesh), "-"}});
       results.log_hertz(log);
 
       Swing      swing;
@@ -295,22 +270,22 @@ namespace vfife
       const Communicator       &communicator = folder.communicator();
       Model                     model        = gear_case_.make_model(log);
       const std::vector<double> penalties    = find_penalties(communicator, log);
-      ReducedPairOptions        options;
-      options.step         = step();
-      options.damping      = dynamics_.mass_damping();
-      options.mesh_damping = dynamics_.mesh_damping;
+      std::vector<ReducedBody>  bodies       = reduce_pair(
+        model, options_, dynamics_.stiffness, least_cutoff(), largest_factor(), communicator, log);
+      const Motion motion = make_motion(bodies);
       log.line("penalty ",
                penalties.front(),
                " N/mm^3, ",
-               n_steps_of_mesh(),
+               motion.steps_per_mesh,
                " steps of ",
-               1e9 * options.step,
+               1e9 * motion.options.step,
                largest_factor() == 1. ? " ns in a tooth mesh"
                                       : " ns in a tooth mesh at the largest speed");
-      if (!is_motion())
-        sweep(model, penalties, options, folder, log);
+      ReducedPair pair(model, std::move(bodies), penalties, motion.options);
+      if (is_motion())
+        move(model, pair, motion, penalties.front(), folder, log);
       else
-        move(model, penalties, options, folder, log);
+        sweep(model, pair, motion, folder, log);
       if (output_.pictures)
         draw_pictures(folder, log);
     }

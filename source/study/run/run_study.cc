@@ -16,13 +16,13 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/cases/damping_figures.h>
+#include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/run/contact_width_watch.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
-#include <vfife/study/run/run_length.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>

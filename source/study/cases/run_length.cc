@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/model/transmission.h>
-#include <vfife/study/run/run_length.h>
+#include <vfife/study/cases/run_length.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_run_run_length_h
-#define vfife_study_run_run_length_h
+#ifndef vfife_study_cases_run_length_h
+#define vfife_study_cases_run_length_h
 
 namespace vfife
 {

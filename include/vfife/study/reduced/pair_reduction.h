@@ -1,0 +1,32 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_reduced_pair_reduction_h
+#define vfife_study_reduced_pair_reduction_h
+
+#include <vfife/element/stiffness.h>
+#include <vfife/reduced/reduced_body.h>
+
+#include <vector>
+
+namespace vfife
+{
+  class Communicator;
+  class Log;
+  struct Model;
+  struct ReducedOptions;
+
+  /**
+   * The bodies of a gear pair with modes below @p cutoff [Hz] at least, about their state of spin
+   * at the model's rates times @p faster, with all readings of a run; of those that are kept in
+   * ReducedOptions::store the kept ones. Throws as reduce_body() and ReductionStore, and InputError
+   * for pairs on shafts. Collective.
+   */
+  std::vector<ReducedBody> reduce_pair(const Model          &model,
+                                       const ReducedOptions &options,
+                                       StiffnessKind         stiffness,
+                                       double                cutoff,
+                                       double                faster,
+                                       const Communicator   &communicator,
+                                       Log                  &log);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,115 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/model.h>
+#include <vfife/reduced/reduction_source.h>
+
+#include <boost/crc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Placements of one gear differ by round-off [mm, -]. */
+    constexpr double axis_tolerance = 1e-9;
+
+    /** Checksum of what @p pass puts into a stream. */
+    template <typename Pass>
+    std::uint32_t checksum(const Pass &pass)
+    {
+      ByteStream stream;
+      pass(stream);
+      boost::crc_32_type crc;
+      crc.process_bytes(stream.bytes().data(), stream.bytes().size());
+      return crc.checksum();
+    }
+
+    void pass_mesh(const Body &body, ByteStream &stream)
+    {
+      unsigned int         n_sectors = body.mesh().n_sectors;
+      std::vector<Vector3> nodes     = body.node_positions();
+      auto                 elements  = body.elements();
+      stream.pass(n_sectors, nodes, elements);
+    }
+
+    void pass_material(const Body &body, ByteStream &stream)
+    {
+      Material material = body.material();
+      double   added    = body.added_mass();
+      stream.pass(material.density, material.youngs_modulus, material.poissons_ratio, added);
+    }
+
+    void pass_hub(const Model &model, const unsigned int body, ByteStream &stream)
+    {
+      for (Constraint constraint : model.constraints)
+        if (constraint.body == body)
+          stream.pass(constraint.kind,
+                      constraint.nodes,
+                      constraint.cylindrical,
+                      constraint.prescribed);
+    }
+
+    void pass_torque(const Model &model, const unsigned int body, ByteStream &stream)
+    {
+      for (Torque torque : model.torques)
+        if (torque.body == body)
+          stream.pass(torque.nodes, torque.areas);
+    }
+  } // namespace
+
+  ReductionSource::ReductionSource(const Model                      &model,
+                                   const unsigned int                b,
+                                   const std::vector<unsigned int>  &touch_nodes,
+                                   const std::vector<SectorReading> &readings,
+                                   const FemOptions                 &fem)
+  {
+    const Body &body = model.bodies[b];
+    if (body.floats)
+      throw std::logic_error("a body in bearings has no reduction source");
+    const auto add = [this](const char *const name, const auto &pass) {
+      parts_.emplace_back(name, checksum(pass));
+    };
+    add("mesh", [&](ByteStream &stream) { pass_mesh(body, stream); });
+    add("material", [&](ByteStream &stream) { pass_material(body, stream); });
+    add("hold of the hub", [&](ByteStream &stream) { pass_hub(model, b, stream); });
+    add("place of the torque", [&](ByteStream &stream) { pass_torque(model, b, stream); });
+    add("kind of elements", [&](ByteStream &stream) {
+      FemOptions options = fem;
+      stream.pass(options.element, options.mass, options.strain);
+    });
+    add("list of nodes that may touch", [&](ByteStream &stream) {
+      std::vector<unsigned int> nodes = touch_nodes;
+      stream.pass(nodes);
+    });
+    add("list of probes and waves", [&](ByteStream &stream) {
+      for (SectorReading reading : readings)
+        stream.pass(reading.name, reading.weights);
+    });
+    const Matrix3 back      = body.placement.rotation.transpose();
+    const Vector3 direction = back * body.axis.direction;
+    Vector3       point     = back * (body.axis.point - body.placement.translation);
+    point -= direction.dot(point) * direction; // any point of the axis will do
+    for (const Vector3 &vector : {point, direction})
+      axis_.insert(axis_.end(), vector.data(), vector.data() + 3);
+  }
+
+  std::string ReductionSource::find_difference(const ReductionSource &other) const
+  {
+    for (const auto &part : parts_)
+      if (std::find(other.parts_.begin(), other.parts_.end(), part) == other.parts_.end())
+        return part.first;
+    for (std::size_t i = 0; i < axis_.size(); ++i)
+      if (i >= other.axis_.size() || std::abs(axis_[i] - other.axis_[i]) > axis_tolerance)
+        return "axis of rotation";
+    return "";
+  }
+
+  void ReductionSource::serialize(ByteStream &stream)
+  {
+    stream.pass(parts_, axis_);
+  }
+} // namespace vfife
