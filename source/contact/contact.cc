@@ -76,6 +76,12 @@ namespace vfife
       to.damping_power += from.damping_power;
       to.friction_loss += from.friction_loss;
     }
+
+    void keep_each_once(std::vector<unsigned int> &nodes)
+    {
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    }
   } // namespace
 
 
@@ -136,11 +142,8 @@ namespace vfife
         active_slave_nodes_.insert(active_slave_nodes_.end(), s.begin(), s.end());
         active_master_nodes_.insert(active_master_nodes_.end(), m.begin(), m.end());
       }
-    for (auto *nodes : {&active_slave_nodes_, &active_master_nodes_})
-      {
-        std::sort(nodes->begin(), nodes->end());
-        nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
-      }
+    keep_each_once(active_slave_nodes_);
+    keep_each_once(active_master_nodes_);
   }
 
 
@@ -272,6 +275,19 @@ namespace vfife
           smallest = other;
       }
     return smallest;
+  }
+
+
+  std::pair<std::vector<unsigned int>, std::vector<unsigned int>> Contact::find_near_nodes(
+    const SurfaceMotion &slave, const SurfaceMotion &master, const double reach)
+  {
+    std::pair<std::vector<unsigned int>, std::vector<unsigned int>> nodes;
+    passes_[0].add_near_nodes(slave, master, reach, nodes.first, nodes.second);
+    if (passes_.size() == 2)
+      passes_[1].add_near_nodes(master, slave, reach, nodes.second, nodes.first);
+    keep_each_once(nodes.first);
+    keep_each_once(nodes.second);
+    return nodes;
   }
 
 

@@ -17,9 +17,6 @@ namespace vfife
 
   namespace
   {
-    /** Part of a tooth mesh between searches for what may touch. */
-    constexpr double search_part = .1;
-
     const Model &require_pair(const Model &model, const std::vector<ReducedBody> &bodies)
     {
       require_reducible(model);
@@ -107,15 +104,6 @@ namespace vfife
     return members_[b]->body;
   }
 
-  void ReducedPair::search()
-  {
-    const double meshes = std::abs(members_[model_.transmission->driver]->rate) *
-                          model_.transmission->driver_teeth / (2. * pi);
-    search_steps_ = std::max(1., std::floor(search_part / (meshes * options_.step)));
-    since_search_ = 0;
-    find_candidates(driver_turn(search_steps_));
-  }
-
   double ReducedPair::speed_factor() const
   {
     return driver_rate_ / model_.transmission->driver_rate *
@@ -162,56 +150,6 @@ namespace vfife
   Eigen::Ref<const VectorXd> ReducedPair::rows_of(const Member &member, const VectorXd &x) const
   {
     return x.segment(member.first, member.rows.n_rows());
-  }
-
-  void ReducedPair::find_candidates(const double later_turn)
-  {
-    pair_.find_candidates(later_turn);
-    std::vector<NodeOfBody> nodes = pair_.candidates();
-    if (nodes == nodes_)
-      return;
-    std::vector<PressedPair::Node> axes;
-    Eigen::Index                   row = 0;
-    for (unsigned int b = 0; b < members_.size(); ++b)
-      {
-        Member                   &member = *members_[b];
-        std::vector<unsigned int> own;
-        for (const NodeOfBody &node : nodes)
-          if (node.first == b)
-            own.push_back(node.second);
-        member.rows.set_nodes(own);
-        member.first = row;
-        row += member.rows.n_rows();
-        // Rows are along the axes of the body frame, turned with the sector.
-        const Body   &body = model_.bodies[b];
-        const Vector3 axis = compute_sector_axis(body).direction;
-        for (const unsigned int node : own)
-          axes.push_back(
-            {b,
-             node,
-             rotation_about(axis,
-                            (node / member.body.nodes_per_sector) * member.body.sector_angle) *
-               body.placement.rotation});
-      }
-    pair_.set_nodes(axes);
-
-    // Forces go with their nodes.
-    const auto keep = [&](VectorXd &force) {
-      if (force.size() == 0)
-        return;
-      VectorXd kept = VectorXd::Zero(row);
-      for (std::size_t i = 0, k = 0; i < nodes.size(); ++i)
-        {
-          while (k < nodes_.size() && nodes_[k] < nodes[i])
-            ++k;
-          if (k < nodes_.size() && nodes_[k] == nodes[i])
-            kept.segment<3>(3 * i) = force.segment<3>(3 * k);
-        }
-      force = std::move(kept);
-    };
-    keep(now_.force);
-    keep(earlier_force_);
-    nodes_ = std::move(nodes);
   }
 
   VectorXd ReducedPair::displace(const std::vector<std::vector<VectorXcd>> &coordinates) const
@@ -263,6 +201,37 @@ namespace vfife
     return mean;
   }
 
+  bool ReducedPair::balance(const std::vector<std::vector<VectorXcd>> &coordinates,
+                            const TurnLoad                            &load)
+  {
+    // From forces that go on as they did.
+    const VectorXd base           = displace(coordinates);
+    const double   present_torque = now_.acting.contact_torque;
+    double         torque         = present_torque;
+    const VectorXd present        = now_.force;
+    if (earlier_force_.size() > 0)
+      {
+        now_.force += present - earlier_force_;
+        torque += torque - earlier_torque_;
+      }
+    now_.deflection = answers_->answer(now_.force);
+    now_.turn       = load.rest + torque / load.stiffness;
+    try
+      {
+        now_.acting = pair_.evaluate(*answers_, base + now_.deflection, now_.turn, true);
+        n_iterations_ += pair_.balance(*answers_, base, load, options_.tolerance, now_);
+      }
+    catch (const StrayContact &)
+      {
+        now_.force                 = present;
+        now_.acting.contact_torque = present_torque;
+        return false;
+      }
+    earlier_force_  = present;
+    earlier_torque_ = present_torque;
+    return true;
+  }
+
   void ReducedPair::step()
   {
     const Transmission      &t      = *model_.transmission;
@@ -273,7 +242,10 @@ namespace vfife
     // 1. Where the bodies would be with half the present contact forces alone.
     const std::vector<AxialLoad> axial = advance_drive();
     if (++since_search_ >= search_steps_)
-      search();
+      {
+        widening_ -= widening_ > 0 ? 1 : 0;
+        search();
+      }
     std::vector<std::vector<VectorXcd>> coordinates(members_.size());
     TurnLoad                            load;
     for (std::size_t b = 0; b < members_.size(); ++b)
@@ -287,23 +259,14 @@ namespace vfife
         if (b == t.driven)
           load = {0., 1. / member.motion.turn_gain(), member.motion.expect_turn(half[b])};
       }
-    const VectorXd base = displace(coordinates);
 
-    // 2. The contact at the end of the step, from forces that go on as they did.
-    const double   present_torque = now_.acting.contact_torque;
-    double         torque         = present_torque;
-    const VectorXd present        = now_.force;
-    if (earlier_force_.size() > 0)
+    // 2. The contact at the end of the step; where it comes upon nodes that were not looked at,
+    // with more of them.
+    while (!balance(coordinates, load))
       {
-        now_.force += present - earlier_force_;
-        torque += torque - earlier_torque_;
+        ++widening_;
+        search();
       }
-    now_.deflection = answers_->answer(now_.force);
-    now_.turn       = load.rest + torque / load.stiffness;
-    now_.acting     = pair_.evaluate(*answers_, base + now_.deflection, now_.turn, true);
-    n_iterations_ += pair_.balance(*answers_, base, load, options_.tolerance, now_);
-    earlier_force_  = present;
-    earlier_torque_ = present_torque;
 
     // 3. The motion with the mean of the forces at both ends.
     const std::vector<ModalForces> after = project(now_);

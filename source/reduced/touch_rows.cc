@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <string>
+#include <utility>
 
 namespace vfife
 {
@@ -152,6 +153,41 @@ namespace vfife
         mode += c.size();
       }
     return shapes_.transpose() * parts;
+  }
+
+  VectorXd TouchRows::displace_nodes(const std::vector<unsigned int> &nodes,
+                                     const double                     spin,
+                                     const AxialLoad                 &axial,
+                                     const std::vector<VectorXcd>    &coordinates,
+                                     const VectorXd                  &forces) const
+  {
+    const Eigen::Index n = 3 * body_.touch_nodes.size();
+    VectorXd           u(3 * nodes.size()), of_sector;
+    unsigned int       last = body_.n_sectors;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        const unsigned int sector = nodes[i] / body_.nodes_per_sector;
+        if (std::exchange(last, sector) != sector)
+          {
+            // All touch nodes of the sector.
+            of_sector = spin * body_.spin.head(n) + axial.torque * body_.torque_residual.head(n) +
+                        axial.acceleration * body_.euler_residual.head(n);
+            for (std::size_t h = 0; h < body_.harmonics.size(); ++h)
+              of_sector += (body_.harmonics[h].shapes.topRows(n) *
+                            (phase(body_, body_.harmonics[h].number, sector) * coordinates[h]))
+                             .real();
+            for (const Run &run : runs_)
+              if (const MatrixXd *const residual =
+                    body_.find_residual(distance(sector, run.sector)))
+                for (std::size_t k = 0; k < run.places.size(); ++k)
+                  for (unsigned int c = 0; c < 3; ++c)
+                    if (const double f = forces[run.first + 3 * k + c]; f != 0.)
+                      of_sector += f * residual->col(3 * run.places[k] + c).head(n);
+          }
+        u.segment<3>(3 * i) =
+          of_sector.segment<3>(3 * place_of_[nodes[i] % body_.nodes_per_sector]);
+      }
+    return u;
   }
 
   std::vector<VectorXcd> TouchRows::project(const VectorXd &forces) const

@@ -209,6 +209,49 @@ namespace
     check("smallest gap, out of reach",
           std::isinf(contact.smallest_gap(slave.motion(), master.motion(), 0.6).gap));
   }
+
+  /** A sphere over another: the gap at the distance r from the axis is g + r^2 (1/30 + 1/50)/2. */
+  void check_near_nodes()
+  {
+    MovingSurface  slave(sphere_patch_down(30., 0.2, 24)), master(sphere_patch(50., 0.12, 20));
+    ContactOptions options;
+    options.points_per_facet = 3;
+    Contact      contact(slave.surface, master.surface, options);
+    RigidMotion  motion;
+    const double open = 0.01, reach = 0.3;
+    motion.translation[2] = 80. + open;
+    slave.place(motion);
+    contact.find_candidates(slave.body, master.body, 1.);
+    const auto   near        = contact.find_near_nodes(slave.motion(), master.motion(), reach);
+    const double radius      = std::sqrt(2. * (reach - open) / (1. / 30. + 1. / 50.));
+    const auto   check_nodes = [&](const std::string               &name,
+                                 const MovingSurface             &surface,
+                                 const double                     facet,
+                                 const std::vector<unsigned int> &nodes) {
+      check(name + ": each once",
+            std::is_sorted(nodes.begin(), nodes.end()) &&
+              std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end());
+      unsigned int n_within = 0, n_found = 0;
+      double       farthest = 0;
+      for (unsigned int i = 0; i < surface.surface.positions.size(); ++i)
+        {
+          const double r     = surface.surface.positions[i].head<2>().norm();
+          const bool   found = std::binary_search(nodes.begin(), nodes.end(), i);
+          n_within += r < radius - facet;
+          n_found += found && r < radius - facet;
+          farthest = found ? largest_of(farthest, r) : farthest;
+        }
+      check(name + ": all that are near", n_found == n_within && n_within > 20);
+      check(name + ": and not many more", farthest < radius + 2. * facet);
+    };
+    check_nodes("near nodes of the slave", slave, 30. * .4 / 24, near.first);
+    check_nodes("near nodes of the master", master, 50. * .24 / 20, near.second);
+    motion.translation[2] = 80.35;
+    slave.place(motion);
+    const auto none = contact.find_near_nodes(slave.motion(), master.motion(), reach);
+    check("none are near", none.first.empty() && none.second.empty());
+  }
+
   /** Straight towards each other from 0.05 mm on, less than the skin of the wide search: a point
    * that sleeps is awake when its gap closes. */
   void check_approach()
@@ -246,4 +289,5 @@ int main()
   check_random_sliding("turned facets", slave, master, 30.);
   check_broad_search();
   check_smallest_gap();
+  check_near_nodes();
 }

@@ -26,7 +26,6 @@ namespace vfife
    *   g = n.(x_s - y) - delta_master(xi, eta) - delta_slave < 0.
    * As x_s - y is parallel to n, forces on both bodies are equal and opposite in force and in
    * moment. Areas are those of the undeformed slave. Units mm, s, t, N, MPa.
-   *
    * Use: find_candidates() now and then; every step make positions and velocities of the active
    * nodes available and call add_forces().
    */
@@ -140,6 +139,11 @@ namespace vfife
                               unsigned int         rank    = 0,
                               unsigned int         n_ranks = 1);
 
+    /** Surface nodes (slave's, master's, each sorted) of the facets of candidate pairs that have a
+     * point nearer than @p reach [mm] to the other surface, found without warm start. */
+    std::pair<std::vector<unsigned int>, std::vector<unsigned int>>
+    find_near_nodes(const SurfaceMotion &slave, const SurfaceMotion &master, double reach);
+
     /** Undeformed tributary areas of the surface nodes [mm^2]. */
     const std::vector<double> &slave_node_areas() const
     {
@@ -208,10 +212,8 @@ namespace vfife
     /** Motion between wide searches [mm]. */
     double search_skin() const;
 
-    /**
-     * Penetration beyond which nothing is taken for contact [mm]. A largest_penetration near it
-     * means runaway: stop the run, or the force will vanish.
-     */
+    /** Penetration beyond which nothing is taken for contact [mm]. A largest_penetration near it
+     * means runaway: stop the run, or the force will vanish. */
     double depth_limit() const;
 
     /** From now on adds the processor time of the parts of add_forces() to @p times, which must

@@ -71,6 +71,13 @@ namespace vfife
                               unsigned int         rank,
                               unsigned int         n_ranks);
 
+    /** See Contact::find_near_nodes: adds them. */
+    void add_near_nodes(const SurfaceMotion       &slave,
+                        const SurfaceMotion       &master,
+                        double                     reach,
+                        std::vector<unsigned int> &slave_nodes,
+                        std::vector<unsigned int> &master_nodes);
+
     const std::vector<GroupPairResult> &results() const
     {
       return results_;

@@ -106,14 +106,21 @@ namespace vfife
      * by body. */
     std::vector<AxialLoad> advance_drive();
     double                 driven_turn() const; ///< kinematic, in the drive direction [rad]
-    /** Looks for what may touch until @p later_turn of the driver; forces at nodes that stay go
-     * with them. */
-    void find_candidates(double later_turn);
-    /** Does that for the steps until the next search. */
+    /** Looks for what may touch in the steps until the next search. */
     void search();
+    /** From now on rows are of these nodes; forces at nodes that stay go with them. */
+    void set_rows(std::vector<NodeOfBody> nodes);
+    /** Where nodes are displaced to now (3 each, axes of time zero) [mm]. */
+    Eigen::VectorXd displace_nodes(const std::vector<NodeOfBody> &nodes) const;
+    /** Of a node's rows, in the axes of time zero. */
+    Matrix3 axes_of(unsigned int body, unsigned int node) const;
     /** Rows in the state of spin, under the torques, and with the modes' @p coordinates by body. */
     Eigen::VectorXd displace(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates) const;
     Eigen::Ref<const Eigen::VectorXd> rows_of(const Member &member, const Eigen::VectorXd &x) const;
+    /** Finds the contact at the end of a step, were the modes then at @p coordinates without it;
+     * not where it comes upon nodes without rows. */
+    bool balance(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates,
+                 const TurnLoad                                   &load);
     /** What the contact does to the modes and the turn of each body. */
     std::vector<ModalForces> project(const PressedState &state) const;
     ReducedEquilibrium       find_slope(Answers &answers, const Eigen::VectorXd &u);
@@ -146,6 +153,7 @@ namespace vfife
     std::uint64_t                        step_        = 0;
     std::uint64_t                        n_iterations_ = 0;
     unsigned int                         search_steps_ = 1, since_search_ = 0;
+    unsigned int                         widening_ = 0; ///< doublings of the distance looked at
     EnergyLedger                         energy_, first_energy_;
   };
 } // namespace vfife

@@ -41,6 +41,15 @@ namespace vfife
       return flexibility_;
     }
 
+    /** Displacements of any touch @p nodes of the body (3 each, sorted, axes as of rows): of the
+     * state of spin times @p spin, of modes, and at once by forces at the rows and an axial load
+     * [mm]. */
+    Eigen::VectorXd displace_nodes(const std::vector<unsigned int>     &nodes,
+                                   double                               spin,
+                                   const AxialLoad                     &axial,
+                                   const std::vector<Eigen::VectorXcd> &coordinates,
+                                   const Eigen::VectorXd               &forces) const;
+
     /** Of coordinates of all harmonics [mm]. */
     Eigen::VectorXd displace(const std::vector<Eigen::VectorXcd> &coordinates) const;
     /** Modal forces of forces at the rows. */

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// ContactPass::smallest_gap: samples at the quadrature points, then a search between them.
+// ContactPass::smallest_gap: samples at the quadrature points, then a search between them. What
+// lies near.
 #include <vfife/contact/contact_pass.h>
 
 #include <Eigen/Dense>
@@ -147,5 +148,30 @@ namespace vfife
           }
       }
     return smallest;
+  }
+
+
+  void ContactPass::add_near_nodes(const SurfaceMotion       &slave,
+                                   const SurfaceMotion       &master,
+                                   const double               reach,
+                                   std::vector<unsigned int> &slave_nodes,
+                                   std::vector<unsigned int> &master_nodes)
+  {
+    slave_.bind(slave);
+    master_.bind(master);
+    for (const Pair &pair : pairs_)
+      {
+        Pair near         = {};
+        near.slave_group  = pair.slave_group;
+        near.master_group = pair.master_group;
+        find_points(near, reach, reach, 0, 1);
+        for (const ListedPoint &point : near.points)
+          {
+            const auto &s = slave_.corners(point.slave_facet);
+            const auto &m = master_.corners(point.projection.facet);
+            slave_nodes.insert(slave_nodes.end(), s.begin(), s.end());
+            master_nodes.insert(master_nodes.end(), m.begin(), m.end());
+          }
+      }
   }
 } // namespace vfife

@@ -103,15 +103,64 @@ namespace vfife
   void PressedPair::set_nodes(const std::vector<Node> &nodes)
   {
     nodes_ = nodes;
-    std::vector<std::vector<unsigned int>> places(model_.bodies.size());
-    for (unsigned int b = 0; b < places.size(); ++b)
-      places[b].assign(model_.bodies[b].n_nodes(), Surface::no_place);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      places[nodes[i].body][nodes[i].node] = i;
+    std::vector<std::pair<unsigned int, unsigned int>> of_rows;
+    for (const Node &node : nodes)
+      of_rows.emplace_back(node.body, node.node);
+    const auto places = places_of(of_rows);
     for (const auto &pair : pairs_)
       for (Surface *surface : {&pair->slave, &pair->master})
         for (std::size_t i = 0; i < surface->place.size(); ++i)
           surface->place[i] = places[surface->body][surface->facets.nodes[i]];
+  }
+
+  std::vector<std::vector<unsigned int>>
+  PressedPair::places_of(const std::vector<std::pair<unsigned int, unsigned int>> &nodes) const
+  {
+    std::vector<std::vector<unsigned int>> places(model_.bodies.size());
+    for (unsigned int b = 0; b < places.size(); ++b)
+      places[b].assign(model_.bodies[b].n_nodes(), Surface::no_place);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      places[nodes[i].first][nodes[i].second] = i;
+    return places;
+  }
+
+  void PressedPair::hold(const Eigen::VectorXd &displacements)
+  {
+    const auto places = places_of(candidates());
+    for (const auto &pair : pairs_)
+      for (Surface *surface : {&pair->slave, &pair->master})
+        for (const unsigned int i : pair->active(*surface))
+          Eigen::Map<Vector3>(surface->held.data() + 3 * i) =
+            displacements.segment<3>(3 * places[surface->body][surface->facets.nodes[i]]);
+  }
+
+  std::vector<std::pair<unsigned int, unsigned int>>
+  PressedPair::find_near(const double turn, const double later_turn, const double reach)
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> nodes;
+    const auto                                         add_near = [&]() {
+      set_turn(turn);
+      for (const auto &pair : pairs_)
+        {
+          move(*pair, Eigen::VectorXd());
+          const Surface &s = pair->slave, &m = pair->master;
+          const auto     near = pair->contact.find_near_nodes(pair->motion(s, body_motion(s.body)),
+                                                          pair->motion(m, body_motion(m.body)),
+                                                          reach);
+          for (const unsigned int i : near.first)
+            nodes.emplace_back(s.body, s.facets.nodes[i]);
+          for (const unsigned int i : near.second)
+            nodes.emplace_back(m.body, m.facets.nodes[i]);
+        }
+    };
+    const double now = driver_turn_;
+    add_near();
+    set_position(later_turn);
+    add_near();
+    set_position(now);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
   }
 
   void PressedPair::move(Pair &pair, const Eigen::VectorXd &u)
@@ -123,8 +172,12 @@ namespace vfife
           {
             const unsigned int k = surface->place[i];
             const Vector3      X = body.placement(body.node_positions()[surface->facets.nodes[i]]);
+            const Vector3      moved =
+              u.size() == 0 || k == Surface::no_place
+                     ? Vector3(Eigen::Map<const Vector3>(surface->held.data() + 3 * i))
+                     : Vector3(nodes_[k].axes * u.segment<3>(3 * k));
             Eigen::Map<Vector3>(surface->positions.data() + 3 * i) =
-              place(surface->body, X + nodes_[k].axes * u.segment<3>(3 * k));
+              place(surface->body, X + moved);
             std::fill_n(surface->forces.data() + 3 * i, 3, 0.);
           }
       }
@@ -157,8 +210,8 @@ namespace vfife
         // are zero.
         move(*pair, u);
         Surface &s = pair->slave, &m = pair->master;
-        pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion(s.body)},
-                                 {m.positions.data(), m.velocities.data(), body_motion(m.body)},
+        pair->contact.add_forces(pair->motion(s, body_motion(s.body)),
+                                 pair->motion(m, body_motion(m.body)),
                                  0.,
                                  0,
                                  1,
@@ -175,6 +228,12 @@ namespace vfife
                 const Eigen::Map<const Vector3> f(surface->forces.data() + 3 * i),
                   x(surface->positions.data() + 3 * i);
                 const unsigned int k = surface->place[i];
+                if (k == Surface::no_place)
+                  {
+                    if (f.squaredNorm() > 0)
+                      throw StrayContact();
+                    continue;
+                  }
                 sum.force.segment<3>(3 * k) +=
                   nodes_[k].axes.transpose() * (rotations_[surface->body].transpose() * f);
                 torque += axis.direction.dot((x - axis.point).cross(f));
@@ -195,12 +254,11 @@ namespace vfife
         set_turn(turn);
         move(pair, u);
         const Surface &s = pair.slave, &m = pair.master;
-        const double   gap =
-          pair.contact
-            .smallest_gap({s.positions.data(), s.velocities.data(), body_motion(s.body)},
-                          {m.positions.data(), m.velocities.data(), body_motion(m.body)},
-                          pair.contact.depth_limit())
-            .gap;
+        const double   gap = pair.contact
+                             .smallest_gap(pair.motion(s, body_motion(s.body)),
+                                           pair.motion(m, body_motion(m.body)),
+                                           pair.contact.depth_limit())
+                             .gap;
         // Nothing of one flank is within reach of the other any more.
         if (!std::isfinite(gap))
           break;

@@ -21,6 +21,7 @@ namespace vfife
     const FacetSurface       &facets;
     std::vector<unsigned int> place; ///< of the surface's nodes, or no_place
     std::vector<double>       mass, positions, velocities, forces;
+    std::vector<double>       held; ///< displacements without rows, axes of time zero
 
     Surface(const Model &model, const unsigned int b, const std::string &name)
       : body(b)
@@ -29,6 +30,7 @@ namespace vfife
       , positions(3 * facets.nodes.size(), 0.)
       , velocities(3 * facets.nodes.size(), 0.)
       , forces(3 * facets.nodes.size(), 0.)
+      , held(3 * facets.nodes.size(), 0.)
     {
       for (const unsigned int node : facets.nodes)
         mass.push_back(model.bodies[b].node_masses()[node]);
@@ -55,6 +57,10 @@ namespace vfife
     const std::vector<unsigned int> &active(const Surface &surface) const
     {
       return &surface == &slave ? contact.active_slave_nodes() : contact.active_master_nodes();
+    }
+    SurfaceMotion motion(const Surface &surface, const RigidMotion &body) const
+    {
+      return {surface.positions.data(), surface.velocities.data(), body};
     }
     /** Undeformed flanks may be apart by this and touch under load [mm]. */
     double margin() const

@@ -3,6 +3,7 @@
 #define vfife_fem_pair_pressed_pair_h
 
 #include <vfife/contact/contact_results.h>
+#include <vfife/fem/pair/pressed_bodies.h>
 #include <vfife/model/state.h>
 
 #include <array>
@@ -22,46 +23,6 @@ namespace vfife
   {
     std::array<std::pair<unsigned int, Vector3>, 8> points; ///< and directions, axes of time zero
     double                                          stiffness = 0; ///< [N/mm]
-  };
-
-  /** What acts on a pressed pair at a trial state. */
-  struct PressedForces
-  {
-    Eigen::VectorXd force;              ///< at the rows [N]
-    double          contact_force  = 0; ///< norm of the contact's [N]
-    double          contact_energy = 0; ///< [mJ]
-    double contact_torque = 0; ///< of the contact, on the driven body about its axis [N mm]
-    double driver_torque  = 0; ///< of the contact, on the driver about its axis [N mm]
-    double energy         = 0; ///< of all that acts [mJ]
-    double torque         = 0; ///< of all on the driven body [N mm]
-  };
-
-  /** Springs, beyond those of the contact, at the rows behind the nodes'. */
-  struct PressedSprings
-  {
-    Eigen::MatrixXd stiffness;      ///< beyond that of the bodies' answers [N/mm]
-    Eigen::VectorXd by_turn;        ///< change of minus their forces with the turn [N]
-    double          turn_twice = 0; ///< change of minus their torque with the turn [N mm]
-  };
-
-  /**
-   * What elastic bodies do at the rows of a PressedPair, three for each of its nodes and others
-   * behind them, and what acts at those others.
-   */
-  class PressedBodies
-  {
-  public:
-    virtual ~PressedBodies() = default;
-
-    /** Displacements at all rows under forces at them. */
-    virtual Eigen::VectorXd answer(const Eigen::VectorXd &force) = 0;
-    /** Displacements at the @p rows under unit forces there, a column each. */
-    virtual Eigen::MatrixXd flexibility(const std::vector<unsigned int> &rows) = 0;
-    /** Adds what acts at the rows behind the nodes'. */
-    virtual void add_forces(const Eigen::VectorXd &u, PressedForces &sum) const;
-    /** Their springs; @p turning: also with the turn of the driven body; without @p own, those that
-     * the bodies' answers have. */
-    virtual PressedSprings find_springs(const Eigen::VectorXd &u, bool turning, bool own) const;
   };
 
   /** Torque on the driven body about its axis [N mm]: torque - stiffness (turn - rest). */
@@ -156,8 +117,16 @@ namespace vfife
     }
     /** Nodes of bodies that may touch since find_candidates(), (body, node) sorted. */
     std::vector<std::pair<unsigned int, unsigned int>> candidates() const;
-    /** From now on rows 3 i + c are of these nodes, among which the candidates are. */
+    /** From now on rows 3 i + c are of these nodes. Candidates that are not among them move with
+     * their bodies, displaced by hold(); where contact acts on one, evaluate() throws StrayContact.
+     */
     void set_nodes(const std::vector<Node> &nodes);
+    /** Displacements of candidates() without rows (3 each, axes of time zero) [mm]. */
+    void hold(const Eigen::VectorXd &displacements);
+    /** Those candidates, displaced by hold(), whose flanks are nearer to each other than @p reach
+     * [mm], now with the turn @p turn, or then with the driver at @p later_turn; sorted. */
+    std::vector<std::pair<unsigned int, unsigned int>>
+    find_near(double turn, double later_turn, double reach);
 
     /** A vector along the axes of a node's rows, turned with its body. */
     Vector3 to_fixed_frame(std::size_t node, const Vector3 &along_rows) const
@@ -219,18 +188,22 @@ namespace vfife
     struct Tangent;
 
     RigidMotion body_motion(unsigned int body) const;
-    void        move(Pair &pair, const Eigen::VectorXd &u);
-    void        add_contact(const Eigen::VectorXd &u, PressedForces &sum);
-    Tangent     linearize(PressedBodies         &bodies,
-                          const Eigen::VectorXd &u,
-                          const TurnLoad        &load,
-                          bool                   touching,
-                          bool                   own) const;
-    void        search_line(const PressedBodies   &bodies,
-                            const Eigen::VectorXd &base,
-                            const TurnLoad        &load,
-                            const PressedState    &full,
-                            PressedState          &now);
+    /** By body and node: the place among @p nodes, or Surface::no_place. */
+    std::vector<std::vector<unsigned int>>
+    places_of(const std::vector<std::pair<unsigned int, unsigned int>> &nodes) const;
+    /** @p u: empty: of all that has been held. */
+    void    move(Pair &pair, const Eigen::VectorXd &u);
+    void    add_contact(const Eigen::VectorXd &u, PressedForces &sum);
+    Tangent linearize(PressedBodies         &bodies,
+                      const Eigen::VectorXd &u,
+                      const TurnLoad        &load,
+                      bool                   touching,
+                      bool                   own) const;
+    void    search_line(const PressedBodies   &bodies,
+                        const Eigen::VectorXd &base,
+                        const TurnLoad        &load,
+                        const PressedState    &full,
+                        PressedState          &now);
 
     const Model                       &model_;
     std::vector<std::unique_ptr<Pair>> pairs_;
