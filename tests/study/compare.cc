@@ -100,6 +100,59 @@ namespace
     check("with the same numbers", again.numbers("value") == table.numbers("value"));
   }
 
+  /** A run beside the reduced pair of the same file, and that beside the pair at rest. */
+  void reduced(Communicator &world)
+  {
+    std::filesystem::remove_all("compare_reduced");
+    const std::string pair = quick_pair("set web = conical", coarse_web, "1e-6");
+    std::ofstream("reduced_run.prm") << pair;
+    std::ofstream("reduced_pair.prm") << pair << "subsection Study\n set kind = reduced\nend\n";
+    std::ofstream("reduced_loaded.prm")
+      << pair << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
+      << "subsection Loaded contact\n set positions = 1\nend\n";
+    const auto write = [](const std::string &cases, const std::string &entries) {
+      std::ofstream file("compare_reduced.prm");
+      file << "subsection Study\n set kind = compare\nend\nsubsection Compare\n set cases = "
+           << cases << "\n set pictures = no\n set entries = " << entries << "\n";
+      std::istringstream names(cases);
+      for (std::string name; std::getline(names >> std::ws, name, ',');)
+        file << " subsection Case " << name << "\n  set base = reduced_" << name << ".prm\n end\n";
+      file << "end\n";
+    };
+    write("run, pair", "Operation/tooth meshes = 4; Dynamics/mesh damping = 8000 1/s");
+    run_pair("compare_reduced.prm", "compare_reduced", world);
+    const Table table = read_result_table("compare_reduced/comparison.csv");
+    show(table);
+    const auto close = [&](const std::string &quantity, const double part) {
+      const std::size_t row = find_row(table, quantity, "reduced");
+      check_close(quantity + " over the reduced pair's",
+                  table.numbers("value")[row] / table.numbers("reference")[row],
+                  1.,
+                  part);
+    };
+    close("mean dte", 2e-3);
+    close("mean contact force total", 5e-3);
+    close("dte, amplitude of mesh order 1", .1);
+    close("swing frequency", 1e-2);
+    const std::size_t curve =
+      find_row(table, "dte over the tooth mesh, rms distance from the reduced pair's", "reduced");
+    check_below("curves: of the largest order",
+                table.numbers("value")[curve] /
+                  table.numbers(
+                    "value")[find_row(table, "dte, amplitude of mesh order 2", "reduced")],
+                .1);
+
+    std::filesystem::remove_all("compare_slow");
+    write("pair, loaded", "Operation/tooth meshes = 1; Operation/speed = 600 rpm");
+    run_pair("compare_reduced.prm", "compare_slow", world);
+    const Table slow = read_result_table("compare_slow/comparison.csv");
+    show(slow);
+    check("a reduced pair at rest in the first position",
+          std::abs(read_result_table("compare_slow/pair/history.csv").numbers("dte").front() /
+                     slow.numbers("reference")[find_row(slow, "mean dte", "FEM")] -
+                   1.) < 1e-3);
+  }
+
   void ring_down(Communicator &world)
   {
     std::filesystem::remove_all("compare_beam");
@@ -225,6 +278,7 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   spectrum();
   pair(session.world());
+  reduced(session.world());
   ring_down(session.world());
   at_rest(session.world());
   passage();

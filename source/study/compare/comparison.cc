@@ -86,6 +86,15 @@ namespace vfife
              displacement,
              "Of displacements of probes at rest, part of the reference");
     fraction("stress tolerance", stress, "Of stresses of probes at rest, part of the reference");
+    fraction("reduced transmission error tolerance",
+             reduced_error,
+             "Of the mean transmission error against the reduced pair, part of the latter's");
+    fraction("reduced ripple tolerance",
+             reduced_ripple,
+             "Of curves over the tooth mesh against the reduced pair, part of their peak to peak");
+    fraction("reduced order tolerance",
+             reduced_order,
+             "Of amplitudes of mesh orders against the reduced pair, part of them");
     declare_quantity(prm,
                      "slow",
                      slow,

@@ -8,6 +8,7 @@
 #include <vfife/study/compare/pair_run.h>
 #include <vfife/study/compare/probe_passages.h>
 #include <vfife/study/compare/quasi_static.h>
+#include <vfife/study/compare/reduced_comparison.h>
 #include <vfife/study/compare/spectrum_lines.h>
 
 #include <algorithm>
@@ -252,8 +253,12 @@ namespace vfife
 
   ComparisonRows compare_pair(const ComparedCases &cases, const ComparisonTolerances &tolerances)
   {
-    ComparisonRows      rows;
-    const ComparedCase *run = find_case(cases, "run", "summary.json");
+    ComparisonRows rows;
+    // Without a run the reduced pair is judged as one.
+    const ComparedCase *const reduced = find_case(cases, "reduced", "history.csv");
+    const ComparedCase       *run     = find_case(cases, "run", "summary.json");
+    if (run == nullptr)
+      run = reduced;
     if (run == nullptr || !run->is_pair)
       return rows;
     // Each reference that there is, from the strongest (same mesh and contact) to a second opinion.
@@ -274,6 +279,8 @@ namespace vfife
       add_lines(pair, *coupled, rows);
     if (lumped != nullptr)
       add_lumped(pair, *lumped, rows);
+    if (reduced != nullptr && reduced != run)
+      add_reduced(pair, PairRun(*reduced, tolerances), rows);
     return rows;
   }
 } // namespace vfife
