@@ -9,7 +9,7 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/study/compare/nearest_mode.h>
-#include <vfife/study/compare/probe_passages.h>
+#include <vfife/study/compare/pair/probe_passages.h>
 #include <vfife/study/compare/spectrum_lines.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/study/compare/model_comparison.h>
-#include <vfife/study/compare/pair_comparison.h>
+#include <vfife/study/compare/pair/pair_comparison.h>
 
 #include <deal.II/base/parameter_handler.h>
 

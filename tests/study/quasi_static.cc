@@ -4,7 +4,7 @@
 #include "../tests.h"
 
 #include <vfife/base/types.h>
-#include <vfife/study/compare/quasi_static.h>
+#include <vfife/study/compare/pair/quasi_static.h>
 
 #include <cmath>
 

@@ -15,7 +15,7 @@
 #include <vfife/study/compare/compared_case.h>
 #include <vfife/study/compare/comparison.h>
 #include <vfife/study/compare/model_comparison.h>
-#include <vfife/study/compare/pair_comparison.h>
+#include <vfife/study/compare/pair/pair_comparison.h>
 
 #include <deal.II/base/parameter_handler.h>
 

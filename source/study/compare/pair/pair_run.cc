@@ -2,8 +2,8 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/output/files/result_places.h>
-#include <vfife/study/compare/pair_run.h>
-#include <vfife/study/compare/quasi_static.h>
+#include <vfife/study/compare/pair/pair_run.h>
+#include <vfife/study/compare/pair/quasi_static.h>
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
 #include <vfife/lumped/fourier_series.h>
-#include <vfife/study/compare/quasi_static.h>
+#include <vfife/study/compare/pair/quasi_static.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/output/files/result_places.h>
-#include <vfife/study/compare/arm_range.h>
 #include <vfife/study/compare/compared_case.h>
+#include <vfife/study/compare/pair/arm_range.h>
 
 #include <algorithm>
 #include <cmath>

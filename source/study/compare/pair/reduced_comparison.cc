@@ -2,8 +2,8 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/lumped/fourier_series.h>
 #include <vfife/output/files/result_places.h>
-#include <vfife/study/compare/pair_run.h>
-#include <vfife/study/compare/reduced_comparison.h>
+#include <vfife/study/compare/pair/pair_run.h>
+#include <vfife/study/compare/pair/reduced_comparison.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_compare_bearing_comparison_h
-#define vfife_study_compare_bearing_comparison_h
+#ifndef vfife_study_compare_pair_bearing_comparison_h
+#define vfife_study_compare_pair_bearing_comparison_h
 
-#include <vfife/study/compare/pair_run.h>
+#include <vfife/study/compare/pair/pair_run.h>
 
 namespace vfife
 {

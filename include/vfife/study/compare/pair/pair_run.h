@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_compare_pair_run_h
-#define vfife_study_compare_pair_run_h
+#ifndef vfife_study_compare_pair_pair_run_h
+#define vfife_study_compare_pair_pair_run_h
 
 #include <vfife/base/text/table.h>
 #include <vfife/study/compare/compared_case.h>

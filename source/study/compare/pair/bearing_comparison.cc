@@ -2,7 +2,7 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/measures/bearing_columns.h>
-#include <vfife/study/compare/bearing_comparison.h>
+#include <vfife/study/compare/pair/bearing_comparison.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_compare_arm_range_h
-#define vfife_study_compare_arm_range_h
+#ifndef vfife_study_compare_pair_arm_range_h
+#define vfife_study_compare_pair_arm_range_h
 
 #include <string>
 

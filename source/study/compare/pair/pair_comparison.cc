@@ -1,14 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
 #include <vfife/output/files/result_places.h>
-#include <vfife/study/compare/arm_range.h>
-#include <vfife/study/compare/bearing_comparison.h>
 #include <vfife/study/compare/nearest_mode.h>
-#include <vfife/study/compare/pair_comparison.h>
-#include <vfife/study/compare/pair_run.h>
-#include <vfife/study/compare/probe_passages.h>
-#include <vfife/study/compare/quasi_static.h>
-#include <vfife/study/compare/reduced_comparison.h>
+#include <vfife/study/compare/pair/arm_range.h>
+#include <vfife/study/compare/pair/bearing_comparison.h>
+#include <vfife/study/compare/pair/pair_comparison.h>
+#include <vfife/study/compare/pair/pair_run.h>
+#include <vfife/study/compare/pair/probe_passages.h>
+#include <vfife/study/compare/pair/quasi_static.h>
+#include <vfife/study/compare/pair/reduced_comparison.h>
 #include <vfife/study/compare/spectrum_lines.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
-#include <vfife/study/compare/probe_passages.h>
+#include <vfife/study/compare/pair/probe_passages.h>
 
 #include <algorithm>
 #include <cmath>

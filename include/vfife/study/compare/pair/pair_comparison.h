@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_compare_pair_comparison_h
-#define vfife_study_compare_pair_comparison_h
+#ifndef vfife_study_compare_pair_pair_comparison_h
+#define vfife_study_compare_pair_pair_comparison_h
 
 #include <vfife/study/compare/compared_case.h>
 #include <vfife/study/compare/comparison.h>
