@@ -43,6 +43,12 @@ namespace vfife
                  "Folder in which the reduced bodies are kept, so that other speeds and torques do "
                  "not pay for them again. Those of other bodies there are refused. Without a name "
                  "nothing is kept");
+    declare_switch(
+      prm,
+      "export",
+      exports,
+      "Whether mass, stiffness, Coriolis matrix and modes of each body at hub, rim and "
+      "probes are written for other programs, in the format Matrix Market");
     declare_integer(prm,
                     "settling meshes",
                     settling_meshes,

@@ -21,7 +21,9 @@ from vfife_report.data.variants import find_variants
 from vfife_report.measures.critical_speeds import choose_modes, list_critical_speeds
 from vfife_report.measures.run_lines import describe_resolution, list_other_lines
 from vfife_report.measures.sidebands import list_sidebands
+from vfife_report.page.sweep_chapter import list_sentences
 from vfife_report.plots.curves import draw_curves
+from vfife_report.plots.resonance import draw_resonance
 from vfife_report.plots.spectra import draw_sidebands
 from vfife_report.plots.waterfalls import draw_waterfall
 
@@ -60,6 +62,13 @@ def write_sweep(folder, speeds):
         "axes,frequency [Hz],share of the static turn [-]\nturning,1000,0.5\n"
         "standing,900,0.1\nstanding,1800,0.3\nstanding,1500,0.001\n")
     write_parameters(folder / "beside" / "1", {"Operation/speed": ("20000 rpm", "rpm")})
+    for name, kind in (("2", "lumped"), ("3", "reduced")):
+        (folder / "beside" / name).mkdir()
+        (folder / "beside" / name / "resonance.csv").write_text(
+            "direction,speed [rpm],mesh frequency [Hz],peak to peak dte [arcsec],rms dte [arcsec],"
+            "peak to peak force [N],rms force [N]\n"
+            "up,2000,900,1,0.5,10,5\nup,5000,2250,4,2,40,20\ndown,5000,2250,3,1,30,10\n")
+        write_parameters(folder / "beside" / name, {"Study/kind": (kind, "")})
 
 
 class Speeds(unittest.TestCase):
@@ -83,6 +92,17 @@ class Speeds(unittest.TestCase):
         found = list_critical_speeds(beside, speeds)
         self.assertEqual([(f, n) for f, n, _ in found], [(900, 1), (1800, 2), (1800, 1)])
         self.assertAlmostEqual(found[2][2], 4000)
+
+    def test_responses(self):
+        """Those of other models by their names, upwards and downwards, and where they are largest."""
+        study = Study(self.path)
+        plot = draw_resonance(study)
+        names = {line.get_gid() for line in plot.axes[0].get_lines()}
+        for model in ("lumped model", "reduced pair"):
+            for direction in ("up", "down"):
+                self.assertIn(f"{model}, peak to peak, speed {direction}", names)
+        sentences = " ".join(list_sentences(study.speeds, study.beside))
+        self.assertIn("The reduced pair's transmission error ripples most at 5000 rpm", sentences)
 
     def test_waterfall(self):
         """Mesh and free line with their amplitudes; between two bins of four a line loses 1 % at most (Hann)."""

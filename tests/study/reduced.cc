@@ -249,7 +249,11 @@ namespace
     refuse({});
     std::filesystem::remove("kept/gear.reduction");
     // For more than the bodies are kept for they are reduced again.
-    turn("store_again", {"Reduced/reach=5"});
+    turn("store_again", {"Reduced/reach=5", "Reduced/export=yes"});
+    check("matrices for other programs",
+          std::filesystem::exists("store_again/gear_stiffness.mtx") &&
+            std::filesystem::exists("store_again/pinion_rows.csv") &&
+            !std::filesystem::exists("store_slower/gear_stiffness.mtx"));
     check("more than is kept",
           read_text("store_again/run.log").find("the body is reduced again") != std::string::npos &&
             read_text("kept/gear.reduction").size() > first.size());

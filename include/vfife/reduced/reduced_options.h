@@ -19,6 +19,7 @@ namespace vfife
     unsigned int steps_per_mode = 6;   ///< at least, in the shortest period of a kept mode
     unsigned int reach          = 4;   ///< sectors on each side whose residual flexibility is kept
     std::string  store;                ///< folder in which reduced bodies are kept; empty: none
+    bool         exports = false;      ///< whether their matrices are written
 
     // Of sweeps over speed, tooth meshes at each of them:
     unsigned int settling_meshes = 40; ///< before what is counted

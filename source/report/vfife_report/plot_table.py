@@ -113,7 +113,7 @@ STUDY_PLOTS = (
     PlotRow("static_curve.svg", (has_static_curve,), draw_static_curve,
             "Transmission error of the run beside that of the static pair in the same positions.", "Comparison ledger"),
     PlotRow("resonance.svg", (has_speeds,), draw_resonance,
-            "Ripple of transmission error and contact force over speed. Circles: runs without steady part or "
+            "Ripple of transmission error and contact force over speed, beside those of other models. Circles: runs without steady part or "
             "with a ripple that is not steady. Vertical: speeds at which a mesh order meets a coupled mode.", "Over what is varied"),
     PlotRow("waterfall_dte.svg", (has_speeds,), partial(draw_waterfall, column=TRANSMISSION_ERROR),
             "Spectra of the transmission error at each speed (Hann's window, whole meshes of the steady "

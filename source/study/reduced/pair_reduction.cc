@@ -3,14 +3,20 @@
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/model/model.h>
+#include <vfife/output/files/matrix_writer.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/observers/rim_writer.h>
 #include <vfife/reduced/body_reduction.h>
 #include <vfife/reduced/pair_readings.h>
+#include <vfife/reduced/real_body.h>
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/reduction_store.h>
+
+#include <sstream>
 
 namespace vfife
 {
@@ -71,5 +77,31 @@ namespace vfife
         store.keep(body.name(), source, bodies.back());
       }
     return bodies;
+  }
+
+  void export_bodies(const std::vector<ReducedBody> &bodies,
+                     const Model                    &model,
+                     const OutputFolder             &folder)
+  {
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        const std::string name = model.bodies[b].name() + "_";
+        const RealBody    real = make_real_body(bodies[b], model, b);
+        const auto        write =
+          [&](const char *const what, const Eigen::MatrixXd &matrix, const std::string &meaning) {
+            write_matrix_market(folder, name + what + ".mtx", matrix, meaning);
+          };
+        std::ostringstream rate;
+        rate << bodies[b].rate;
+        write("mass", real.mass, "M of M x'' + 2 Omega G x' + (K + (Omega^2 - Omega_0^2) D) x = f");
+        write("stiffness", real.stiffness, "K at Omega_0 = " + rate.str() + " rad/s");
+        write("coriolis", real.coriolis, "G, antisymmetric");
+        write("spin_stiffness", real.spin_stiffness, "D");
+        write("shapes", real.shapes, "what the rows of " + name + "rows.csv read of x");
+        write("residual", real.residual, "mm/N: flank nodes, at once under forces on them");
+        write("torque", real.torque, "f of a torque of 1 N mm about the axis of rotation");
+        write_csv(folder, name + "coordinates.csv", real.coordinates);
+        write_csv(folder, name + "rows.csv", real.rows);
+      }
   }
 } // namespace vfife

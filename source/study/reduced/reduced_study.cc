@@ -272,6 +272,8 @@ namespace vfife
       const std::vector<double> penalties    = find_penalties(communicator, log);
       std::vector<ReducedBody>  bodies       = reduce_pair(
         model, options_, dynamics_.stiffness, least_cutoff(), largest_factor(), communicator, log);
+      if (options_.exports)
+        export_bodies(bodies, model, folder);
       const Motion motion = make_motion(bodies);
       log.line("penalty ",
                penalties.front(),

@@ -89,7 +89,8 @@ namespace vfife
                   "beside",
                   beside_,
                   "Folders of results that the report draws beside the runs: of a loaded tooth "
-                  "contact analysis with coupled modes, of a lumped model with a sweep of speeds");
+                  "contact analysis with coupled modes, of a lumped model or a reduced pair with a "
+                  "sweep of speeds");
     declare_integer(prm,
                     "ranks per run",
                     ranks_per_run_,

@@ -11,6 +11,7 @@ namespace vfife
 {
   class Communicator;
   class Log;
+  class OutputFolder;
   struct Model;
   struct ReducedOptions;
 
@@ -27,6 +28,12 @@ namespace vfife
                                        double                faster,
                                        const Communicator   &communicator,
                                        Log                  &log);
+
+  /** Writes the matrices of each body and what their rows and columns are, as RealBody has them:
+   * BODY_mass.mtx, ..., BODY_coordinates.csv, BODY_rows.csv. */
+  void export_bodies(const std::vector<ReducedBody> &bodies,
+                     const Model                    &model,
+                     const OutputFolder             &folder);
 } // namespace vfife
 
 #endif

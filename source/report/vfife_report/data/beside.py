@@ -19,17 +19,28 @@ class Modes:
 
 
 @dataclass
+class Response:
+    """Response of another model over speed."""
+    model: str
+    table: Table  # resonance.csv
+
+
+@dataclass
 class Beside:
     modes: list  # of Modes
-    lumped: list  # tables of resonance.csv
+    responses: list  # of Response
 
 
 def read_beside(folder):
-    """Coupled modes and lumped sweeps of the folders below `beside`."""
+    """Coupled modes and sweeps over speed of the folders below `beside`."""
     folders = sorted((folder / "beside").iterdir()) if (folder / "beside").is_dir() else []
     return Beside([read_modes(path) for path in folders if (path / "coupled_modes.csv").is_file()],
-                  [Table(path / "resonance.csv") for path in folders
-                   if (path / "resonance.csv").is_file()])
+                  [read_response(path) for path in folders if (path / "resonance.csv").is_file()])
+
+
+def read_response(folder):
+    kind = read_parameters(folder).get("Study/kind", "")
+    return Response("reduced pair" if kind == "reduced" else "lumped model", Table(folder / "resonance.csv"))
 
 
 def read_modes(folder):

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
 
-# Ripple of what: column of the history, column of a lumped sweep.
+# Ripple of what: column of the history, column of another model's response over speed.
 RIPPLES = ((TRANSMISSION_ERROR, "dte"), (CONTACT_FORCE, "force"))
 
 

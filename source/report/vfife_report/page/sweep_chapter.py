@@ -35,10 +35,11 @@ def list_sentences(speeds, beside):
             yield (f"The {column} ripples most at {axis.text(at)} (tooth mesh {speeds.frequencies[at]:.0f} "
                    f"Hz): {values[at]:.4g} {unit} peak to peak; least at "
                    f"{axis.text(int(np.nanargmin(values)))}: {np.nanmin(values):.4g} {unit}.")
-    for table in beside.lumped:
+    for response in beside.responses:
+        table = response.table
         at = int(np.argmax(table["peak to peak dte"]))
         inside = (table["speed"] >= axis.values[0]) & (table["speed"] <= axis.values[-1])
-        text = (f"The lumped model's transmission error ripples most at {table['speed'][at]:.0f} rpm (tooth "
+        text = (f"The {response.model}'s transmission error ripples most at {table['speed'][at]:.0f} rpm (tooth "
                 f"mesh {table['mesh frequency'][at]:.0f} Hz): {table['peak to peak dte'][at]:.3g} arcsec")
         if axis.unit == "rpm" and np.any(inside) and not inside[at]:
             best = int(np.argmax(np.where(inside, table["peak to peak dte"], -1)))

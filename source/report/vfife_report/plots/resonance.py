@@ -7,30 +7,32 @@ from ..measures.ripple import RIPPLES, find_steady_ripple, read_ripple
 from .curves import scale_axis
 from .style import COLOURS, GREY, plt
 
-# Of a run's statistics, of a lumped sweep's columns.
+# Of a run's statistics, of the columns of another model's response.
 KINDS = (("peak to peak", "peak to peak", COLOURS[1]), ("standard deviation", "rms", COLOURS[2]))
 
 
-def draw_lumped(axes, beside, limits, column, kind, what, colour):
-    """Rising speed dashed; falling speed dotted, seen where flanks part and both differ."""
-    for table in beside.lumped:
-        for direction, dashes in (("down", ":"), ("up", "--")):
+def draw_responses(axes, beside, limits, column, kind, what, colour):
+    """Of other models. Rising speed dashed (reduced pairs: a full line); falling speed dotted, seen where
+    flanks part and both differ."""
+    for response in beside.responses:
+        table = response.table
+        for direction, dashes in (("down", ":"), ("up", "-" if response.model == "reduced pair" else "--")):
             rows = (table["direction"] == direction) & (table["speed"] >= limits[0]) & (
                 table["speed"] <= limits[1])
             if np.any(rows):
                 axes.plot(table["speed"][rows], table[f"{kind} {column}"][rows], dashes, color=colour,
-                          label=f"lumped model, {what}" if direction == "up" else None, linewidth=0.9,
-                          gid=f"lumped model, {what}, speed {direction}")
+                          label=f"{response.model}, {what}" if direction == "up" else None, linewidth=0.9,
+                          gid=f"{response.model}, {what}, speed {direction}")
 
 
 def draw_resonance(study):
-    """Ripple of transmission error and force over speed, beside the lumped model's; vertical: speeds at
+    """Ripple of transmission error and force over speed, beside other models'; vertical: speeds at
     which a mesh order meets a coupled mode."""
     speeds, beside = study.speeds, study.beside
     axis, steady = speeds.axis, find_steady_ripple(speeds.axis)
     limits = axis.values[0] * 0.97, axis.values[-1] * 1.03
     plot, panels = plt.subplots(2, 1, sharex=True, figsize=(8, 8))
-    for axes, (column, of_lumped) in zip(panels, RIPPLES):
+    for axes, (column, of_model) in zip(panels, RIPPLES):
         for what, kind, colour in KINDS:
             values = read_ripple(axis, column, what)
             axes.plot(axis.values, values, "o-", color=colour, markersize=4, label=what)
@@ -38,7 +40,7 @@ def draw_resonance(study):
                 axes.plot(axis.values[~steady], values[~steady], "o", color=colour, markersize=8,
                           markerfacecolor="none", label="not steady")
             if axis.unit == "rpm":
-                draw_lumped(axes, beside, limits, of_lumped, kind, what, colour)
+                draw_responses(axes, beside, limits, of_model, kind, what, colour)
         for frequency, order, value in list_critical_speeds(beside, speeds):
             axes.axvline(value, color=GREY, linestyle=":", linewidth=0.9,
                          gid=f"mode {frequency:.1f} Hz, mesh order {order}")
