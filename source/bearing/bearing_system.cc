@@ -63,28 +63,31 @@ namespace vfife
     return between;
   }
 
-  BearingSystem::Response BearingSystem::sum_laws(const std::vector<Vector5> &displacements) const
+  BearingSystem::Response BearingSystem::sum_laws(const std::vector<Vector5> &displacements,
+                                                  const std::vector<double>  &turns) const
   {
     Response sum;
     sum.stiffness = Eigen::MatrixXd::Zero(5 * seats_.size(), 5 * seats_.size());
     for (std::size_t s = 0; s < seats_.size(); ++s)
       {
-        const BearingResponse one = seats_[s].law->evaluate(displacements[s]);
+        const BearingResponse one = seats_[s].law->evaluate(displacements[s], turns[s]);
         sum.loads.push_back(one.load);
         sum.stiffness.block<5, 5>(5 * s, 5 * s) = one.stiffness;
         sum.energy += one.energy;
+        sum.turn_slopes.push_back(one.turn_slope);
       }
     return sum;
   }
 
-  BearingSystem::Response BearingSystem::evaluate(const std::vector<Vector5> &displacements) const
+  BearingSystem::Response BearingSystem::evaluate(const std::vector<Vector5> &displacements,
+                                                  const std::vector<double>  &turns) const
   {
     if (!has_housing())
-      return sum_laws(displacements);
+      return sum_laws(displacements, turns);
     // E(h) = sum e(q - A h) + h . K h/2, slope A^T load + K h, by Newton's method from the housing
     // at rest: what it finds does not depend on what was asked before.
     Eigen::VectorXd h   = Eigen::VectorXd::Zero(housing_.rows());
-    Response        now = sum_laws(beside_housing(displacements, h));
+    Response        now = sum_laws(beside_housing(displacements, h), turns);
     for (unsigned int i = 0; i < largest_iterations; ++i)
       {
         Eigen::VectorXd slope = housing_ * h;
@@ -111,7 +114,7 @@ namespace vfife
         for (unsigned int k = 0;; ++k, part *= .5)
           {
             next = h + part * step;
-            now  = sum_laws(beside_housing(displacements, next));
+            now  = sum_laws(beside_housing(displacements, next), turns);
             if (k == largest_halvings ||
                 now.energy + .5 * next.dot(housing_ * next) <= energy + 1e-14 * std::abs(energy))
               break;

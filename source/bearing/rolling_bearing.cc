@@ -77,10 +77,19 @@ namespace vfife
       return way;
     }
 
-    /** Cosine and sine of the angle of element @p j. */
-    Vector2 angle_of(const RollingBearingData &data, const unsigned int j)
+    /** Change of the rows with the angle. */
+    Eigen::Matrix<double, 2, 5> change_of_way(const double r, const double z, const Vector2 &angle)
     {
-      const double psi = data.cage_angle + 2. * pi * j / data.n;
+      const double                c = angle[0], s = angle[1];
+      Eigen::Matrix<double, 2, 5> way;
+      way << -s, c, 0., -z * c, -z * s, 0., 0., 0., r * c, r * s;
+      return way;
+    }
+
+    /** Cosine and sine of the angle of element @p j of @p n, the first one at @p first. */
+    Vector2 angle_of(const unsigned int j, const unsigned int n, const double first)
+    {
+      const double psi = first + 2. * pi * j / n;
       return {std::cos(psi), std::sin(psi)};
     }
   } // namespace
@@ -140,6 +149,7 @@ namespace vfife
   }
 
   BearingResponse RollingBearing::of_balls(const Vector5             &q,
+                                           const double               first,
                                            std::vector<double> *const forces) const
   {
     // Between the groove centres lies (A0 cos alpha - Pd/2, +-A0 sin alpha) without load; the ball
@@ -150,8 +160,9 @@ namespace vfife
     BearingResponse response;
     for (unsigned int j = 0; j < data_.n; ++j)
       {
-        const Eigen::Matrix<double, 2, 5> way =
-          way_of(.5 * data_.pitch_diameter + to_groove * c, to_groove * s, angle_of(data_, j));
+        const double  r = .5 * data_.pitch_diameter + to_groove * c, z = to_groove * s;
+        const Vector2 angle                   = angle_of(j, data_.n, first);
+        const Eigen::Matrix<double, 2, 5> way = way_of(r, z, angle);
         const Vector2 line   = Vector2(A0 * c - .5 * data_.clearance, A0 * s) + way * q;
         const double  length = line.norm(), depth = length - A0;
         const double  force = depth > 0 ? constant_ * std::pow(depth, 1.5) : 0.;
@@ -163,6 +174,7 @@ namespace vfife
         const Vector5 slope     = way.transpose() * direction;
         response.energy += .4 * force * depth;
         response.load -= force * slope;
+        response.turn_slope += force * direction.dot(change_of_way(r, z, angle) * q);
         response.stiffness += 1.5 * force / depth * slope * slope.transpose() +
                               force / length * way.transpose() *
                                 (Eigen::Matrix2d::Identity() - direction * direction.transpose()) *
@@ -172,6 +184,7 @@ namespace vfife
   }
 
   BearingResponse RollingBearing::of_rollers(const Vector5             &q,
+                                             const double               first,
                                              std::vector<double> *const forces) const
   {
     // The line of a slice at t along the roller: normal (cos alpha, +-sin alpha), along it
@@ -180,20 +193,21 @@ namespace vfife
     BearingResponse response;
     for (unsigned int j = 0; j < data_.n; ++j)
       {
-        const Vector2 angle = angle_of(data_, j);
+        const Vector2 angle = angle_of(j, data_.n, first);
         double        sum   = 0;
         for (unsigned int k = 0; k < n_slices; ++k)
           {
             const double  t = data_.length * ((k + .5) / n_slices - .5);
-            const Vector5 slope =
-              way_of(.5 * data_.pitch_diameter - s * t, c * t, angle).transpose() * Vector2(c, s);
-            const double depth = slope.dot(q) - .5 * data_.clearance * c;
+            const double  r = .5 * data_.pitch_diameter - s * t, z = c * t;
+            const Vector5 slope = way_of(r, z, angle).transpose() * Vector2(c, s);
+            const double  depth = slope.dot(q) - .5 * data_.clearance * c;
             if (!(depth > 0))
               continue;
             const double force = constant_ / n_slices * std::pow(depth, 10. / 9.);
             sum += force;
             response.energy += 9. / 19. * force * depth;
             response.load -= force * slope;
+            response.turn_slope += force * Vector2(c, s).dot(change_of_way(r, z, angle) * q);
             response.stiffness += 10. / 9. * force / depth * slope * slope.transpose();
           }
         if (forces != nullptr)
@@ -202,22 +216,32 @@ namespace vfife
     return response;
   }
 
-  BearingResponse RollingBearing::respond(const Vector5 &q, std::vector<double> *const forces) const
+  BearingResponse RollingBearing::respond(const Vector5             &q,
+                                          const double               first,
+                                          std::vector<double> *const forces) const
   {
     const Vector5 moved = q + offset_ * Vector5::Unit(2);
-    return data_.element == RollingElement::ball ? of_balls(moved, forces)
-                                                 : of_rollers(moved, forces);
+    return data_.element == RollingElement::ball ? of_balls(moved, first, forces)
+                                                 : of_rollers(moved, first, forces);
   }
 
-  BearingResponse RollingBearing::evaluate(const Vector5 &displacement) const
+  double RollingBearing::cage_share() const
   {
-    return respond(displacement, nullptr);
+    return data_.cage_rolls ? .5 * (1. - gamma_of(data_)) : 0.;
+  }
+
+  BearingResponse RollingBearing::evaluate(const Vector5 &displacement, const double turn) const
+  {
+    const double    share    = cage_share();
+    BearingResponse response = respond(displacement, data_.cage_angle + share * turn, nullptr);
+    response.turn_slope *= share;
+    return response;
   }
 
   std::vector<double> RollingBearing::element_forces(const Vector5 &displacement) const
   {
     std::vector<double> forces;
-    respond(displacement, &forces);
+    respond(displacement, data_.cage_angle, &forces);
     return forces;
   }
 
@@ -244,7 +268,7 @@ namespace vfife
         const Eigen::Matrix<double, 2, 5> way =
           way_of(.5 * (data_.pitch_diameter + data_.length + data_.diameter),
                  .5 * (data_.length + data_.diameter),
-                 angle_of(data_, j));
+                 angle_of(j, data_.n, data_.cage_angle));
         bound += slope * way.transpose() * way;
       }
     return bound;
@@ -260,7 +284,7 @@ namespace vfife
     // The axial force grows with the way in its sense: bisection, up to depths that no bearing has.
     const auto force_at = [&](const double way) {
       offset_ = data_.sense * way;
-      return std::abs(respond(Vector5::Zero(), nullptr).load[2]);
+      return std::abs(respond(Vector5::Zero(), data_.cage_angle, nullptr).load[2]);
     };
     double low = 0, high = .2 * data_.diameter;
     if (force_at(high) < data_.preload)

@@ -126,6 +126,35 @@ namespace
                 1e-5);
   }
 
+  /** Few balls with clearance, some of them unloaded, whose cage rolls: the housing follows them.
+   */
+  void rolling_cage()
+  {
+    RollingBearingData data;
+    data.n              = 7;
+    data.diameter       = 14.;
+    data.pitch_diameter = 70.;
+    data.clearance      = .02;
+    data.cage_rolls     = true;
+    BearingSystem system({{axes_along(Vector3(1., 2., -1.).normalized()), linear(2e4, 1e4)},
+                          {axes_along(Vector3::UnitX()),
+                           std::make_shared<RollingBearing>(data, Matrix5(Matrix5::Zero()))}});
+    system.set_housing(1e2 * housing(2));
+    std::vector<Vector5> q = some_displacements(1.);
+    q.pop_back();
+    q[1] << .06, -.02, 0., 1e-4, 0.;
+    const auto   energy = [&](const double turn) { return system.evaluate(q, {.2, turn}).energy; };
+    const double turn = .7, h = 1e-4;
+    const auto   response = system.evaluate(q, {.2, turn});
+    check_close("rolling cage: slope of the energy over differences",
+                response.turn_slopes[1] * 2 * h / (energy(turn + h) - energy(turn - h)),
+                1.,
+                1e-4);
+    check("rolling cage: the energy changes",
+          std::abs(energy(turn + .5) / energy(turn) - 1) > 1e-5);
+    check("rolling cage: a linear bearing does not feel its turn", response.turn_slopes[0] == 0);
+  }
+
   void slopes()
   {
     BearingSystem system = make_system();
@@ -227,6 +256,7 @@ int main()
 {
   ground();
   series();
+  rolling_cage();
   slopes();
   refusals();
   files();

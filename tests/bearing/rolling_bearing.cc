@@ -73,6 +73,43 @@ namespace
     check(name + ": the bound is stiffer", bound.eigenvalues().minCoeff() > 0);
   }
 
+  /** A cage that rolls: the slope of the energy with the turn, the same after a pitch of the
+   * elements and another half-way, at the speed of elements between a turning inner and a fixed
+   * outer ring. */
+  void cage(const std::string &name, RollingBearingData data)
+  {
+    const RollingBearing fixed = make(data);
+    data.cage_rolls            = true;
+    const RollingBearing rolls = make(data);
+    Vector5              q;
+    q << .012, -.007, .009 * data.sense, 4e-4, -2e-4;
+    const double turn = .3, h = 1e-5;
+    check_close(name + ": slope of the energy with the turn, over differences",
+                rolls.evaluate(q, turn).turn_slope * 2 * h /
+                  (rolls.evaluate(q, turn + h).energy - rolls.evaluate(q, turn - h).energy),
+                1.,
+                1e-5);
+    // Without slip: middle of an element at half the speed of the inner race's contact, on a circle
+    // of the pitch diameter.
+    const double race = data.pitch_diameter - data.diameter * std::cos(data.contact_angle);
+    check_close(name + ": share of the shaft's turn",
+                rolls.cage_share(),
+                .5 * race / data.pitch_diameter,
+                1e-14);
+    const double pitch = 2 * pi / data.n / rolls.cage_share();
+    const auto   apart = [&](const double further) {
+      return (rolls.evaluate(q, turn + further).stiffness - rolls.evaluate(q, turn).stiffness)
+               .topLeftCorner<3, 3>()
+               .norm() /
+             rolls.evaluate(q, turn).stiffness.topLeftCorner<3, 3>().norm();
+    };
+    check_below(name + ": stiffness after a pitch of the elements", apart(pitch), 1e-10);
+    check(name + ": another half-way", apart(.5 * pitch) > 1e-4);
+    check(name + ": a fixed cage leaves all alike",
+          fixed.evaluate(q, turn).load == fixed.evaluate(q).load &&
+            fixed.evaluate(q, turn).turn_slope == 0 && fixed.cage_share() == 0);
+  }
+
   /** F = n Q_max J, J = 1/(2 pi) int cos^(1 + e) over half the circle, without clearance (Stribeck,
    * 4.37 for balls and 4.08 for rollers as 1/J); many elements stand for the integral. */
   void stribeck(const std::string &name, const RollingBearingData &data, const double exponent)
@@ -226,6 +263,10 @@ int main()
   slopes("angular contact", angular);
   slopes("cylindrical", rollers());
   slopes("tapered", tapered);
+  cage("cage of the deep groove bearing", balls(9));
+  cage("cage of the angular contact bearing", angular);
+  cage("cage of the cylindrical bearing", rollers(11));
+  cage("cage of the tapered bearing", tapered);
   RollingBearingData many = balls(18), more = rollers(23);
   stribeck("balls", many, 1.5);
   stribeck("rollers", more, 10. / 9.);

@@ -39,6 +39,7 @@ namespace
     data.pitch_diameter = 60;
     data.clearance      = clearance;
     data.working_load   = Vector3(1000., 0., 500.);
+    data.cage_rolls     = true;
     return std::make_shared<RollingBearing>(data, Matrix5::Zero());
   }
 
@@ -62,12 +63,25 @@ namespace
         errors[twin]           = transmission_errors(compliance.discretization(), result);
         check("rolling: few iterations", result.iterations <= 15);
         check_below("rolling: forces of each body", unbalanced(model, result), 1e-6);
+        check_below("rolling: moments of each body",
+                    unbalanced_moment(model, compliance, equilibrium, result),
+                    1e-6);
         if (twin)
           continue;
         for (std::size_t b = 0; b < 4; ++b)
           {
+            // A cage that rolls has gone with the kinematic turn of its body.
+            const Transmission &t  = *model.transmission;
+            const double  turn     = b < 2 ? t.driver_sense * .1 : t.driven_sense * t.ratio() * .1;
             const Vector5 q        = result.bearings[b].displacement;
-            const auto    response = laws[b]->evaluate(q);
+            const auto    response = laws[b]->evaluate(q, turn);
+            check_below("rolling: load of bearing " + std::to_string(b) +
+                          " less that of its law [N]",
+                        (result.bearings[b].load - response.load).head<3>().norm(),
+                        1e-6);
+            if (b == 2)
+              check("rolling: with its cage where it was the load would be another one",
+                    (laws[b]->evaluate(q).load - response.load).norm() > 1.);
             twins.push_back(
               linear_bearing(response.stiffness, response.load + response.stiffness * q));
           }
@@ -128,6 +142,9 @@ namespace
         check_below("opposite preloads leave the driver [mm]", shift(0), 5e-5);
         check_close("shift of the driven body [mm]", shift(3), balanced ? 0. : 2000. / 4e5, 5e-5);
         check_below("preloads: forces of each body", unbalanced(model, result), 1e-6);
+        check_below("preloads: moments of each body",
+                    unbalanced_moment(model, compliance, equilibrium, result),
+                    1e-6);
       }
   }
 

@@ -132,4 +132,40 @@ inline double unbalanced(const vfife::Model &model, const vfife::PairEquilibrium
   return largest;
 }
 
+/** Moments about the apex that do not balance, over the contact's on an arm of 100 mm: contact,
+ * node by node, and bearings, of each body across its axis. Bodies are in their undeformed shape,
+ * as small displacements have them. */
+inline double unbalanced_moment(const vfife::Model                 &model,
+                                const vfife::Compliance            &compliance,
+                                const vfife::PairEquilibrium       &equilibrium,
+                                const vfife::PairEquilibriumResult &result)
+{
+  using namespace vfife;
+  std::vector<Vector3> sums(2, Vector3::Zero());
+  double               contact = 0;
+  for (const NodalForce &nodal : result.contact_forces)
+    {
+      const Body   &body = model.bodies[nodal.body];
+      const Vector3 place =
+        equilibrium.place(nodal.body, body.placement(body.node_positions()[nodal.node]));
+      sums[nodal.body] += place.cross(nodal.force);
+      contact += nodal.force.norm() / 2;
+    }
+  for (std::size_t b = 0; b < model.bearings.size(); ++b)
+    {
+      const Bearing &bearing = model.bearings[b];
+      const Wrench   wrench =
+        ShaftSeat(bearing.axes).of_load(result.bearings[b].load, MeanMotion::Motion());
+      const Vector3 place = equilibrium.place(bearing.body, compliance.rings().list()[b].centre);
+      sums[bearing.body] += place.cross(wrench.force) + wrench.moment;
+    }
+  double largest = 0;
+  for (unsigned int body = 0; body < 2; ++body)
+    {
+      const Vector3 &axis = model.bodies[body].axis.direction;
+      largest             = largest_of(largest, (sums[body] - sums[body].dot(axis) * axis).norm());
+    }
+  return largest / (100 * contact);
+}
+
 #endif

@@ -130,6 +130,19 @@ namespace
     refuse_grid("hole of a table", "row,column,deviation [um]\n1,1,0\n1,2,0\n2,2,0\n");
     refuse_grid("twice in a table", "row,column,deviation [um]\n1,1,0\n1,2,0\n2,2,0\n2,2,0\n");
     refuse_grid("row 0 of a table", "row,column,deviation [um]\n0,1,0\n1,2,0\n2,2,0\n2,1,0\n");
+    write("places.csv",
+          "row,column,L [mm],h [mm],deviation [um]\n1,1,100,2,1\n1,2,120,3,2\n2,1,100,-2,4\n"
+          "2,2,120,-3,5\n");
+    check("places that go from tip to root and from toe to heel",
+          read("set topography = places.csv").read_topography("E").rows() == 2);
+    refuse_grid("heel before the toe",
+                "row,column,L [mm],h [mm],deviation [um]\n1,1,120,2,1\n1,2,100,3,2\n"
+                "2,1,120,-2,4\n2,2,100,-3,5\n");
+    refuse_grid("columns on one place",
+                "row,column,L [mm],deviation [um]\n1,1,100,1\n1,2,120,2\n2,1,110,4\n2,2,110,5\n");
+    refuse_grid("root before the tip",
+                "row,column,L [mm],h [mm],deviation [um]\n1,1,100,-2,1\n1,2,120,-3,2\n"
+                "2,1,100,2,4\n2,2,120,3,5\n");
     refuse("no grid file", []() { read("set topography = nowhere.csv").read_topography("E"); });
     refuse("unknown tooth", []() {
       read("set topography = grid.csv\nset topography teeth = 1, 4").read_teeth("E", 4);

@@ -128,6 +128,7 @@ namespace
     add("loaded_teeth.csv", loaded, make_loaded_teeth_table());
     add("bearings.csv", loaded, make_loaded_bearing_table());
     add("misalignment.csv", loaded, make_loaded_misalignment_table());
+    add("pattern.csv", loaded, ContactPattern(make_pair_model(0)).table(make_pair_model(0)));
     add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0)).table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());
     add("reactions.csv", "linear static", make_reaction_table());

@@ -113,6 +113,17 @@ namespace
                     1e-12);
       }
     check("pattern: both sides", n_drive == 5);
+
+    // Of 12 N at the end and 50 N in the middle of a tooth.
+    ContactPattern whole(model);
+    whole.add([&](const unsigned int b, const unsigned int node) {
+      const unsigned int global = model.bodies[b].first_node + node;
+      return global == low ? 12. : global == middle ? 50. : 0.;
+    });
+    const Vector2 centre = whole.flanks()[0].centre();
+    check_close("pattern: radius of its centre", centre[0], 30., 1e-12);
+    check_close("pattern: height of its centre", centre[1], 2.5 * 50 / 62, 1e-12);
+    check("pattern: no centre where nothing is carried", std::isnan(whole.flanks()[1].centre()[0]));
   }
 
   void teeth(const OutputFolder &folder)

@@ -146,7 +146,7 @@ class Pages(unittest.TestCase):
             self.assertIn("3 variants", text)
             self.assertIn("it &lt;exploded&gt;", text)
             self.assertLess(text.index("<td>web_5"), text.index("<td>web_3.5"))
-            self.assertEqual(text.count("<img "), 7)
+            self.assertEqual(text.count("<img "), 8)
             header = (Path(name) / "key_figures.csv").read_text().splitlines()[0]
             self.assertEqual(header.count(","), 4)
 

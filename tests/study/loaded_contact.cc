@@ -7,6 +7,9 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/base/types.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -101,6 +104,42 @@ namespace
                 1e-9);
   }
 
+  /** The pattern over the positions, and its centre: where flanks touch is as far from the common
+   * apex on one member as on the other. */
+  void check_pattern()
+  {
+    const Table  pattern = read_result_table("loaded_contact_results/pattern.csv");
+    const auto  &sides   = pattern.column("side").texts;
+    unsigned int drive = 0, coast = 0;
+    double       least = 1e9, most = 0;
+    for (std::size_t i = 0; i < pattern.n_rows(); ++i)
+      if (pattern.numbers("largest pressure")[i] > 0)
+        {
+          ++(sides[i] == "drive" ? drive : coast);
+          const double distance = std::hypot(pattern.numbers("r")[i], pattern.numbers("z")[i]);
+          least                 = std::min(least, distance);
+          most                  = std::max(most, distance);
+        }
+    check("pattern: on the drive side alone", drive > 4 && coast == 0);
+    std::ifstream                 file("loaded_contact_results/figures.json");
+    const auto                    figures = nlohmann::json::parse(file);
+    std::ifstream                 sizes("loaded_contact_results/geometry.json");
+    const auto                    geometry = nlohmann::json::parse(sizes);
+    std::map<std::string, double> from_apex;
+    for (const std::string member : {"pinion", "gear"})
+      from_apex[member] =
+        std::hypot(geometry.at(member).at("mean cone distance").at("value").get<double>() +
+                     figures.at("pattern along the face, " + member).at("value").get<double>(),
+                   figures.at("pattern along the profile, " + member).at("value").get<double>());
+    // Of single nodes of 14 mm, over which facets spread what they carry.
+    check_close("pattern: distance of its centre from the apex, both members [mm]",
+                from_apex["pinion"],
+                from_apex["gear"],
+                1.);
+    check("pattern: its centre lies in it",
+          from_apex["gear"] > least + 2 && from_apex["gear"] < most - 2);
+  }
+
   /** Secant: torque over windup. Tangent: what the lag does as the torque changes. */
   void check_stiffness(Communicator &world)
   {
@@ -178,6 +217,7 @@ int main(int argc, char **argv)
             columns["tangent stiffness"][i] > columns["secant stiffness"][i]);
     }
   check_teeth();
+  check_pattern();
   check_stiffness(session.world());
   mass_scaling(session.world());
 }

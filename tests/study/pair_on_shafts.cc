@@ -7,6 +7,7 @@
 #include "../tests.h"
 #include "child_program.h"
 #include "quick_pair.h"
+#include "shaft_pair.h"
 
 #include <vfife/base/types.h>
 
@@ -18,107 +19,10 @@
 #include <filesystem>
 
 using namespace vfife;
+using namespace shaft_pair;
 
 namespace
 {
-  /** A bearing on a shaft; @p x: its x direction. */
-  std::string bearing(const std::string &name,
-                      const std::string &ring,
-                      const std::string &x,
-                      const std::string &law)
-  {
-    return "subsection Bearing " + name + "\n" + ring + "set x direction = " + x + "\n" + law +
-           "end\n";
-  }
-
-  std::string ring(const char *from, const char *to)
-  {
-    return std::string("set from = ") + from + "\nset to = " + to + "\n";
-  }
-
-  const std::string tapered     = "set kind = rolling bearing\nset element = roller\n"
-                                  "set number of elements = 20\nset element diameter = 7\n"
-                                  "set element length = 13\nset pitch diameter = 54\n"
-                                  "set contact angle = 14 deg\nset preload = 2500\n"
-                                  "set cage angle = 3 deg\n",
-                    cylindrical = "set kind = rolling bearing\nset element = roller\n"
-                                  "set number of elements = 24\nset element diameter = 11\n"
-                                  "set element length = 15\nset pitch diameter = 102\n"
-                                  "set clearance = -0.005\n",
-                    thrust      = "set kind = bearing\nset axial stiffness = 300000\n"
-                                  "set axial damping = 1\n";
-
-  /** Laws of the pinion's bearings, front and rear, and of the gear's two rows and thrust bearing.
-   */
-  struct Laws
-  {
-    std::string front    = tapered + "set holds = +z\nset working load = 4000, 0, 3000 N\n";
-    std::string rear     = tapered + "set holds = -z\nset working load = 1500, 0, -2000 N\n";
-    std::string straddle = cylindrical, axial = thrust;
-  };
-
-  /** The coarse pair overhung and straddled, with entries in the section Gear pair. */
-  std::string pair_on_shafts(const std::string &entries = "", const Laws &laws = Laws())
-  {
-    const std::string across_pinion = "0, 1, 0", across_gear = "1, 0, 0";
-    return coarse_pair("set web = conical\n", coarse_web) + "subsection Gear pair\n" + entries +
-           "subsection Pinion\nsubsection Shaft\n"
-           "set sections = 98 160 40 20, 160 220 36 20\nset axial cell size = 12\n"
-           "set radial cell size = 12\nset bearings = front, rear\n" +
-           bearing("front", ring("140", "155"), across_pinion, laws.front) +
-           bearing("rear", ring("190", "205"), across_pinion, laws.rear) + "subsection End\n" +
-           ring("208", "220") +
-           "set torsional stiffness = 1e9\nset torsional damping = 1e4\n"
-           "end\nend\nend\n"
-           "subsection Gear\nsubsection Shaft\n"
-           "set sections = -10 30 80 60, 30 120 100 60\nset axial cell size = 15\n"
-           "set radial cell size = 15\nset bearings = inner, outer, thrust\n" +
-           bearing("inner", ring("-10", "10"), across_gear, laws.straddle) +
-           bearing("outer", ring("85", "100"), across_gear, laws.straddle) +
-           bearing("thrust", ring("100", "110"), across_gear, laws.axial) + "subsection End\n" +
-           ring("110", "120") + "end\nend\nend\nend\n";
-  }
-
-  std::string operation(const std::string &speed)
-  {
-    return "subsection Operation\nset speed = " + speed +
-           "\nset torque = 800 N m\nset tooth meshes = 1\nend\n"
-           "subsection Output\nset history every = 20\nset pictures = no\nset verbosity = quiet\n"
-           "end\n";
-  }
-
-  std::string kind(const std::string &name)
-  {
-    return "subsection Study\nset kind = " + name + "\nend\n";
-  }
-
-  std::string write(const std::string &name, const std::string &text)
-  {
-    std::ofstream(name + ".prm") << text;
-    return name + ".prm";
-  }
-
-  /** Rows of a table with a column of bearings, of its first instant or position: of each bearing
-   * the numbers by column. */
-  std::map<std::string, std::map<std::string, double>> first_bearings(const std::string &folder)
-  {
-    const Table table = read_result_table(folder + "/bearings.csv");
-    std::map<std::string, std::map<std::string, double>> rows;
-    const std::vector<std::string>                      &names = table.column("bearing").texts;
-    for (std::size_t i = 0; i < names.size() && rows.count(names[i]) == 0; ++i)
-      for (const Table::Column &column : table.columns())
-        if (!column.is_text)
-          rows[names[i]][column.name] = column.numbers[i];
-    return rows;
-  }
-
-  /** Force of a bearing along the fixed frame: z of a pinion's bearings is x there, x is y. */
-  Vector3 force_of(const std::string &name, const std::map<std::string, double> &row)
-  {
-    const Vector3 f(row.at("force x"), row.at("force y"), row.at("force z"));
-    return name[0] == 'p' ? Vector3(f[2], f[0], f[1]) : f;
-  }
-
   void check_balance(const std::string &name, const std::string &folder, const double tolerance)
   {
     Vector3 sum     = Vector3::Zero();
@@ -376,11 +280,21 @@ namespace
     refused(front + "from=120", world);
     refused(shaft + "End/to=230", world);
     refused(shaft + "sections=", world);
+    refused(shaft + "sections=98 160 40 20, 140 220 36 20", world);
+    refused(shaft + "sections=98 160 40 20, 160 220 36", world);
+    refused(front + "pitch diameter=6", world);
+    // Rows of unequal length in what a flank's errors are read from, in the whole pair.
+    std::ofstream("ragged.csv") << "# tip above\n1, 2, 3\n4, 5\n";
+    refused("Gear pair/Errors/Gear/Convex flank/topography=ragged.csv", world);
     refused("Gear pair/Gear/Shaft/Bearing inner/clearance=-0.5", world);
     refused("Gear pair/Gear/Shaft/Bearing thrust/axial stiffness=0", world);
     std::ofstream("short.mtx") << "%%MatrixMarket matrix array real general\n1 1\n5\n";
     refused("Gear pair/Housing/stiffness=short.mtx", world);
     refused("Gear pair/Housing/stiffness=nowhere.mtx", world);
+    std::ofstream("words.mtx") << "%%MatrixMarket matrix array real general\n30 30\n1\nstiff\n";
+    refused("Gear pair/Housing/stiffness=words.mtx", world);
+    std::ofstream("ended.mtx") << "%%MatrixMarket matrix array real general\n30 30\n1\n2\n";
+    refused("Gear pair/Housing/stiffness=ended.mtx", world);
     std::ofstream askew("askew.mtx");
     askew << "%%MatrixMarket matrix array real general\n30 30\n";
     for (unsigned int i = 0; i < 900; ++i)

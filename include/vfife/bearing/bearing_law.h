@@ -18,19 +18,27 @@ namespace vfife
     Matrix5 stiffness = Matrix5::Zero();
     /** Of which the load is minus the gradient [mJ]. */
     double energy = 0;
+    /** d energy / d turn: what drives a cage that rolls [N mm]. */
+    double turn_slope = 0;
   };
 
   /**
    * The law of a bearing: what it exerts on the shaft when the shaft's seat has moved by x, y, z
    * [mm] and is tilted about x, y [rad], in axes at rest of which z lies along the shaft. It does
-   * not hold the turn about z.
+   * not hold the turn about z, on which only a cage that rolls depends.
    */
   class BearingLaw
   {
   public:
     virtual ~BearingLaw() = default;
 
-    virtual BearingResponse evaluate(const Vector5 &displacement) const = 0;
+    /** @p turn: of the shaft about z since time zero [rad]. */
+    virtual BearingResponse evaluate(const Vector5 &displacement, double turn) const = 0;
+
+    BearingResponse evaluate(const Vector5 &displacement) const
+    {
+      return evaluate(displacement, 0.);
+    }
 
     /** The linear law that solvers for small displacements take: what it exerts without
      * displacement, and its stiffness. */
@@ -74,16 +82,13 @@ namespace vfife
   public:
     LinearBearing(const Matrix5 &stiffness, const Matrix5 &damping, const Vector5 &preload);
 
-    BearingResponse evaluate(const Vector5 &displacement) const override;
+    using BearingLaw::evaluate;
+    BearingResponse evaluate(const Vector5 &displacement, double turn) const override;
 
   private:
     Matrix5 stiffness_;
     Vector5 preload_;
   };
-
-  /** The mean of a matrix of a bearing over all turns about its z axis: what is left of it in axes
-   * that turn with the shaft. */
-  Matrix5 mean_over_turns(const Matrix5 &matrix);
 } // namespace vfife
 
 #endif

@@ -40,12 +40,21 @@ namespace vfife
       std::vector<Vector5> loads;
       Eigen::MatrixXd      stiffness; ///< -d loads/d displacements, 5 n x 5 n, symmetric
       double               energy = 0;
-      Eigen::VectorXd      housing; ///< 6 n, empty without one
+      std::vector<double>  turn_slopes; ///< d energy/d turn of each shaft's seat [N mm]
+      Eigen::VectorXd      housing;     ///< 6 n, empty without one
     };
 
-    /** @p displacements: of the shafts' seats, as laws have them. Throws NumericalError where no
-     * equilibrium of the housing is found. */
-    Response evaluate(const std::vector<Vector5> &displacements) const;
+    /** @p displacements: of the shafts' seats, as laws have them; @p turns of the seats about their
+     * z since time zero [rad]. Throws NumericalError where no equilibrium of the housing is found.
+     */
+    Response evaluate(const std::vector<Vector5> &displacements,
+                      const std::vector<double>  &turns) const;
+
+    /** Before anything has turned. */
+    Response evaluate(const std::vector<Vector5> &displacements) const
+    {
+      return evaluate(displacements, std::vector<double>(size(), 0.));
+    }
 
     /** What undisplaced shafts feel and how it falls with small displacements and turns of all
      * seats, six a seat along the fixed frame's axes. */
@@ -71,7 +80,8 @@ namespace vfife
   private:
     std::vector<Vector5> beside_housing(const std::vector<Vector5> &displacements,
                                         const Eigen::VectorXd      &housing) const;
-    Response             sum_laws(const std::vector<Vector5> &displacements) const;
+    Response             sum_laws(const std::vector<Vector5> &displacements,
+                                  const std::vector<double>  &turns) const;
 
     std::vector<Seat> seats_;
     Eigen::MatrixXd   housing_;

@@ -26,9 +26,10 @@ namespace vfife
     double         clearance        = 0;    ///< diametral; negative: interference [mm]
     double         inner_conformity = 0.52; ///< raceway's groove radius over ball diameter
     double         outer_conformity = 0.52;
-    double         sense            = 1; ///< +1: holds the shaft against ways along +z, or -1
-    double         cage_angle       = 0; ///< of the first element from x [rad]
-    double         preload          = 0; ///< axial force of the undisplaced bearing [N]
+    double         sense            = 1;     ///< +1: holds the shaft against ways along +z, or -1
+    double         cage_angle       = 0;     ///< of the first element from x at time zero [rad]
+    bool           cage_rolls       = false; ///< between the turning inner and the fixed outer ring
+    double         preload          = 0;     ///< axial force of the undisplaced bearing [N]
     Vector3        working_load     = Vector3::Zero(); ///< at which it is linearized [N]
     double         youngs_modulus   = 208000;          ///< [MPa]
     double         poissons_ratio   = 0.3;
@@ -49,13 +50,19 @@ namespace vfife
      * that jams it, a preload that it cannot take, and a working load that it cannot carry. */
     RollingBearing(const RollingBearingData &data, const Matrix5 &damping);
 
+    using BearingLaw::evaluate;
     /** Of the displacements from the preloaded state. */
-    BearingResponse evaluate(const Vector5 &displacement) const override;
+    BearingResponse evaluate(const Vector5 &displacement, double turn) const override;
     /** About the state under the working load. */
     BearingResponse linearized() const override;
     Matrix5         stiffness_bound() const override;
     /** Elements are then pressed by some thousand MPa. */
     double curve_range() const override;
+
+    /** Turn of the cage over that of the shaft: elements roll on the fixed outer ring, their middle
+     * at half the speed of the inner one's race, (1 - D cos(contact angle)/pitch diameter)/2; 0 for
+     * a cage that stands. */
+    double cage_share() const;
 
     /** Forces between each element and the inner ring [N]; displacements as of evaluate(). */
     std::vector<double> element_forces(const Vector5 &displacement) const;
@@ -65,11 +72,16 @@ namespace vfife
     Vector3 displacement_under(const Vector3 &force) const;
 
   private:
-    BearingResponse of_balls(const Vector5 &displacement, std::vector<double> *forces) const;
-    BearingResponse of_rollers(const Vector5 &displacement, std::vector<double> *forces) const;
-    BearingResponse respond(const Vector5 &displacement, std::vector<double> *forces) const;
-    void            check_interference() const;
-    void            find_preload();
+    /** With the first element at the angle @p first [rad] from x; the slope of the energy is that
+     * with this angle. */
+    BearingResponse
+    of_balls(const Vector5 &displacement, double first, std::vector<double> *forces) const;
+    BearingResponse
+    of_rollers(const Vector5 &displacement, double first, std::vector<double> *forces) const;
+    BearingResponse
+         respond(const Vector5 &displacement, double first, std::vector<double> *forces) const;
+    void check_interference() const;
+    void find_preload();
 
     RollingBearingData data_;
     double             constant_ = 0; ///< force over depth^1.5 or depth^(10/9) of a whole roller

@@ -8,6 +8,13 @@
 
 namespace vfife
 {
+  /** A force on a node of a body, fixed frame [N]. */
+  struct NodalForce
+  {
+    unsigned int body = 0, node = 0;
+    Vector3      force = Vector3::Zero();
+  };
+
   /** What a pair of groups of the contact @p pair does (sums over all ranks), with the torque on
    * the master's body about its axis. */
   ToothContact

@@ -113,19 +113,26 @@ namespace vfife
     if (!stream)
       throw InputError(file + " cannot be read");
     std::vector<std::vector<double>> rows;
+    std::vector<std::size_t>         lines; // of the file, in which each row stands
+    std::size_t                      n_lines = 0;
+    const auto place_in = [&lines](const std::size_t row, const std::size_t i) {
+      return place_of(row, i) + " (line " + std::to_string(lines[row]) + ")";
+    };
     for (std::string line; std::getline(stream, line);)
       {
+        ++n_lines;
         if (trimmed(line).empty() || trimmed(line)[0] == '#')
           continue;
         const std::vector<std::string> cells = cells_of(line);
         rows.emplace_back();
+        lines.push_back(n_lines);
         for (std::size_t i = 0; i < cells.size(); ++i)
-          rows.back().push_back(number_of(cells[i], file, place_of(rows.size() - 1, i)));
+          rows.back().push_back(number_of(cells[i], file, place_in(rows.size() - 1, i)));
         // A short row has a hole at its end, and so has the first one where another is longer.
         const std::size_t first = rows.front().size(), here = rows.back().size();
         if (here != first)
           throw InputError(file + ": the number at " +
-                           (here < first ? place_of(rows.size() - 1, here) : place_of(0, first)) +
+                           (here < first ? place_in(rows.size() - 1, here) : place_in(0, first)) +
                            " is missing");
       }
     check_size(rows.size(), rows.empty() ? 0 : rows.front().size(), file);

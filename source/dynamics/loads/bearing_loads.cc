@@ -148,21 +148,25 @@ namespace vfife
   void BearingLoads::respond(const double time, const bool at_rest)
   {
     energy_ = 0;
-    respond_bearings(at_rest);
+    respond_bearings(time, at_rest);
     for (Seat &seat : seats_)
       if (seat.coupling != nullptr)
         respond_coupling(time, at_rest, seat);
   }
 
-  void BearingLoads::respond_bearings(const bool at_rest)
+  void BearingLoads::respond_bearings(const double time, const bool at_rest)
   {
     if (system_.size() == 0)
       return;
     // All at once: a housing lets each feel the others.
     std::vector<Vector5> displacements;
+    std::vector<double>  turns;
     for (std::size_t s = 0; s < system_.size(); ++s)
-      displacements.push_back(seats_[s].seat.displacement(seats_[s].motion));
-    const BearingSystem::Response response = system_.evaluate(displacements);
+      {
+        displacements.push_back(seats_[s].seat.displacement(seats_[s].motion));
+        turns.push_back(at_rest ? 0. : seats_[s].body->driven_turn(time));
+      }
+    const BearingSystem::Response response = system_.evaluate(displacements, turns);
     energy_ += response.energy;
     for (std::size_t s = 0; s < system_.size(); ++s)
       {
@@ -173,6 +177,10 @@ namespace vfife
         seat.elastic = seat.seat.of_load(response.loads[s], seat.motion);
         seat.damping = seat.seat.of_load(damper, seat.motion);
         seat.state   = {displacements[s], response.loads[s] + damper};
+        // A cage rolls as the machine turns, not as the shaft swings: what it presses elements
+        // together by is work of the drive.
+        seat.drive_torque = response.turn_slopes[s];
+        seat.drive_rate   = seat.body->rate * seat.body->rate_history.value(time);
       }
   }
 

@@ -64,12 +64,14 @@ namespace vfife
   }
 
   BearingSprings::Response BearingSprings::evaluate(const Eigen::VectorXd      &d,
-                                                    const std::vector<Matrix3> &rotations) const
+                                                    const std::vector<Matrix3> &rotations,
+                                                    const std::vector<double>  &turns) const
   {
     const std::size_t n = springs_.size();
     // 1. Displacements in the bearings' axes, and their change with the motions, q = Q d, Q = P R,
     // and with the turn, which takes the place along: q' = P [a]x (place).
     std::vector<Vector5> displacements;
+    std::vector<double>  turns_of_seats;
     Eigen::MatrixXd      Q      = Eigen::MatrixXd::Zero(5 * n, 6 * n);
     Eigen::MatrixXd      Q_once = Q;
     Eigen::VectorXd      once = Eigen::VectorXd::Zero(5 * n), twice = once;
@@ -83,6 +85,7 @@ namespace vfife
         Vector6 moved = place;
         moved.head<3>() -= s.eccentricity;
         displacements.emplace_back(s.reading * moved);
+        turns_of_seats.push_back(turns[s.body]);
         Q.block<5, 3>(5 * i, 6 * i)     = s.reading.leftCols<3>() * R;
         Q.block<5, 3>(5 * i, 6 * i + 3) = s.reading.rightCols<3>() * R;
         if (!s.is_driven)
@@ -95,7 +98,7 @@ namespace vfife
       }
 
     // 2. The bearings, in their housing, and what K0 has of them.
-    const BearingSystem::Response system = system_.evaluate(displacements);
+    const BearingSystem::Response system = system_.evaluate(displacements, turns_of_seats);
     Eigen::VectorXd               loads(5 * n);
     for (std::size_t i = 0; i < n; ++i)
       loads.segment<5>(5 * i) = system.loads[i];
@@ -133,14 +136,16 @@ namespace vfife
     return scale.asDiagonal() * K * scale.asDiagonal();
   }
 
-  double BearingSprings::set_known(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations)
+  double BearingSprings::set_known(const Eigen::VectorXd      &d,
+                                   const std::vector<Matrix3> &rotations,
+                                   const std::vector<double>  &turns)
   {
     for (std::size_t i = 0; i < springs_.size(); ++i)
       {
         springs_[i].force_known  = Vector6::Zero();
         springs_[i].motion_known = d.segment<6>(6 * i);
       }
-    const Response here = evaluate(d, rotations);
+    const Response here = evaluate(d, rotations, turns);
     for (std::size_t i = 0; i < springs_.size(); ++i)
       springs_[i].force_known = here.force.segment<6>(6 * i);
     return here.torque;

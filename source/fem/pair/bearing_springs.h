@@ -52,8 +52,11 @@ namespace vfife
     };
 
     /** At the motions @p d of the rings, six rows each, when the bodies have turned by @p
-     * rotations. */
-    Response evaluate(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations) const;
+     * rotations. Cages that roll stand where the kinematic @p turns of the bodies about their axes
+     * [rad] have taken them: what psi is more moves none. */
+    Response evaluate(const Eigen::VectorXd      &d,
+                      const std::vector<Matrix3> &rotations,
+                      const std::vector<double>  &turns) const;
 
     /** The tangent of the bearings' whole law in the state of @p response, over displacements and
      * turns of their rings [N/mm, N, N mm]. */
@@ -61,7 +64,9 @@ namespace vfife
 
     /** Takes the state at the motions @p d as known, its forces being in what else acts; returns
      * the torque that the bearings have there on the driven body about its axis [N mm]. */
-    double set_known(const Eigen::VectorXd &d, const std::vector<Matrix3> &rotations);
+    double set_known(const Eigen::VectorXd      &d,
+                     const std::vector<Matrix3> &rotations,
+                     const std::vector<double>  &turns);
 
   private:
     struct Spring

@@ -5,12 +5,12 @@
 
 namespace vfife
 {
-  PairBodies::PairBodies(const Model                &model,
-                         Compliance                 &compliance,
-                         std::vector<unsigned int>   points,
-                         const std::vector<Matrix3> &rotations)
+  PairBodies::PairBodies(const Model              &model,
+                         Compliance               &compliance,
+                         std::vector<unsigned int> points,
+                         const PressedPair        &pair)
     : compliance_(compliance)
-    , rotations_(rotations)
+    , pair_(pair)
     , bearings_(model, compliance.rings(), model.transmission->arm)
   {
     std::vector<PointMotion> motions = bearings_.motions();
@@ -34,20 +34,25 @@ namespace vfife
     return u.segment(bearing_row(0), 6 * bearings_.size());
   }
 
+  BearingSprings::Response PairBodies::evaluate_bearings(const Eigen::VectorXd &u) const
+  {
+    return bearings_.evaluate(bearing_rows(u), pair_.rotations(), pair_.kinematic_turns());
+  }
+
   std::vector<SeatState> PairBodies::bearing_states(const Eigen::VectorXd &u) const
   {
-    return bearings_.evaluate(bearing_rows(u), rotations_).states;
+    return evaluate_bearings(u).states;
   }
 
   Eigen::MatrixXd PairBodies::bearing_tangent(const Eigen::VectorXd &u) const
   {
-    return bearings_.tangent(bearings_.evaluate(bearing_rows(u), rotations_));
+    return bearings_.tangent(evaluate_bearings(u));
   }
 
   double PairBodies::set_known(const Eigen::VectorXd &before)
   {
     known_rows_ = before.tail(before.size() - bearing_row(bearings_.size()));
-    return bearings_.set_known(bearing_rows(before), rotations_);
+    return bearings_.set_known(bearing_rows(before), pair_.rotations(), pair_.kinematic_turns());
   }
 
   Eigen::VectorXd PairBodies::answer(const Eigen::VectorXd &force)
@@ -82,7 +87,7 @@ namespace vfife
   {
     if (has_bearings())
       {
-        const auto response = bearings_.evaluate(bearing_rows(u), rotations_);
+        const auto response = evaluate_bearings(u);
         sum.force.segment(bearing_row(0), response.force.size()) += response.force;
         sum.energy += response.energy;
         sum.torque += response.torque;
@@ -109,8 +114,8 @@ namespace vfife
     springs.by_turn   = Eigen::VectorXd::Zero(n);
     if (own && has_bearings())
       {
-        const auto         bearings = bearings_.evaluate(bearing_rows(u), rotations_);
-        const Eigen::Index size     = bearings.force.size();
+        const auto         bearings                 = evaluate_bearings(u);
+        const Eigen::Index size                     = bearings.force.size();
         springs.stiffness.topLeftCorner(size, size) = bearings.stiffness;
         if (turning) // otherwise the turn is given
           {

@@ -17,12 +17,12 @@ namespace vfife
   class PairBodies : public PressedBodies
   {
   public:
-    /** Watches the @p points; @p rotations: of the bodies since time zero. All must outlive the
+    /** Watches the @p points; @p pair: where the bodies have turned to. All must outlive the
      * object. */
-    PairBodies(const Model                &model,
-               Compliance                 &compliance,
-               std::vector<unsigned int>   points,
-               const std::vector<Matrix3> &rotations);
+    PairBodies(const Model              &model,
+               Compliance               &compliance,
+               std::vector<unsigned int> points,
+               const PressedPair        &pair);
 
     Eigen::VectorXd answer(const Eigen::VectorXd &force) override;
     Eigen::MatrixXd flexibility(const std::vector<unsigned int> &rows) override;
@@ -44,12 +44,13 @@ namespace vfife
   private:
     std::size_t bearing_row(std::size_t i) const;
     /** Those of all bearings of displacements at all rows. */
-    Eigen::VectorXd bearing_rows(const Eigen::VectorXd &u) const;
+    Eigen::VectorXd          bearing_rows(const Eigen::VectorXd &u) const;
+    BearingSprings::Response evaluate_bearings(const Eigen::VectorXd &u) const;
 
-    Compliance                 &compliance_;
-    const std::vector<Matrix3> &rotations_;
-    BearingSprings              bearings_;
-    Eigen::VectorXd known_rows_; ///< of standing motions, whose forces are in what else acts
+    Compliance        &compliance_;
+    const PressedPair &pair_;
+    BearingSprings     bearings_;
+    Eigen::VectorXd    known_rows_; ///< of standing motions, whose forces are in what else acts
   };
 } // namespace vfife
 

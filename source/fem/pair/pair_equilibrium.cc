@@ -54,7 +54,7 @@ namespace vfife
     bodies_ = std::make_unique<PairBodies>(model,
                                            compliance,
                                            std::vector<unsigned int>(points.begin(), points.end()),
-                                           pair_.rotations());
+                                           pair_);
     std::vector<PressedPair::Node> nodes;
     for (const unsigned int point : compliance_.watched())
       {
@@ -207,6 +207,7 @@ namespace vfife
     result.residual       = now.residual(acting, model_.transmission->arm);
     result.contact_torque = model_.transmission->driven_sense * now.acting.contact_torque;
     result.teeth          = pair_.teeth();
+    result.contact_forces = pair_.contact_forces();
 
     // Per unit of the load factor the bodies twist further, and the springs answer.
     const Eigen::VectorXd u = base + now.deflection;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 // Positions and all that the contact module sees are in the fixed frame, the bodies turned by
@@ -49,6 +50,15 @@ namespace vfife
     rotations_[t.driver] =
       rotation_about(model_.bodies[t.driver].axis.direction, t.driver_sense * driver_turn);
     set_turn(0.);
+  }
+
+  std::vector<double> PressedPair::kinematic_turns() const
+  {
+    const Transmission &t = *model_.transmission;
+    std::vector<double> turns(model_.bodies.size(), 0.);
+    turns[t.driver] = t.driver_sense * driver_turn_;
+    turns[t.driven] = t.driven_sense * t.ratio() * driver_turn_;
+    return turns;
   }
 
   void PressedPair::set_turn(const double turn)
@@ -301,6 +311,21 @@ namespace vfife
         if (group.normal_force > 0)
           teeth.push_back(make_tooth_contact(model_, pair->definition, group));
     return teeth;
+  }
+
+  std::vector<NodalForce> PressedPair::contact_forces() const
+  {
+    // A node may belong to both sides' flanks, and has the sum of their forces.
+    std::map<std::pair<unsigned int, unsigned int>, Vector3> sums;
+    for (const auto &pair : pairs_)
+      for (const Surface *surface : {&pair->slave, &pair->master})
+        for (const unsigned int i : pair->active(*surface))
+          sums.try_emplace({surface->body, surface->facets.nodes[i]}, Vector3::Zero())
+            .first->second += Eigen::Map<const Vector3>(surface->forces.data() + 3 * i);
+    std::vector<NodalForce> forces;
+    for (const auto &[node, force] : sums)
+      forces.push_back({node.first, node.second, force});
+    return forces;
   }
 
   std::pair<double, double> PressedPair::find_excursion(const Eigen::VectorXd &u) const

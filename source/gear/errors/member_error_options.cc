@@ -8,6 +8,7 @@
 #include <vfife/base/text/number_text.h>
 #include <vfife/gear/errors/member_error_options.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -85,6 +86,30 @@ namespace vfife
       for (unsigned int k = 1; k < teeth; ++k)
         cumulative[k] = cumulative[k - 1] + single[k] - sum / teeth;
       return cumulative;
+    }
+
+    /** Where a grid's table has the cone coordinates of its points, they must go as rows and
+     * columns do: from tip to root and from toe to heel. */
+    void check_places(const std::string &path)
+    {
+      if (!has_headings(path))
+        return;
+      const Table table = read_parameter_table(path);
+      const auto  check = [&](const char *name, const bool along, const char *wrong) {
+        if (std::none_of(table.columns().begin(), table.columns().end(), [&](const auto &column) {
+              return column.name == name;
+            }))
+          return;
+        // Along the columns growing, or down the rows falling.
+        const Eigen::MatrixXd places = arrange_on_grid(table, path, name);
+        for (Eigen::Index i = along ? 0 : 1; i < places.rows(); ++i)
+          for (Eigen::Index j = along ? 1 : 0; j < places.cols(); ++j)
+            if (along ? !(places(i, j) > places(i, j - 1)) : !(places(i, j) < places(i - 1, j)))
+              throw InputError("the table \"" + path + "\": at row " + std::to_string(i + 1) +
+                               ", column " + std::to_string(j + 1) + " " + wrong);
+      };
+      check("L", true, "L is not larger than a column before: columns go from toe to heel");
+      check("h", false, "h is not smaller than a row before: rows go from tip to root");
     }
 
     /** Deviations of a file, a row a tooth [um]. */
@@ -196,6 +221,7 @@ namespace vfife
       return {};
     // protocols have the tip above
     return read_entry(section + "/topography", [&]() -> Eigen::MatrixXd {
+      check_places(topography);
       return micrometre * read_parameter_grid(topography, "deviation").colwise().reverse();
     });
   }

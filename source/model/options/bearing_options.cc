@@ -208,7 +208,15 @@ namespace vfife
       senses,
       "Ways of the shaft that a contact angle holds, along z of the axis or against it");
     declare_quantity(
-      prm, "cage angle", data.cage_angle, "deg", "Of the first element, from x; it does not turn");
+      prm, "cage angle", data.cage_angle, "deg", "Of the first element at time zero, from x");
+    const Choices<bool> cages = {{"fixed", false}, {"rolling", true}};
+    declare_choice(prm,
+                   "cage",
+                   data.cage_rolls,
+                   cages,
+                   "fixed: it stands, all elements stay where they are; rolling: it turns with the "
+                   "shaft as elements roll on a fixed outer ring, in runs and in loaded tooth "
+                   "contact analyses");
     declare_quantity(prm,
                      "preload",
                      data.preload,

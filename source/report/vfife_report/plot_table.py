@@ -5,8 +5,8 @@ from functools import partial
 from .data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
 from .data.fields import read_fields_of_bodies, read_last_fields
 from .data.needs import (changes_speed, has_axis, has_bearings, has_file, has_history, has_misalignment,
-                         has_orders, has_pair, has_pairs, has_pairs_with, has_pattern, has_probes, has_rim,
-                         has_rim_over_meshes, has_speeds, has_tooth_mesh, has_tooth_pressures)
+                         has_orders, has_pair, has_pairs, has_pairs_with, has_pattern, has_patterns, has_probes,
+                         has_rim, has_rim_over_meshes, has_speeds, has_tooth_mesh, has_tooth_pressures)
 from .data.study import Study
 from .pictures.bodies import draw_bodies
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
@@ -34,7 +34,7 @@ RUN_PLOTS = (
             "Contact"),
     PlotRow("load_sharing.svg", (has_tooth_pressures,), tooth_contact.draw_load_sharing,
             "Share of each tooth pair and Hertz's pressure, all pairs laid over each other.", "Contact"),
-    PlotRow("contact_pattern.svg", (has_pattern,), tooth_contact.draw_contact_pattern,
+    PlotRow("contact_pattern.svg", (has_pattern, has_history), tooth_contact.draw_contact_pattern,
             "Contact pattern on the drive flanks over the last tooth mesh, along and over the pitch cone: where the flanks carry. Pressures of "
             "nodes are spread over their facets; how large the pressure is says Hertz's.", "Contact",
             data="pattern.csv"),
@@ -92,6 +92,11 @@ TABLE_PLOTS = (
     PlotRow("loaded_contact.svg", (has_file("loaded_contact.csv"),), draw_loaded_contact,
             "Transmission error, load sharing, mesh stiffness and stresses over a tooth mesh.",
             "Loaded tooth contact by finite elements", data="loaded_contact.csv, loaded_teeth.csv"),
+    PlotRow("loaded_pattern.svg", (has_pattern, has_file("loaded_contact.csv")),
+            tooth_contact.draw_contact_pattern,
+            "Contact pattern on the drive flanks over one tooth mesh, along and over the pitch cone; cross: its centre. Pressures of nodes "
+            "are spread over their facets: they say where the flanks carry.",
+            "Loaded tooth contact by finite elements", data="pattern.csv"),
     PlotRow("campbell_{}.svg", (has_file("campbell.csv"),), campbell.draw_campbell,
             "Natural frequencies of the {} over its speed, and resonances with the tooth mesh.",
             "Natural frequencies", data="campbell.csv, resonances.csv", each=campbell.list_bodies),
@@ -133,6 +138,9 @@ STUDY_PLOTS = (
             "Total contact force of all variants, in the same way.", "Contact force"),
     PlotRow("force_spectra.svg", (has_pairs,), partial(comparisons.draw_spectra, column=CONTACT_FORCE),
             "Spectra of the contact force.", "Contact force"),
+    PlotRow("contact_patterns.svg", (has_patterns,), tooth_contact.draw_contact_patterns,
+            "Contact patterns on the drive flanks over one tooth mesh, each over its own largest pressure; crosses: their centres.",
+            "Contact force"),
     PlotRow("tooth_stress.svg", (has_pairs_with("teeth", "hertz pressure"),),
             comparisons.draw_tooth_stress,
             "Contact stress of one tooth pair from its first to its last touch.", "Stresses"),

@@ -21,6 +21,7 @@
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
+#include <vfife/study/conventional/loaded_pattern.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/conventional/loaded_supports.h>
 #include <vfife/study/run/run_penalties.h>
@@ -146,6 +147,7 @@ namespace vfife
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
     LoadedProbes    probes(model);
     LoadedSupports  supports(model);
+    LoadedPattern   pattern(model);
     for (const double turn : turns)
       {
         start                              = WallClock::now();
@@ -156,6 +158,7 @@ namespace vfife
         add_position(model, compliance, turn / pitch, result, stresses, log);
         probes.add_position(turn / pitch, stresses);
         supports.add_position(compliance.discretization(), turn / pitch, result);
+        pattern.add_position(result);
         log.line("  ",
                  result.iterations,
                  " iterations, residual ",
@@ -183,7 +186,11 @@ namespace vfife
     write_csv(folder, "loaded_teeth.csv", teeth_);
     write_edge_contact(gear_case_.edges_under_load(), teeth_, column::position, 1., folder, log);
     supports.write(folder);
-    write_own_figures(folder, list_loaded_figures(positions_, supports.misalignments()));
+    write_csv(folder, "pattern.csv", pattern.table());
+    NamedFigures figures = list_loaded_figures(positions_, supports.misalignments());
+    for (const auto &figure : pattern.figures(gear_case_.make_pair(), model.contacts[0].side))
+      figures.push_back(figure);
+    write_own_figures(folder, figures);
     write_tables(folder, "loaded_contact", positions_);
   }
 

@@ -42,7 +42,7 @@ namespace vfife
     /** What the springs store at the positions of add_forces() [mJ]; equal on all ranks. */
     double energy() const;
 
-    /** What the drives give through couplings [mJ/s]; equal on all ranks. */
+    /** What the drives give through couplings and to rolling cages [mJ/s]; equal on all ranks. */
     double drive_power() const;
     /** The part of that which goes through the couplings' dampers. */
     double damper_drive_power() const;
@@ -92,9 +92,9 @@ namespace vfife
       MeanMotion::Motion motion;
       SeatState          state;             ///< of a bearing
       Wrench             elastic, damping;  ///< on the shaft
-      double             drive_torque  = 0; ///< of both, of a coupling [N mm]
+      double             drive_torque  = 0; ///< of a coupling, or on a bearing's cage [N mm]
       double             damper_torque = 0; ///< of the damper alone
-      double             drive_rate    = 0; ///< prescribed, of a coupling [rad/s]
+      double             drive_rate    = 0; ///< of the body, as prescribed [rad/s]
     };
 
     /** Largest frequency and decay of the springs and dampers of a seat on the nodes' masses. */
@@ -102,7 +102,7 @@ namespace vfife
     void        read_motions(const NodeField &positions, const NodeField *velocities);
     /** Of all seats whose motions are known. */
     void respond(double time, bool at_rest);
-    void respond_bearings(bool at_rest);
+    void respond_bearings(double time, bool at_rest);
     void respond_coupling(double time, bool at_rest, Seat &seat);
     void add_to(NodeField &forces) const;
 

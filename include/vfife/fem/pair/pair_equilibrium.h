@@ -31,7 +31,8 @@ namespace vfife
 
     std::vector<SeatState>    bearings; ///< in the order of Model::bearings
     std::vector<ToothContact> teeth;
-    std::vector<ContactTie>   ties; ///< the linearized contact
+    std::vector<NodalForce>   contact_forces; ///< on all nodes that may touch, a node once
+    std::vector<ContactTie>   ties;           ///< the linearized contact
     /** The linearized bearings over the displacements and turns of their rings, axes of time zero,
      * six rows each [N/mm, N, N mm]. */
     Eigen::MatrixXd bearing_tangent;

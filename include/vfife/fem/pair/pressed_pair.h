@@ -5,6 +5,7 @@
 #include <vfife/contact/contact_results.h>
 #include <vfife/fem/pair/pressed_bodies.h>
 #include <vfife/model/state.h>
+#include <vfife/model/tooth_contact.h>
 
 #include <array>
 #include <functional>
@@ -106,6 +107,8 @@ namespace vfife
     {
       return rotations_;
     }
+    /** Kinematic turns of the bodies about their axes since time zero [rad]. */
+    std::vector<double> kinematic_turns() const;
     /** Placement of a body: at @p x in the axes of time zero, turned. */
     Vector3 place(unsigned int body, const Vector3 &x) const;
 
@@ -175,6 +178,9 @@ namespace vfife
 
     /** Tooth pairs in contact where it was last evaluated. */
     std::vector<ToothContact> teeth() const;
+
+    /** Forces of the contact on nodes where it was last evaluated, of those that may touch. */
+    std::vector<NodalForce> contact_forces() const;
 
     /** Of the nodes that may touch: distance between the bodies' mean displacements [mm], and the
      * farthest that contact is looked for. */

@@ -2,23 +2,18 @@
 #ifndef vfife_output_observers_pattern_writer_h
 #define vfife_output_observers_pattern_writer_h
 
-#include <vfife/base/types.h>
 #include <vfife/model/observer.h>
+#include <vfife/output/measures/contact_pattern.h>
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace vfife
 {
   class OutputFolder;
 
-  /**
-   * pattern.csv: the contact pattern of a gear pair, i.e. what every place of a flank has carried
-   * during the last tooth mesh of the run on whichever tooth: body, side, r [mm] and z [mm] of the
-   * undeformed place in the body's axial section, largest pressure [MPa] (nodal contact force over
-   * the node's area). In one tooth mesh the teeth in contact pass through all mesh positions.
-   */
+  /** pattern.csv: the contact pattern of a gear pair over the last tooth mesh of the run, a row a
+   * place of a flank. */
   class PatternWriter : public Observer
   {
   public:
@@ -35,27 +30,10 @@ namespace vfife
     void        finish(const Model &model, const State &state) override;
 
   private:
-    /** Flank of one side on one body; its places are nodes of a single tooth. */
-    struct Flank
-    {
-      unsigned int              body = 0;
-      std::string               side;
-      std::vector<unsigned int> nodes;            ///< of the body, of all teeth
-      std::vector<double>       areas;            ///< of the nodes [mm^2]
-      std::vector<unsigned int> places;           ///< of the nodes
-      std::vector<Vector2>      r_z;              ///< of the places [mm]
-      std::vector<double>       largest_pressure; ///< of the places [MPa]
-    };
-
-    static Flank make_flank(const Model       &model,
-                            unsigned int       body,
-                            const std::string &surface,
-                            const std::string &side);
-
     const OutputFolder &folder_;
     double              start_;
     std::uint64_t       steps_between_;
-    std::vector<Flank>  flanks_;
+    ContactPattern      pattern_;
   };
 } // namespace vfife
 

@@ -25,6 +25,11 @@ def has_pattern(run):
     return run.pattern is not None
 
 
+def has_patterns(study):
+    """Contact patterns to be looked at beside each other."""
+    return len(study.patterns()) > 1
+
+
 def has_probes(run):
     return run.probes is not None
 

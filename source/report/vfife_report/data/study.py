@@ -36,6 +36,11 @@ class Study:
                 if v.run.history is not None and TRANSMISSION_ERROR in v.run.history
                 and v.run.samples_per_mesh()]
 
+    def patterns(self):
+        """Variants with contact patterns of the same bodies as the first of them."""
+        found = [v for v in self.variants if v.run.pattern is not None]
+        return [v for v in found if set(v.run.pattern["body"]) == set(found[0].run.pattern["body"])]
+
     def pairs_with(self, table, column=None):
         """Those of them with a table of the run's folder ("teeth") and a column in it."""
         tables = [(v, getattr(v.run, table)) for v in self.pairs]

@@ -56,7 +56,7 @@ def draw_curves(study):
         for number, (name, values) in enumerate(curves.items()):
             axes.plot(axis.values, values, "o-", markersize=4, color=COLOURS[1 + number % 6], label=name)
         only = next(iter(curves)) if len(curves) == 1 else ""
-        axes.set(title=title if title.endswith(only) else f"{title}, {only}", ylabel=f"[{unit}]")
+        axes.set(title=title if title.endswith(only) else ", ".join(filter(None, (title, only))), ylabel=f"[{unit}]")
         scale_axis(axes, axis, 0.16)
         if len(curves) > 1:
             add_legend(axes, fontsize=8)

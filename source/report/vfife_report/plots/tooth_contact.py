@@ -7,32 +7,63 @@ from ..measures.pressures import find_allowed_pressure
 from .style import COLOURS, GREY, PRESSURE_MAP, plt
 
 
-def draw_contact_pattern(run):
-    """Largest nodal pressure on the flanks of the drive side in the last tooth mesh, along and over the
-    pitch cone of each body, over the largest of that body: nodes spread the contact over their facets, so
-    that its size is no stress."""
+def plot_pattern(axes, run, body):
+    """Largest nodal pressure on the flank of the drive side of one body over its largest, along and over its
+    pitch cone, with the centre where the folder states it; what the shades are of."""
     pattern = run.pattern
-    bodies = list(dict.fromkeys(pattern["body"]))
+    rows = (pattern["side"] == "drive") & (pattern["body"] == body)
+    r, z, pressure = (pattern[name][rows] for name in ("r", "z", "largest pressure"))
+    share = pressure / max(pressure.max(), 1e-6)
+    size = run.geometry.get(body, {})
+    pitch = size.get("pitch angle", {}).get("value")
+    if pitch is None:  # of results without main dimensions
+        along, upward, names = z, r, (pattern.label("z"), pattern.label("r"))
+    else:
+        sine, cosine = np.sin(np.radians(pitch)), np.cos(np.radians(pitch))
+        along, upward = z * cosine + r * sine, r * cosine - z * sine
+        names = "L, mm (heel to the right)", "h, mm (tip up)"
+    shades = axes.tricontourf(along, upward, share, levels=np.linspace(0, 1, 21), cmap=PRESSURE_MAP)
+    axes.plot(along, upward, ".", markersize=1.5, color=GREY)
+    face, profile = (run.stated.get(f"pattern along the {name}, {body}", {}).get("value")
+                     for name in ("face", "profile"))
+    mean = size.get("mean cone distance", {}).get("value")
+    if None not in (face, profile, mean, pitch):
+        axes.plot(mean + face, profile, "+", markersize=12, markeredgewidth=2, color=COLOURS[1])
+    axes.set_aspect("equal")
+    axes.set_xlabel(names[0])
+    axes.set_ylabel(names[1])
+    return shades
+
+
+def list_pattern_bodies(run):
+    return list(dict.fromkeys(run.pattern["body"]))
+
+
+def draw_contact_pattern(run):
+    """Patterns of both bodies over one tooth mesh; nodes spread the contact over their facets, so that the
+    size of a pressure is no stress."""
+    bodies = list_pattern_bodies(run)
     plot, all_axes = plt.subplots(1, len(bodies), figsize=(10, 3), squeeze=False)
-    drive = pattern["side"] == "drive"
     for axes, body in zip(all_axes[0], bodies):
-        rows = drive & (pattern["body"] == body)
-        r, z, pressure = (pattern[name][rows] for name in ("r", "z", "largest pressure"))
-        share = pressure / max(pressure.max(), 1e-6)
-        pitch = run.geometry.get(body, {}).get("pitch angle", {}).get("value")
-        if pitch is None:  # of results without main dimensions
-            along, upward, names = z, r, (pattern.label("z"), pattern.label("r"))
-        else:
-            sine, cosine = np.sin(np.radians(pitch)), np.cos(np.radians(pitch))
-            along, upward = z * cosine + r * sine, r * cosine - z * sine
-            names = "L, mm (heel to the right)", "h, mm (tip up)"
-        shades = axes.tricontourf(along, upward, share, levels=np.linspace(0, 1, 21), cmap=PRESSURE_MAP)
-        axes.plot(along, upward, ".", markersize=1.5, color=GREY)
-        axes.set_aspect("equal")
+        shades = plot_pattern(axes, run, body)
         axes.set_title(body)
-        axes.set_xlabel(names[0])
-        axes.set_ylabel(names[1])
     plot.colorbar(shades, ax=list(all_axes[0]), label="pressure over its largest", shrink=0.7)
+    return plot
+
+
+def draw_contact_patterns(study):
+    """Patterns of all variants below each other: how the contact moves over the flanks."""
+    variants = study.patterns()
+    bodies = list_pattern_bodies(variants[0].run)
+    plot, all_axes = plt.subplots(len(variants), len(bodies), figsize=(10, 1 + 1.4 * len(variants)),
+                                  squeeze=False, sharex="col", sharey="col")
+    for row, variant in zip(all_axes, variants):
+        for axes, body in zip(row, bodies):
+            shades = plot_pattern(axes, variant.run, body)
+            axes.set_title(f"{body}, {variant.name}")
+            if variant is not variants[-1]:
+                axes.set_xlabel("")
+    plot.colorbar(shades, ax=all_axes.ravel().tolist(), label="pressure over its largest", shrink=0.5)
     return plot
 
 
