@@ -136,7 +136,9 @@ namespace vfife
     const NamedSections named_sections[] = {{"compare", "Compare", "cases"},
                                             {"lumped", "Lumped", "supports"},
                                             {"sweep", "Sweep", "parameters"},
-                                            {"sweep", "Sweep", "figures"}};
+                                            {"sweep", "Sweep", "figures"},
+                                            {"loaded tooth contact analysis", "Fillets", "gauges"},
+                                            {"run", "Fillets", "gauges"}};
 
     /** All that a kind declares, as of a gear pair, each list of names holding one NAME. */
     Json declare_kind(const std::string &kind)

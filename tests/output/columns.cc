@@ -32,6 +32,7 @@
 #include <vfife/output/files/table_reader.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/measures/order_tracking.h>
+#include <vfife/output/measures/root_stress.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/pattern_writer.h>
@@ -106,12 +107,18 @@ namespace
     tables.push_back({"probes.csv", "gear pair", ProbeWriter(folder, 1).table()});
     tables.push_back({"rim.csv", "gear pair", RimWriter(folder, pair, 1).table()});
     tables.push_back({"orders.csv", "gear pair", make_order_table()});
+    const auto over_time = [](const auto &columns) {
+      Table table;
+      table.add_column(column::time, "s");
+      columns.add_to(table);
+      return table;
+    };
+    tables.push_back({"root_stress.csv", "run", over_time(list_root_stress_columns())});
+    tables.push_back({"gauges.csv", "run", over_time(list_gauge_columns())});
     tables.push_back({"bearings.csv", "run", BearingWriter(folder, 1).table()});
     tables.push_back({"bearing_curves.csv", "pair or model in bearings", make_bearing_curves({})});
-    Table misalignment;
-    misalignment.add_column(column::time, "s");
-    list_mounting_columns().add_to(misalignment);
-    tables.push_back({"misalignment.csv", "gear pair on shafts", misalignment});
+    tables.push_back(
+      {"misalignment.csv", "gear pair on shafts", over_time(list_mounting_columns())});
     PatternWriter(folder, pair, 0., 1).finish(pair, State());
     tables.push_back({"pattern.csv", "gear pair", read_result_table(folder.file("pattern.csv"))});
   }
@@ -130,6 +137,9 @@ namespace
     add("misalignment.csv", loaded, make_loaded_misalignment_table());
     add("pattern.csv", loaded, ContactPattern(make_pair_model(0)).table(make_pair_model(0)));
     add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0)).table());
+    add("root_stress.csv", loaded, make_loaded_root_stress_table());
+    add("gauges.csv", loaded, make_loaded_gauge_table());
+    add("fillet_envelope.csv", loaded, make_fillet_envelope_table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());
     add("reactions.csv", "linear static", make_reaction_table());
     add("modes.csv", modal, make_mode_table());

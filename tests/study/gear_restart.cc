@@ -21,14 +21,23 @@ int main(int argc, char **argv)
   // Friction and damping of the contact, so that everything that contact remembers is needed.
   std::ofstream("gear.prm") << quick_pair("set web = none", "set rim rows = 2", "1e-4")
                             << "subsection Contact\n  set friction coefficient = 0.1\n"
-                               "  set damping ratio = 0.1\nend\n";
+                               "  set damping ratio = 0.1\nend\n"
+                               "subsection Fillets\n  set teeth = all\n  set gauges = G\n"
+                               "  subsection Gauge G\n    set body = pinion\n"
+                               "    set length = 0.5 mm\n  end\nend\n";
   const std::string steps = "Dynamics/largest number of steps=";
   run_pair("gear.prm", "whole", world);
   run_pair("gear.prm", "parts", world, {steps + "333"});
   run_pair("gear.prm", "parts", world, {steps + "700"}, true);
   run_pair("gear.prm", "parts", world, {}, true);
 
-  for (const char *name : {"history.csv", "teeth.csv", "probes.csv", "pattern.csv"})
+  for (const char *name : {"history.csv",
+                           "teeth.csv",
+                           "probes.csv",
+                           "pattern.csv",
+                           "root_stress.csv",
+                           "gauges.csv",
+                           "fillet_envelope.csv"})
     {
       const std::string whole = read_text("whole/" + std::string(name));
       check(std::string(name) + ": same digits",

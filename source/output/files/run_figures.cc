@@ -2,6 +2,7 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
+#include <vfife/output/measures/root_stress.h>
 
 #include <nlohmann/json.hpp>
 
@@ -93,6 +94,19 @@ namespace vfife
     for (const Place &place : list_places())
       run.figures.emplace_back(place.name, Figure{read_number(json, place.pointer), place.unit});
     return run;
+  }
+
+  NamedFigures list_root_figures(const RootStress &stress)
+  {
+    NamedFigures figures;
+    for (const MemberRootStress &member : stress.list_members())
+      {
+        const std::string name = member.body + " root ";
+        figures.push_back({name + column::tension, {member.tension, "MPa"}});
+        figures.push_back({name + column::compression, {member.compression, "MPa"}});
+        figures.push_back({name + "stress range", {member.range, "MPa"}});
+      }
+    return figures;
   }
 
   void write_own_figures(const OutputFolder &folder, const NamedFigures &figures)

@@ -12,7 +12,7 @@ from .pictures.bodies import draw_bodies
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
 from .pictures.scene import Scene, is_in_mesh
 from .pictures.teeth_in_mesh import draw_teeth_in_mesh
-from .plots import (bearings, campbell, comparisons, histories, lumped, rim, run_up, spectra,
+from .plots import (bearings, campbell, comparisons, histories, lumped, rim, root_stress, run_up, spectra,
                     speed_response, tooth_contact)
 from .plots.curves import draw_curves
 from .plots.loaded_contact import draw_loaded_contact
@@ -97,6 +97,14 @@ TABLE_PLOTS = (
             "Contact pattern on the drive flanks over one tooth mesh, along and over the pitch cone; cross: its centre. Pressures of nodes "
             "are spread over their facets: they say where the flanks carry.",
             "Loaded tooth contact by finite elements", data="pattern.csv"),
+    PlotRow("root_stress.svg", (has_file("root_stress.csv"),), root_stress.draw_root_stress,
+            "Largest tension and compression in the fillets of both members while a tooth passes through the mesh; teeth at "
+            "the same place count once, by their largest.", "Root stress"),
+    PlotRow("fillet_envelope.svg", (has_file("fillet_envelope.csv"),), root_stress.draw_envelope,
+            "The fillets unrolled: largest tension and compression that each facet has seen.", "Root stress",
+            data="fillet_envelope.csv"),
+    PlotRow("gauges.svg", (has_file("gauges.csv"),), root_stress.draw_gauges,
+            "Strain gauges.", "Root stress"),
     PlotRow("campbell_{}.svg", (has_file("campbell.csv"),), campbell.draw_campbell,
             "Natural frequencies of the {} over its speed, and resonances with the tooth mesh.",
             "Natural frequencies", data="campbell.csv, resonances.csv", each=campbell.list_bodies),

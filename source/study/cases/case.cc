@@ -26,6 +26,11 @@ namespace vfife
     return 0.;
   }
 
+  bool Case::has_teeth() const
+  {
+    return false;
+  }
+
   HertzContact Case::hertz_contact() const
   {
     return {};

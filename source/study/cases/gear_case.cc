@@ -272,6 +272,11 @@ namespace vfife
     return members_[1].body.web == WebKind::conical;
   }
 
+  bool GearCase::has_teeth() const
+  {
+    return true;
+  }
+
   HertzContact GearCase::hertz_contact() const
   {
     const UnloadedContact contact(GearPair(pair_), working_side());

@@ -21,6 +21,7 @@
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
+#include <vfife/study/conventional/loaded_fillets.h>
 #include <vfife/study/conventional/loaded_pattern.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/conventional/loaded_supports.h>
@@ -41,7 +42,8 @@ namespace vfife
         : positions_(make_loaded_contact_table())
         , teeth_(make_loaded_teeth_table())
       {
-        fem_.mass = MassKind::lumped; // as the mass points of a run
+        fem_.mass      = MassKind::lumped; // as the mass points of a run
+        fillets_.teeth = RecordedTeeth::all;
       }
 
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
@@ -51,6 +53,7 @@ namespace vfife
         output_.declare(prm);
         declare_section(prm, "Fem", fem_);
         declare_section(prm, "Loaded contact", options_);
+        fillets_.declare(prm, file);
       }
 
       void check() const override
@@ -64,7 +67,8 @@ namespace vfife
 
       void inspect(Communicator &communicator, Log &log) override
       {
-        gear_case_.make_model(log); // what is wrong with it, and what it is
+        const Model model = gear_case_.make_model(log); // what is wrong with it, and what it is
+        RootStress(model, fillets_);
         log.line("penalty of a run of this file ",
                  find_run_penalties(gear_case_, dynamics_, output_.history_every, communicator, log)
                    .front(),
@@ -94,6 +98,7 @@ namespace vfife
       OutputOptions        output_;
       FemOptions           fem_;
       LoadedContactOptions options_;
+      FilletOptions        fillets_;
       Table                positions_, teeth_;
     };
   } // namespace
@@ -148,6 +153,7 @@ namespace vfife
     LoadedProbes    probes(model);
     LoadedSupports  supports(model);
     LoadedPattern   pattern(model);
+    LoadedFillets   fillets(model, fillets_);
     for (const double turn : turns)
       {
         start                              = WallClock::now();
@@ -159,6 +165,7 @@ namespace vfife
         probes.add_position(turn / pitch, stresses);
         supports.add_position(compliance.discretization(), turn / pitch, result);
         pattern.add_position(result);
+        fillets.add_position(compliance.discretization(), turn / pitch, result);
         log.line("  ",
                  result.iterations,
                  " iterations, residual ",
@@ -190,6 +197,9 @@ namespace vfife
     NamedFigures figures = list_loaded_figures(positions_, supports.misalignments());
     for (const auto &figure : pattern.figures(gear_case_.make_pair(), model.contacts[0].side))
       figures.push_back(figure);
+    fillets.write(folder, log);
+    const NamedFigures roots = fillets.list_figures();
+    figures.insert(figures.end(), roots.begin(), roots.end());
     write_own_figures(folder, figures);
     write_tables(folder, "loaded_contact", positions_);
   }

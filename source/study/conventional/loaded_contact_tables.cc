@@ -2,6 +2,7 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/model/body.h>
 #include <vfife/output/measures/bearing_columns.h>
+#include <vfife/output/measures/root_stress.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 
 #include <algorithm>
@@ -9,6 +10,18 @@
 
 namespace vfife
 {
+  namespace
+  {
+    template <typename Sample>
+    Table make_table_over_positions(const SampleColumns<Sample> &columns)
+    {
+      Table table;
+      table.add_column(column::position, "tooth meshes");
+      columns.add_to(table);
+      return table;
+    }
+  } // namespace
+
   Table make_loaded_contact_table()
   {
     Table table;
@@ -47,9 +60,7 @@ namespace vfife
 
   Table make_loaded_misalignment_table()
   {
-    Table table;
-    table.add_column(column::position, "tooth meshes");
-    list_mounting_columns().add_to(table);
+    Table table = make_table_over_positions(list_mounting_columns());
     table.add_column(column::error_of_bearings, "arcsec");
     table.add_column(column::error_of_shaft_bending, "arcsec");
     return table;
@@ -57,10 +68,17 @@ namespace vfife
 
   Table make_loaded_bearing_table()
   {
-    Table table;
-    table.add_column(column::position, "tooth meshes");
-    list_bearing_columns().add_to(table);
-    return table;
+    return make_table_over_positions(list_bearing_columns());
+  }
+
+  Table make_loaded_root_stress_table()
+  {
+    return make_table_over_positions(list_root_stress_columns());
+  }
+
+  Table make_loaded_gauge_table()
+  {
+    return make_table_over_positions(list_gauge_columns());
   }
 
   double find_largest_stress(const Body                      &body,

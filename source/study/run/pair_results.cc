@@ -4,6 +4,7 @@
 #include <vfife/base/text/table.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/result_places.h>
+#include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/measures/order_tracking.h>
 #include <vfife/output/measures/pair_mounting.h>
@@ -48,6 +49,21 @@ namespace vfife
     observers.add<RimWriter>(model_, history_steps_, std::move(measure_rim));
     if (PairMounting::changes(model_))
       observers.add<MisalignmentWriter>(model_, history_steps_);
+  }
+
+  void PairResults::record_fillets(const FilletOptions                                    &options,
+                                   const std::function<FilletMeasure(const RootStress &)> &measure,
+                                   RunObservers &observers)
+  {
+    if (!options.records())
+      return;
+    fillets_.emplace(model_, options);
+    const FilletMeasure strains = measure(*fillets_);
+    records_teeth_              = options.teeth != RecordedTeeth::none;
+    if (records_teeth_)
+      observers.add<RootStressWriter>(history_steps_, *fillets_, strains);
+    if (!options.gauges.empty())
+      observers.add<GaugeWriter>(history_steps_, *fillets_, strains);
   }
 
   NamedFigures PairResults::list_figures(const double                  penalty,
@@ -159,6 +175,10 @@ namespace vfife
       {"penalty springs, in teeth and rest", {-penalty_lag / arcsecond, "arcsec"}});
     summary.figures.push_back(
       {"hertz pressure of one tooth pair", {hertz_.largest_pressure(force), "MPa"}});
+
+    if (fillets_ && records_teeth_)
+      for (const auto &figure : list_root_figures(*fillets_))
+        summary.figures.push_back(figure);
 
     // How often the other side of the teeth touched.
     // Rows are of single tooth pairs: an instant counts once, however many of them touch.

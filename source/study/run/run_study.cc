@@ -109,6 +109,17 @@ namespace vfife
       return model.transmission ? &*model.transmission : nullptr;
     }
 
+    /** Strains of fillets from where nodes are. */
+    std::function<FilletMeasure(const RootStress &)>
+    measure_places(const Model &model, const Communicator &communicator)
+    {
+      return [&](const RootStress &stress) {
+        return [places = FilletPlaces(model, stress, communicator)](const State &state) mutable {
+          return places.measure(state);
+        };
+      };
+    }
+
     void add_figures(const NamedFigures &more, NamedFigures &figures)
     {
       figures.insert(figures.end(), more.begin(), more.end());
@@ -125,6 +136,8 @@ namespace vfife
         case_->set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
         output_.declare(prm);
+        if (case_->has_teeth())
+          fillets_.declare(prm, file);
         case_->declare_run(prm);
       }
 
@@ -160,6 +173,7 @@ namespace vfife
       std::unique_ptr<Case>     case_;
       DynamicsOptions           dynamics_;
       OutputOptions             output_;
+      FilletOptions             fillets_;
       std::optional<Checkpoint> checkpoint_;
     };
   } // namespace
@@ -204,8 +218,10 @@ namespace vfife
   void RunStudy::inspect(Communicator &communicator, Log &log)
   {
     // All that a run sets up, and none of its steps: mistakes of mesh, contact and step show here.
-    const auto    start = WallClock::now();
-    const Model   model = make_model(log);
+    const auto  start = WallClock::now();
+    const Model model = make_model(log);
+    if (model.transmission)
+      RootStress(model, fillets_);
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return choose_step(stable_step);
     });
@@ -262,6 +278,7 @@ namespace vfife
         probes.emplace(model, measure, log, count_meshes(*transmission, whole_time));
         pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time);
         pair->add_observers(observers);
+        pair->record_fillets(fillets_, measure_places(model, communicator), observers);
         summary.figures =
           pair->list_figures(stepped.solver.contact().penalties().front(), case_->arm_range());
         summary.figures.push_back(

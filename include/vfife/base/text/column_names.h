@@ -36,6 +36,11 @@ namespace vfife
     constexpr char von_mises[]    = "von mises";
     constexpr char after_mesh[] = "after the mesh"; ///< place of a probe, from the mean contact on
 
+    // Root stresses.
+    constexpr char fillet[]      = "fillet"; ///< "concave" or "convex"
+    constexpr char tension[]     = "tension";
+    constexpr char compression[] = "compression";
+
     // Bearings, and how the members of a pair stand to each other: changes of the mounting.
     constexpr char bearing[]            = "bearing"; ///< its name
     constexpr char offset[]             = "offset";

@@ -9,6 +9,7 @@
 namespace vfife
 {
   class OutputFolder;
+  class RootStress;
 
   /** What summary.json tells of a run, for tables of several runs. */
   struct RunFigures
@@ -25,6 +26,9 @@ namespace vfife
   /** The number at a JSON pointer of a JSON file (result_places.h), which may be that of a figure
    * or a switch (0 or 1); NaN where there is none. */
   double read_figure(const std::string &path, const std::string &pointer);
+
+  /** Root tension, compression and stress range of both members. */
+  NamedFigures list_root_figures(const RootStress &stress);
 
   /** figures.json: what a study without a summary has found, for tables of cases. Only the writing
    * rank writes. */

@@ -70,6 +70,9 @@ namespace vfife
      * where there is one. */
     virtual double choose_step(double stable_step, unsigned int samples) const = 0;
 
+    /** Whether it is a gear pair: fillets have root stresses. */
+    virtual bool has_teeth() const;
+
     /** Of one tooth pair at the mean contact of the unloaded flanks; of no size without teeth. */
     virtual HertzContact hertz_contact() const;
 

@@ -31,6 +31,7 @@ namespace vfife
     bool         may_be_made_longer() const override;
     double       ramp_time() const override;
     double       choose_step(double stable_step, unsigned int samples) const override;
+    bool         has_teeth() const override;
     HertzContact hertz_contact() const override;
     std::optional<Vector2>        arm_range() const override;
     std::optional<EdgesUnderLoad> edges_under_load() const override;

@@ -27,6 +27,14 @@ namespace vfife
    * of the transmission error of bearings and shafts. */
   Table make_loaded_misalignment_table();
 
+  /** Columns of root_stress.csv: a row a position and tooth, list_root_stress_columns() behind the
+   * position. */
+  Table make_loaded_root_stress_table();
+
+  /** Columns of gauges.csv: a row a position, gauge and tooth, list_gauge_columns() behind the
+   * position. */
+  Table make_loaded_gauge_table();
+
   /** Largest von Mises stress of some named sets of a body [MPa], 0 where it has none. */
   double find_largest_stress(const Body                      &body,
                              const std::vector<Stress>       &stresses,

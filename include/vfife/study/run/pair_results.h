@@ -4,6 +4,7 @@
 
 #include <vfife/contact/law/hertz.h>
 #include <vfife/output/files/summary.h>
+#include <vfife/output/observers/fillet_writers.h>
 #include <vfife/output/observers/rim_writer.h>
 
 #include <cstdint>
@@ -34,6 +35,12 @@ namespace vfife
     /** Adds the writers of the pair; @p measure_rim: RimWriter's. */
     void add_observers(RunObservers &observers, RimWriter::Measure measure_rim = nullptr);
 
+    /** Adds the writers of root stresses and gauges that @p options ask for; @p measure makes what
+     * gives their strains. */
+    void record_fillets(const FilletOptions                                    &options,
+                        const std::function<FilletMeasure(const RootStress &)> &measure,
+                        RunObservers                                           &observers);
+
     /** What is known before the first step: speeds, torque, penalty, Case::arm_range(). */
     NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
 
@@ -62,13 +69,15 @@ namespace vfife
   private:
     bool has_constant_torque() const;
 
-    const Model         &model_;
-    HertzContact         hertz_;
-    const OutputOptions &output_;
-    std::uint64_t        history_steps_;
-    double               end_time_;
-    const Table         *teeth_  = nullptr; ///< rows of teeth.csv
-    const Table         *probes_ = nullptr;
+    const Model              &model_;
+    HertzContact              hertz_;
+    const OutputOptions      &output_;
+    std::uint64_t             history_steps_;
+    double                    end_time_;
+    std::optional<RootStress> fillets_;
+    bool                      records_teeth_ = false;   ///< of the fillets
+    const Table              *teeth_         = nullptr; ///< rows of teeth.csv
+    const Table              *probes_        = nullptr;
   };
 } // namespace vfife
 

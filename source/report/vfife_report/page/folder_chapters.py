@@ -6,6 +6,7 @@ from ..data.shapes import LUMPED
 from ..data.table import read_table
 from ..measures.ledger import HEADER, list_ledger_rows, list_reasons, read_ledger
 from ..plots.bearings import list_bearings
+from ..plots.root_stress import list_root_stresses
 from .chapter import Chapter
 from .parts import Cells, Paragraph, list_values
 
@@ -74,6 +75,16 @@ def tell_loaded_contact(run, plots):
                         "transmission error.")
 
 
+def tell_root_stress(run, plots):
+    table = read_table(run.path / "fillet_envelope.csv")
+    if table is not None:
+        yield Cells(["body", "fillet", "tension [MPa]", "compression [MPa]", "range [MPa]", "face [mm]", "profile [mm]"],
+                    list_root_stresses(table),
+                    "Largest first and least third principal stress on the surface, and the largest range that one facet sees, "
+                    "with its place: along the face from the toe, up the profile from the root land.")
+    yield from plots
+
+
 def tell_frequencies(run, plots):
     table = read_table(run.path / "modes.csv")
     if table is not None:
@@ -90,6 +101,7 @@ LEDGER = Chapter("Comparison ledger", tell_ledger)
 TABLE_CHAPTERS = (
     Chapter("Unloaded tooth contact"),
     Chapter("Loaded tooth contact by finite elements", tell_loaded_contact),
+    Chapter("Root stress", tell_root_stress),
     Chapter("Bearings", tell_bearings),
     Chapter("Natural frequencies", tell_frequencies),
     Chapter("Response over speed"),

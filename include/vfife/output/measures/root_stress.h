@@ -1,0 +1,158 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_output_measures_root_stress_h
+#define vfife_output_measures_root_stress_h
+
+#include <vfife/base/text/sample_columns.h>
+#include <vfife/model/state.h>
+#include <vfife/stress/fillet_options.h>
+#include <vfife/stress/surface_stress.h>
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vfife
+{
+  class ByteStream;
+  struct Model;
+
+  /** The fillets of one side of all teeth of a member, and where they are in the model. */
+  struct MemberFillet
+  {
+    unsigned int body;
+    Fillet       fillet;
+  };
+
+  /** A gauge of a member and the tooth that it is glued to. */
+  struct MemberGauge
+  {
+    std::string  name;
+    unsigned int body, tooth;
+    Gauge        gauge;
+  };
+
+  /** Where strains of a surface come from: displacements, places of nodes, or readings. */
+  struct FilletStrains
+  {
+    /** Of a facet, in the axes of its FacetStrain. */
+    std::function<
+      SurfaceTensor(const MemberFillet &, unsigned column, unsigned row, unsigned tooth)>
+      facet;
+    /** Of the copy of a gauge on a tooth. */
+    std::function<double(const MemberGauge &, unsigned tooth)> gauge;
+  };
+
+  /** From vectors at nodes of the model's bodies (body, node), in the axes of the body frame:
+   * small displacements [mm]. */
+  FilletStrains strains_of_displacements(const Model                               &model,
+                                         std::function<Vector3(unsigned, unsigned)> u);
+
+  /** From the present places of the nodes, in any axes [mm]. */
+  FilletStrains strains_of_places(const Model                               &model,
+                                  std::function<Vector3(unsigned, unsigned)> places);
+
+  /** The largest of one kind of stress in a tooth's fillet. */
+  struct RootExtreme
+  {
+    double  stress = 0;               ///< [MPa]
+    Vector2 place  = Vector2::Zero(); ///< along the face, up the profile [mm]
+  };
+
+  /** The fillet of one tooth at one instant or position. */
+  struct RootStressSample
+  {
+    std::string  body, fillet;
+    unsigned int tooth      = 0;
+    double       after_mesh = 0; ///< tooth meshes since the tooth stood where tooth 0 begins
+    RootExtreme  tension, compression;
+  };
+
+  /** The largest stresses of a member's fillets over all that has been seen [MPa]. */
+  struct MemberRootStress
+  {
+    std::string body;
+    double      tension = 0, compression = 0;
+    double      range = 0; ///< largest tension less largest compression of one facet
+  };
+
+  /** One gauge, or its copy on another tooth, which it will be after so many tooth meshes. */
+  struct GaugeSample
+  {
+    std::string gauge;
+    double      after_mesh = 0;
+    double      strain     = 0; ///< [-]
+  };
+
+  /** Columns of root_stress.csv and gauges.csv behind the time or position. */
+  SampleColumns<RootStressSample> list_root_stress_columns();
+  SampleColumns<GaugeSample>      list_gauge_columns();
+
+  /** Columns of fillet_envelope.csv. */
+  Table make_fillet_envelope_table();
+
+  /**
+   * Root stresses and gauges of a gear pair: what there is to be seen at an instant, and the
+   * envelope of the fillets over all instants and teeth seen so far.
+   */
+  class RootStress
+  {
+  public:
+    /** The model must have a transmission and outlive the object. Throws InputError for gauges that
+     * do not fit. */
+    RootStress(const Model &model, const FilletOptions &options);
+
+    const std::deque<MemberFillet> &fillets() const
+    {
+      return fillets_;
+    }
+    const std::deque<MemberGauge> &gauges() const
+    {
+      return gauges_;
+    }
+
+    /** Stresses of the recorded teeth, @p meshes tooth meshes after time zero; they count for the
+     * envelope. */
+    std::vector<RootStressSample>
+    measure(double meshes, const std::vector<ToothContact> &teeth, const FilletStrains &strains);
+
+    /** What the gauges show; with @p copies what they do on every tooth, a whole turn of theirs. */
+    std::vector<GaugeSample>
+    read_gauges(double meshes, bool copies, const FilletStrains &strains) const;
+
+    /** fillet_envelope.csv: a row a facet. */
+    Table envelope() const;
+
+    /** Of each member, driver first. */
+    std::vector<MemberRootStress> list_members() const;
+
+    /** Passes the envelope. */
+    void serialize(ByteStream &stream);
+
+  private:
+    /** Of a facet over all instants and teeth [MPa]. */
+    struct Range
+    {
+      double tension = 0, compression = 0;
+
+      double range() const
+      {
+        return tension - compression;
+      }
+    };
+
+    std::vector<unsigned int> recorded_teeth(unsigned int                     body,
+                                             const std::vector<ToothContact> &teeth) const;
+    double after_mesh(unsigned int body, unsigned int tooth, double meshes) const;
+    RootStressSample
+    measure_tooth(std::size_t fillet, unsigned int tooth, const FilletStrains &strains);
+
+    const Model                    &model_;
+    RecordedTeeth                   teeth_;
+    std::deque<MemberFillet>        fillets_; // nothing moves: gauges know them
+    std::deque<MemberGauge>         gauges_;
+    std::vector<std::vector<Range>> ranges_; ///< by fillet and facet, rows of a column together
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,46 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_stress_fillet_options_h
+#define vfife_stress_fillet_options_h
+
+#include <vfife/stress/gauge.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  class ParameterFile;
+
+  /** Of which teeth root stresses are recorded. */
+  enum class RecordedTeeth
+  {
+    none,
+    in_mesh, ///< those in contact and one beside them on either side
+    all
+  };
+
+  /** Section Fillets. */
+  struct FilletOptions
+  {
+    RecordedTeeth                                     teeth = RecordedTeeth::none;
+    std::vector<std::pair<std::string, GaugeOptions>> gauges; ///< with their names
+
+    static constexpr char section[] = "Fillets";
+
+    /** Declares the section, with a subsection for each gauge that @p file names. */
+    void declare(dealii::ParameterHandler &prm, const ParameterFile &file);
+
+    bool records() const
+    {
+      return teeth != RecordedTeeth::none || !gauges.empty();
+    }
+
+  private:
+    void declare_names_of_gauges(dealii::ParameterHandler &prm);
+
+    std::vector<std::string> names_;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,289 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/byte_stream.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/mesh/node_set_names.h>
+#include <vfife/model/model.h>
+#include <vfife/output/measures/root_stress.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace vfife
+{
+  namespace
+  {
+    /** The corners' vectors of a facet. */
+    template <typename Vectors>
+    FacetCorners
+    gather(const Fillet &fillet, unsigned column, unsigned row, unsigned tooth, const Vectors &of)
+    {
+      const auto   nodes = fillet.facet(column, row, tooth);
+      FacetCorners corners;
+      for (unsigned int k = 0; k < 4; ++k)
+        corners.col(k) = of(nodes[k]);
+      return corners;
+    }
+
+    FacetStrain undeformed(
+      const Model &model, const MemberFillet &member, unsigned column, unsigned row, unsigned tooth)
+    {
+      const auto &X = model.bodies[member.body].node_positions();
+      return FacetStrain(
+        gather(member.fillet, column, row, tooth, [&X](const unsigned i) { return X[i]; }));
+    }
+
+    /** What the strains of displacements and of places share: vectors of one body. */
+    using Vectors = std::function<Vector3(unsigned, unsigned)>;
+
+    Gauge::NodeVectors of_body(const Vectors &vectors, const unsigned int body)
+    {
+      return [&vectors, body](const unsigned int node) { return vectors(body, node); };
+    }
+  } // namespace
+
+  FilletStrains strains_of_displacements(const Model &model, Vectors u)
+  {
+    return {[&model, u](const MemberFillet &member, unsigned column, unsigned row, unsigned tooth) {
+              return undeformed(model, member, column, row, tooth)
+                .of_displacements(
+                  gather(member.fillet, column, row, tooth, of_body(u, member.body)));
+            },
+            [u](const MemberGauge &member, const unsigned tooth) {
+              return member.gauge.of_displacements(of_body(u, member.body), tooth);
+            }};
+  }
+
+  FilletStrains strains_of_places(const Model &model, Vectors places)
+  {
+    return {[&model,
+             places](const MemberFillet &member, unsigned column, unsigned row, unsigned tooth) {
+              return undeformed(model, member, column, row, tooth)
+                .of_places(gather(member.fillet, column, row, tooth, of_body(places, member.body)));
+            },
+            [places](const MemberGauge &member, const unsigned tooth) {
+              return member.gauge.of_places(of_body(places, member.body), tooth);
+            }};
+  }
+
+  SampleColumns<RootStressSample> list_root_stress_columns()
+  {
+    using Sample = const RootStressSample &;
+    SampleColumns<RootStressSample> columns;
+    columns.add_text("body", [](Sample sample) { return sample.body; });
+    columns.add_text(column::fillet, [](Sample sample) { return sample.fillet; });
+    columns.add("tooth", "-", [](Sample sample) { return sample.tooth; });
+    columns.add(column::after_mesh, "tooth meshes", [](Sample sample) {
+      return sample.after_mesh;
+    });
+    const auto add = [&columns](const std::string &name, RootExtreme RootStressSample::*extreme) {
+      columns.add(name, "MPa", [extreme](Sample sample) { return (sample.*extreme).stress; });
+      columns.add(name + " along the face", "mm", [extreme](Sample sample) {
+        return (sample.*extreme).place[0];
+      });
+      columns.add(name + " up the profile", "mm", [extreme](Sample sample) {
+        return (sample.*extreme).place[1];
+      });
+    };
+    add(column::tension, &RootStressSample::tension);
+    add(column::compression, &RootStressSample::compression);
+    return columns;
+  }
+
+  SampleColumns<GaugeSample> list_gauge_columns()
+  {
+    using Sample = const GaugeSample &;
+    SampleColumns<GaugeSample> columns;
+    columns.add_text("gauge", [](Sample sample) { return sample.gauge; });
+    columns.add(column::after_mesh, "tooth meshes", [](Sample sample) {
+      return sample.after_mesh;
+    });
+    columns.add("strain", "um/m", [](Sample sample) { return 1e6 * sample.strain; });
+    return columns;
+  }
+
+  RootStress::RootStress(const Model &model, const FilletOptions &options)
+    : model_(model)
+    , teeth_(options.teeth)
+  {
+    const Transmission &t = *model.transmission;
+    for (const unsigned int body : {t.driver, t.driven})
+      for (const char *side : {surface_name::concave, surface_name::convex})
+        {
+          fillets_.push_back({body, Fillet(model.bodies[body], side)});
+          const Fillet &fillet = fillets_.back().fillet;
+          ranges_.emplace_back(fillet.n_columns() * (fillet.end_row() - Fillet::first_row));
+        }
+    for (const auto &[name, gauge] : options.gauges)
+      for (const MemberFillet &member : fillets_)
+        if (model.bodies[member.body].name() == gauge.body && member.fillet.side() == gauge.side)
+          gauges_.push_back({name,
+                             member.body,
+                             gauge.tooth,
+                             Gauge(model.bodies[member.body],
+                                   member.fillet,
+                                   gauge,
+                                   std::string(FilletOptions::section) + "/Gauge " + name)});
+  }
+
+  std::vector<unsigned int> RootStress::recorded_teeth(const unsigned int               body,
+                                                       const std::vector<ToothContact> &teeth) const
+  {
+    const Transmission    &t = *model_.transmission;
+    const unsigned int     z = body == t.driver ? t.driver_teeth : t.driven_teeth;
+    std::set<unsigned int> recorded;
+    if (teeth_ == RecordedTeeth::all)
+      for (unsigned int tooth = 0; tooth < z; ++tooth)
+        recorded.insert(tooth);
+    if (teeth_ == RecordedTeeth::in_mesh)
+      for (const ToothContact &contact : teeth)
+        for (const ContactPair &pair : model_.contacts)
+          if (pair.side == contact.side)
+            {
+              const unsigned int tooth =
+                pair.slave_body == body ? contact.slave_group : contact.master_group;
+              for (const unsigned int step : {z - 1, 0u, 1u})
+                recorded.insert((tooth + step) % z);
+            }
+    return {recorded.begin(), recorded.end()};
+  }
+
+  double RootStress::after_mesh(const unsigned int body,
+                                const unsigned int tooth,
+                                const double       meshes) const
+  {
+    // A tooth ahead in the sense of the body's rotation has been where tooth 0 is now.
+    const Transmission &t     = *model_.transmission;
+    const bool          first = body == t.driver;
+    const double        z     = first ? t.driver_teeth : t.driven_teeth,
+                 after        = meshes + (first ? t.driver_sense : t.driven_sense) * tooth;
+    return after - z * std::floor(after / z + .5);
+  }
+
+  RootStressSample RootStress::measure_tooth(const std::size_t    i,
+                                             const unsigned int   tooth,
+                                             const FilletStrains &strains)
+  {
+    const MemberFillet &member = fillets_[i];
+    const Fillet       &fillet = member.fillet;
+    RootStressSample    sample{model_.bodies[member.body].name(), fillet.side(), tooth, 0., {}, {}};
+    auto                range = ranges_[i].begin();
+    for (unsigned int column = 0; column < fillet.n_columns(); ++column)
+      for (unsigned int row = Fillet::first_row; row < fillet.end_row(); ++row, ++range)
+        {
+          const PrincipalStresses stress = compute_principal_stresses(
+            compute_surface_stress(strains.facet(member, column, row, tooth),
+                                   model_.bodies[member.body].material()));
+          range->tension      = std::max(range->tension, stress.first);
+          range->compression  = std::min(range->compression, stress.third);
+          const Vector2 place = fillet.centre(column, row);
+          if (stress.first > sample.tension.stress)
+            sample.tension = {stress.first, place};
+          if (stress.third < sample.compression.stress)
+            sample.compression = {stress.third, place};
+        }
+    return sample;
+  }
+
+  std::vector<RootStressSample> RootStress::measure(const double                     meshes,
+                                                    const std::vector<ToothContact> &teeth,
+                                                    const FilletStrains             &strains)
+  {
+    std::vector<RootStressSample> samples;
+    for (std::size_t i = 0; i < fillets_.size(); ++i)
+      for (const unsigned int tooth : recorded_teeth(fillets_[i].body, teeth))
+        {
+          samples.push_back(measure_tooth(i, tooth, strains));
+          samples.back().after_mesh = after_mesh(fillets_[i].body, tooth, meshes);
+        }
+    return samples;
+  }
+
+  std::vector<GaugeSample> RootStress::read_gauges(const double         meshes,
+                                                   const bool           copies,
+                                                   const FilletStrains &strains) const
+  {
+    const Transmission      &t = *model_.transmission;
+    std::vector<GaugeSample> samples;
+    for (const MemberGauge &gauge : gauges_)
+      {
+        const unsigned int z = gauge.body == t.driver ? t.driver_teeth : t.driven_teeth;
+        for (unsigned int k = 0; k < (copies ? z : 1u); ++k)
+          {
+            const unsigned int tooth = (gauge.tooth + k) % z;
+            samples.push_back(
+              {gauge.name, after_mesh(gauge.body, tooth, meshes), strains.gauge(gauge, tooth)});
+          }
+      }
+    return samples;
+  }
+
+  Table make_fillet_envelope_table()
+  {
+    Table table;
+    table.add_text_column("body");
+    table.add_text_column(column::fillet);
+    for (const char *name : {"face from", "face to", "profile from", "profile to"})
+      table.add_column(name, "mm");
+    for (const char *name : {column::tension, column::compression, "range"})
+      table.add_column(name, "MPa");
+    return table;
+  }
+
+  Table RootStress::envelope() const
+  {
+    Table table = make_fillet_envelope_table();
+    for (std::size_t i = 0; i < fillets_.size(); ++i)
+      {
+        const Fillet &fillet = fillets_[i].fillet;
+        auto          range  = ranges_[i].begin();
+        for (unsigned int column = 0; column < fillet.n_columns(); ++column)
+          for (unsigned int row = Fillet::first_row; row < fillet.end_row(); ++row, ++range)
+            {
+              const auto face = [&](const unsigned int c) {
+                return .5 * (fillet.face_length(c, row) + fillet.face_length(c, row + 1));
+              };
+              const auto profile = [&](const unsigned int r) {
+                return .5 *
+                       (fillet.profile_length(column, r) + fillet.profile_length(column + 1, r));
+              };
+              table.add_row({model_.bodies[fillets_[i].body].name(),
+                             fillet.side(),
+                             face(column),
+                             face(column + 1),
+                             profile(row),
+                             profile(row + 1),
+                             range->tension,
+                             range->compression,
+                             range->range()});
+            }
+      }
+    return table;
+  }
+
+  std::vector<MemberRootStress> RootStress::list_members() const
+  {
+    std::vector<MemberRootStress> members;
+    const Transmission           &t = *model_.transmission;
+    for (const unsigned int body : {t.driver, t.driven})
+      {
+        MemberRootStress member{model_.bodies[body].name()};
+        for (std::size_t i = 0; i < fillets_.size(); ++i)
+          if (fillets_[i].body == body)
+            for (const Range &range : ranges_[i])
+              {
+                member.tension     = std::max(member.tension, range.tension);
+                member.compression = std::min(member.compression, range.compression);
+                member.range       = std::max(member.range, range.range());
+              }
+        members.push_back(member);
+      }
+    return members;
+  }
+
+  void RootStress::serialize(ByteStream &stream)
+  {
+    for (std::vector<Range> &ranges : ranges_)
+      stream.pass_known(ranges);
+  }
+} // namespace vfife

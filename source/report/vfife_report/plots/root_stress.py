@@ -1,0 +1,95 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plots of root stresses: over an engagement, on the unrolled fillets, and of strain gauges."""
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
+
+from ..data.table import Table
+from .style import COLOURS, SIGNED_MAP, add_legend, plt
+
+AFTER = "after the mesh"
+SHOWN = 4  # tooth meshes on either side of the mesh
+
+
+def list_fillets(table):
+    """Body and side of the fillets, in the table's order."""
+    return list(dict.fromkeys(zip(table["body"], table["fillet"])))
+
+
+def rows_of(table, body, fillet):
+    return (table["body"] == body) & (table["fillet"] == fillet)
+
+
+def list_root_stresses(envelope):
+    """Of each fillet the largest stresses, and the largest range with the place of its facet."""
+    for body, fillet in list_fillets(envelope):
+        rows = np.flatnonzero(rows_of(envelope, body, fillet))
+        largest = rows[np.argmax(envelope["range"][rows])]
+        yield [str(body), str(fillet), float(envelope["tension"][rows].max()), float(envelope["compression"][rows].min()),
+               float(envelope["range"][largest]),
+               float(envelope["face from"][largest] + envelope["face to"][largest]) / 2,
+               float(envelope["profile from"][largest] + envelope["profile to"][largest]) / 2]
+
+
+def extremes(table, rows):
+    """Largest tension and compression by the place after the mesh (places that round-off tells apart are one)."""
+    places = np.round(table[AFTER][rows], 6)
+    at = np.unique(places)
+    tension = [table["tension"][rows][places == place].max() for place in at]
+    compression = [table["compression"][rows][places == place].min() for place in at]
+    return at, np.array(tension), np.array(compression)
+
+
+def draw_root_stress(run):
+    table = Table(run.path / "root_stress.csv")
+    bodies = list(dict.fromkeys(table["body"]))
+    plot, all_axes = plt.subplots(1, len(bodies), figsize=(10, 4), squeeze=False, sharey=True)
+    for axes, body in zip(all_axes[0], bodies):
+        for colour, (_, fillet) in zip(COLOURS[1:], [one for one in list_fillets(table) if one[0] == body]):
+            at, tension, compression = extremes(table, rows_of(table, body, fillet))
+            near = np.abs(at) <= SHOWN
+            axes.plot(at[near], tension[near], color=colour, label=f"{fillet} fillet, tension")
+            axes.plot(at[near], compression[near], "--", color=colour, label=f"{fillet} fillet, compression")
+        axes.set(title=body, xlabel="tooth meshes after the mesh", ylabel="principal stress [MPa]")
+        add_legend(axes, fontsize=8)
+    return plot
+
+
+def draw_envelope(run):
+    table = Table(run.path / "fillet_envelope.csv")
+    fillets = list_fillets(table)
+    size = max(table["tension"].max(), -table["compression"].min(), 1e-9)
+    plot, all_axes = plt.subplots(len(fillets), 2, figsize=(10, 1.3 + 1.4 * len(fillets)), squeeze=False)
+    for pair, (body, fillet) in zip(all_axes, fillets):
+        rows = rows_of(table, body, fillet)
+        left, right, low, high = (table[name][rows] for name in ("face from", "face to", "profile from", "profile to"))
+        facets = np.stack([np.stack([left, low], -1), np.stack([right, low], -1),
+                           np.stack([right, high], -1), np.stack([left, high], -1)], 1)
+        for axes, stress in zip(pair, ("tension", "compression")):
+            shades = PolyCollection(facets, array=table[stress][rows], cmap=SIGNED_MAP, norm=Normalize(-size, size),
+                                    edgecolor="face")
+            axes.add_collection(shades)
+            axes.autoscale_view()
+            extreme = table[stress][rows].max() if stress == "tension" else table[stress][rows].min()
+            axes.set(title=f"{body}, {fillet} fillet: {stress}, {extreme:.0f} MPa", ylabel="profile [mm]")
+            axes.grid(False)
+    for axes in all_axes[-1]:
+        axes.set_xlabel("face, mm from the toe")
+    plot.colorbar(shades, ax=list(all_axes.flat), label="principal stress [MPa]", shrink=0.6)
+    return plot
+
+
+def draw_gauges(run):
+    """Over time, or, where copies on all teeth are known, over the passage through a turn."""
+    table = Table(run.path / "gauges.csv")
+    over_time = "time" in table
+    plot, axes = plt.subplots(figsize=(8, 4))
+    for name in dict.fromkeys(table["gauge"]):
+        rows = table["gauge"] == name
+        x = 1e3 * table["time"][rows] if over_time else table[AFTER][rows]
+        order = np.argsort(x, kind="stable")
+        near = slice(None) if over_time else np.abs(x[order]) <= SHOWN
+        axes.plot(x[order][near], table["strain"][rows][order][near], label=name)
+    axes.set(xlabel="time [ms]" if over_time else "tooth meshes after the mesh", ylabel=table.label("strain"))
+    add_legend(axes)
+    return plot

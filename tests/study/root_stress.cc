@@ -1,0 +1,207 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Root stresses and strain gauges of a loaded tooth contact analysis of a coarse pair.
+#include "../refusal.h"
+#include "../tests.h"
+#include "quick_pair.h"
+
+#include <vfife/base/process/mpi_session.h>
+#include <vfife/output/files/run_figures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace vfife;
+
+namespace
+{
+  const std::string gauge_of_gear = R"(
+subsection Fillets
+  set gauges = G
+  subsection Gauge G
+    set body   = gear
+    set side   = convex
+    set height = 0.6
+    set place  = 0.4
+    set length = 0.5 mm
+  end
+end
+)";
+
+  void write_file(const std::string &more)
+  {
+    std::ofstream("root_stress.prm")
+      << quick_pair("set web = none", "set rim rows = 2", "1e-5")
+      << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
+      << "subsection Loaded contact\n set positions = 2\nend\n"
+      << more;
+  }
+
+  struct Extremes
+  {
+    double tension = 0, compression = 0;
+    double tension_after = 0; ///< where the tension is
+  };
+
+  Extremes find_extremes(const Table &table, const std::string &body)
+  {
+    Extremes extremes;
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      if (table.column("body").texts[i] == body)
+        {
+          if (table.numbers("tension")[i] > extremes.tension)
+            {
+              extremes.tension       = table.numbers("tension")[i];
+              extremes.tension_after = table.numbers("after the mesh")[i];
+            }
+          extremes.compression = std::min(extremes.compression, table.numbers("compression")[i]);
+        }
+    return extremes;
+  }
+
+  /** All tables tell the same. */
+  void check_tables()
+  {
+    const std::string folder = "root_stress_results/";
+    const Table       stress = read_result_table(folder + "root_stress.csv"),
+                envelope     = read_result_table(folder + "fillet_envelope.csv");
+    check("a row a position, tooth and side", stress.n_rows() == 2 * 2 * (27 + 79));
+    check("a row a facet", envelope.n_rows() == 2 * 2 * (2 * 2));
+    for (const char *body : {"pinion", "gear"})
+      {
+        const Extremes    rows    = find_extremes(stress, body);
+        const std::string name    = body;
+        double            tension = 0, compression = 0, range = 0;
+        for (std::size_t i = 0; i < envelope.n_rows(); ++i)
+          if (envelope.column("body").texts[i] == body)
+            {
+              tension     = largest_of(tension, envelope.numbers("tension")[i]);
+              compression = -largest_of(-compression, -envelope.numbers("compression")[i]);
+              range       = largest_of(range, envelope.numbers("range")[i]);
+            }
+        check(name + ": envelope as rows",
+              tension == rows.tension && compression == rows.compression);
+        const auto figure = [&](const std::string &what) {
+          return read_figure(folder + "figures.json", "/" + name + " root " + what);
+        };
+        check(name + ": figures as envelope",
+              figure("tension") == tension && figure("compression") == compression &&
+                figure("stress range") == range);
+        check(name + ": range of one facet",
+              range < tension - compression && range > .8 * std::max(tension, -compression));
+        check(name + ": largest while the tooth is in mesh", std::abs(rows.tension_after) <= 1.5);
+      }
+    // The side that carries is in tension on the loaded flank's side: the pinion drives by its
+    // concave flanks.
+    const Table      &t = stress;
+    const std::size_t first =
+      std::max_element(t.numbers("tension").begin(), t.numbers("tension").end()) -
+      t.numbers("tension").begin();
+    const std::string &body   = t.column("body").texts[first],
+                      &fillet = t.column("fillet").texts[first];
+    check("tension beside the flank that carries",
+          fillet == (body == "pinion" ? "concave" : "convex"));
+  }
+
+  void check_gauge()
+  {
+    const Table gauges = read_result_table("root_stress_results/gauges.csv");
+    check("gauge: a row a position and tooth", gauges.n_rows() == 2 * 79);
+    std::set<double> places;
+    for (const double after : gauges.numbers("after the mesh"))
+      places.insert(std::round(1e6 * after));
+    check("gauge: each place once, over a whole turn",
+          places.size() == 2 * 79 && *places.begin() >= -39.5e6 && *places.rbegin() < 39.5e6);
+    // Facets show their centres; along one that is half the face width the strain changes by some
+    // tenths.
+    const Extremes gear =
+      find_extremes(read_result_table("root_stress_results/root_stress.csv"), "gear");
+    const double largest =
+      *std::max_element(gauges.numbers("strain").begin(), gauges.numbers("strain").end());
+    check("gauge: of the size of the largest stress over E",
+          largest > .5e6 * gear.tension / 206000. && largest < 1.2e6 * gear.tension / 206000.);
+  }
+
+  /** Those in mesh have the same rows; none have none. */
+  void check_choices(Communicator &world)
+  {
+    run_pair("root_stress.prm", "root_stress_in_mesh", world, {"Fillets/teeth=in mesh"});
+    const Table all = read_result_table("root_stress_results/root_stress.csv"),
+                few = read_result_table("root_stress_in_mesh/root_stress.csv");
+    std::set<std::string> rows;
+    for (std::size_t i = 0; i < all.n_rows(); ++i)
+      rows.insert(all.csv_row(i));
+    bool known = few.n_rows() > 0 && few.n_rows() < all.n_rows() / 4;
+    for (std::size_t i = 0; i < few.n_rows(); ++i)
+      known = known && rows.count(few.csv_row(i)) == 1;
+    check("teeth in mesh: some of the rows", known);
+    check_close("teeth in mesh: the largest tension",
+                find_extremes(few, "pinion").tension,
+                find_extremes(all, "pinion").tension,
+                0.);
+    run_pair("root_stress.prm", "root_stress_none", world, {"Fillets/teeth=none"});
+    check("none: gauges alone",
+          !std::ifstream("root_stress_none/root_stress.csv") &&
+            bool(std::ifstream("root_stress_none/gauges.csv")));
+  }
+
+  /** A run starts from the equilibrium that the analysis finds at its first position; its strains
+   * are those of large rotations. */
+  void check_run(Communicator &world)
+  {
+    run_pair("root_stress.prm",
+             "root_stress_run",
+             world,
+             {"Study/kind=run", "Fillets/teeth=in mesh", "Output/fields every=0"});
+    const Table still       = read_result_table("root_stress_in_mesh/root_stress.csv"),
+                run         = read_result_table("root_stress_run/root_stress.csv");
+    double       difference = 0, largest = 0;
+    unsigned int n = 0;
+    for (; n < run.n_rows() && run.numbers("time")[n] == 0; ++n)
+      {
+        check("run: same tooth",
+              run.numbers("tooth")[n] == still.numbers("tooth")[n] &&
+                run.column("fillet").texts[n] == still.column("fillet").texts[n]);
+        for (const char *stress : {"tension", "compression"})
+          {
+            largest = largest_of(largest, std::abs(still.numbers(stress)[n]));
+            difference =
+              largest_of(difference, std::abs(run.numbers(stress)[n] - still.numbers(stress)[n]));
+          }
+      }
+    // Linear statics against large displacements: squares of the strains and the turn of the rim.
+    check_below("run: stresses at the start", difference, .01 * largest);
+    check("run: both sides of three teeth and more of both members", n >= 12);
+    check_close("run: gauge at the start",
+                read_result_table("root_stress_run/gauges.csv").numbers("strain")[0] /
+                  read_result_table("root_stress_results/gauges.csv").numbers("strain")[0],
+                1.,
+                .02);
+    // What the envelope has is the largest of the rows.
+    check_close("run: figure of the summary",
+                read_figure("root_stress_run/summary.json", "/figures/gear root tension"),
+                find_extremes(run, "gear").tension,
+                0.);
+  }
+
+  void check_refusals(Communicator &world)
+  {
+    for (const char *entry : {"Fillets/Gauge G/length=50 mm",
+                              "Fillets/Gauge G/tooth=79",
+                              "Fillets/Gauge G/height=1.2",
+                              "Fillets/Gauge H/length=1 mm"})
+      print_refusal([&] { run_pair("root_stress.prm", "root_stress_refused", world, {entry}); });
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  MpiSession session(argc, argv);
+  write_file(gauge_of_gear);
+  run_pair("root_stress.prm", "root_stress_results", session.world());
+  check_tables();
+  check_gauge();
+  check_choices(session.world());
+  check_run(session.world());
+  check_refusals(session.world());
+}
