@@ -184,6 +184,17 @@ namespace vfife
     return measured;
   }
 
+  std::vector<VectorXcd> ReducedPair::measure_modal_forces(const unsigned int body) const
+  {
+    const Member &member = *members_[body];
+    return member.rows.project(rows_of(member, now_.force));
+  }
+
+  double ReducedPair::measure_turn(const unsigned int body) const
+  {
+    return members_[body]->motion.turn();
+  }
+
   std::vector<double> ReducedPair::measure_rim(const unsigned int largest)
   {
     // A wave is the sum over sectors k of exp(i n k alpha) (a_k + i b_k), a and b its readings

@@ -15,6 +15,8 @@ namespace vfife
   {
     /** Unbalanced forces over contact forces. */
     constexpr double start_tolerance = 1e-9;
+    /** Iterations after which a balance with points on the edges of facets will do. */
+    constexpr unsigned int start_patience = 40;
   } // namespace
 
   ReducedEquilibrium ReducedPair::start()
@@ -60,6 +62,8 @@ namespace vfife
     PressedState   apart;
     apart.force = apart.deflection = VectorXd::Zero(base.size());
     now_                           = pair_.press_rigid(answers, base, load_, std::move(apart));
+    now_.unit                      = std::abs(load_) / model_.transmission->arm;
+    now_.patience                  = start_patience;
     const unsigned int n     = pair_.balance(answers, base, TurnLoad{load_}, start_tolerance, now_);
     ReducedEquilibrium found = find_slope(answers, base + now_.deflection);
     found.turn               = now_.turn;
@@ -73,8 +77,7 @@ namespace vfife
         forces.add(1., contact[b]);
         member.motion.stand(forces, member.body.turns ? now_.turn : 0., member.sector_rate);
       }
-    // From now on contact may be lost.
-    now_.unit       = std::abs(load_) / model_.transmission->arm;
+    now_.patience   = PressedState().patience;
     now_.deflection = answers_->answer(now_.force);
     restart_energy();
     return found;

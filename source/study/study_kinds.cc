@@ -13,6 +13,7 @@
 #include <vfife/study/run/static_study.h>
 #include <vfife/study/study_kinds.h>
 #include <vfife/study/sweep/sweep_study.h>
+#include <vfife/study/waves/waves_study.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -34,6 +35,7 @@ namespace vfife
     static const Choices<KnownStudy> kinds = {
       {"run", {&alone<make_run_study>, "summary.json"}},
       {"reduced", {&alone<make_reduced_study>, "summary.json"}},
+      {"waves", {&alone<make_waves_study>, "summary.json"}},
       {"static", {&alone<make_static_study>, "summary.json"}},
       {"tooth contact analysis", {&alone<make_tooth_contact_study>, "tca.json"}},
       {"flank fit", {&alone<make_flank_fit_study>, "flank_fit.json"}},

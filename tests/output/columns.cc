@@ -50,6 +50,7 @@
 #include <vfife/study/gear/lumped_study.h>
 #include <vfife/study/reduced/speed_response.h>
 #include <vfife/study/sweep/sweep_study.h>
+#include <vfife/study/waves/wave_line.h>
 
 #include <nlohmann/json.hpp>
 
@@ -149,6 +150,12 @@ namespace
     add("resonance.csv", "lumped", make_resonance_response_table());
     add("resonance.csv", "reduced", make_resonance_response_table());
     add("wave_response.csv", "reduced", make_wave_response_table());
+    add("waves_lines.csv", "waves", make_wave_line_table());
+    add("waves_frequencies.csv", "waves", make_wave_frequency_table());
+    add("waves_response.csv", "waves", make_wave_motion_table());
+    add("waves_build_up.csv", "waves", make_build_up_table());
+    add("waves_stress.csv", "waves", make_wave_stress_table());
+    add("speeds_to_avoid.csv", "waves", make_avoided_speed_table({}, 1., 0.));
     add("mesh.csv", "mesh", body_figures_table({}));
     add("meridian.csv", "mesh", make_meridian_table());
     const GearPair    gears(paper::options());

@@ -18,6 +18,8 @@ TABLES = {
     "page/sweep_chapter.py": {"table": "resonance.csv"},
     "plots/campbell.py": {"branches": "campbell.csv", "resonances": "resonances.csv"},
     "plots/lumped.py": {"motion": "lumped.csv"},
+    "plots/driven_waves.py": {"frequencies": "waves_frequencies.csv", "lines": "waves_lines.csv",
+                              "waves": "waves_response.csv", "growth": "waves_build_up.csv"},
     "plots/speed_response.py": {"sweep": "resonance.csv", "waves": "wave_response.csv"},
     "plots/meridian.py": {"table": "meridian.csv"},
     "plots/resonance.py": {"table": "resonance.csv"},
@@ -217,6 +219,7 @@ def main():
     least = {"history.csv": 10, "teeth.csv": 10, "probes.csv": 3, "rim.csv": 1, "pattern.csv": 1,
              "coupled_modes.csv": 5, "resonance.csv": 10, "lumped.csv": 4, "campbell.csv": 8,
              "resonances.csv": 5, "meridian.csv": 4, "loaded_contact.csv": 6, "loaded_teeth.csv": 4,
+             "waves_lines.csv": 8, "waves_frequencies.csv": 5, "waves_response.csv": 3, "waves_build_up.csv": 2,
              "summary.json": 30, "lumped.json": 5}
     for name, count in least.items():
         if read.get(name, 0) < count:

@@ -21,6 +21,7 @@ from vfife_report.measures.spectrum import compute_spectrum
 from vfife_report.pictures.canvas import Camera, Canvas
 from vfife_report.pictures.hexahedra import Section, find_axis, find_outer_faces
 from vfife_report.plots.bearings import draw_bearing_curves, draw_bearings, draw_misalignment
+from vfife_report.plots.driven_waves import draw_driven_waves, draw_growth, draw_waves_met
 from vfife_report.plots.meridian import draw_meridians, read_parts
 from vfife_report.plots.run_up import compute_window_spectra, draw_orders
 
@@ -181,6 +182,55 @@ class Bearings(unittest.TestCase):
                 page = (Path(name) / "report.html").read_text()
                 for word in ("pinion front", "bearing_curves", "misalignment"):
                     self.assertIn(word, page)
+
+
+class DrivenWaves(unittest.TestCase):
+    LINE = "backward,4,1,1"
+    NAMES = "wave,nodal diameter [-],order [-],mesh order [-]"
+
+    def write(self, folder, driven):
+        def table(name, columns, *rows):
+            (folder / name).write_text("\n".join([f"{self.NAMES},{columns}", *rows, ""]))
+        frequencies = [f"{wave},4,1,{speed},{3600 + sign * speed / 100}" for wave, sign in
+                       (("forward", 1), ("backward", -1)) for speed in (0, 12000)]
+        (folder / "waves_frequencies.csv").write_text("\n".join(
+            ["wave,nodal diameter [-],order [-],speed [rpm],fixed frequency [Hz]", *frequencies, ""]))
+        measured = "7810,5,0.02,0.01,0.011,1.2" if driven else ",".join(["nan"] * 6)
+        table("waves_lines.csv",
+              "speed [rpm],speed in contact [rpm],mesh frequency [Hz],frequency [Hz],damping ratio [-],predicted width [-],"
+              "predicted amplitude [um],peak speed [rpm],amplitude [um],width [-],damping ratio of the width [-],"
+              "damping ratio of the build-up [-],stress amplification [-]",
+              f"{self.LINE},7750,7800,3510,3660,0.01,0.02,4.8,{measured}")
+        if not driven:
+            return
+        table("waves_response.csv", "speed [rpm],amplitude [um],linear amplitude [um],fitted amplitude [um]",
+              *(f"{self.LINE},{7800 + x},{5 - abs(x) / 50},{4.8 - abs(x) / 50},{5 - abs(x) / 50}" for x in (-50, 0, 50)))
+        table("waves_build_up.csv", "time [s],amplitude [um],fitted amplitude [um]",
+              *(f"{self.LINE},{k * 1e-3},{5 - 5 / (k + 1)},{5 - 5 / (k + 1)}" for k in range(4)))
+        (folder / "speeds_to_avoid.csv").write_text(
+            "from [rpm],to [rpm],stress amplification [-],waves\n7600,8000,1.2,wave of 4 diameters\n")
+
+    def test_predicted_and_driven(self):
+        for driven in (False, True):
+            with tempfile.TemporaryDirectory() as name:
+                self.write(Path(name), driven)
+                run = RunFolder(name)
+                axes, = draw_waves_met(run).axes
+                rays = [line for line in axes.lines if line.get_ydata()[0] == 0]
+                self.assertEqual(len(rays), 1)
+                # A mesh order of 27 teeth: 5.4 kHz at 12,000 rpm; the disc lies on it.
+                self.assertAlmostEqual(rays[0].get_ydata()[-1], 5.4, places=12)
+                speed, height = axes.collections[0].get_offsets()[0]
+                self.assertEqual(speed, 7810 if driven else 7800)
+                self.assertAlmostEqual(height, speed * 27 / 60e3, places=12)
+                if driven:
+                    panel = draw_driven_waves(run).axes[0]
+                    self.assertEqual(list(panel.lines[1].get_ydata()), [4, 5, 4])
+                    self.assertEqual(list(draw_growth(run).axes[0].lines[0].get_xdata()), [0, 1, 2, 3])
+                main([name])
+                page = (Path(name) / "report.html").read_text()
+                self.assertIn("Travelling waves", page)
+                self.assertEqual("Pinion speeds to avoid" in page, driven)
 
 
 class RunUp(unittest.TestCase):

@@ -79,6 +79,12 @@ namespace vfife
      * z: c_0, c_1, s_1, c_2 ... as RimWaves has them. */
     std::vector<double> measure_rim(unsigned int largest);
 
+    /** What the contact does to the modes of a body now, in the order of ReducedBody::harmonics. */
+    std::vector<Eigen::VectorXcd> measure_modal_forces(unsigned int body) const;
+
+    /** Turn of a body's momentum about its axis beyond the kinematic one [rad]. */
+    double measure_turn(unsigned int body) const;
+
     /** Newton iterations of all steps. */
     std::uint64_t n_iterations() const
     {

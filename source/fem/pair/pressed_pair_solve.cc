@@ -12,11 +12,9 @@ namespace vfife
   namespace
   {
     constexpr unsigned int largest_iterations = 60;
-    /** Where contact may be lost: iterations after which the best balance will do, to this
-     * residual. A point on the edge between two facets may be pressed by either, with forces that
-     * differ, and there may be none better. */
-    constexpr unsigned int patient_iterations = 12;
-    constexpr double       edge_jump          = 1e-3;
+    /** Where contact may be lost: residual of a balance that will do where no better is found. A
+     * point on the edge between two facets may be pressed by either, with forces that differ. */
+    constexpr double edge_jump = 1e-3;
     /** Halvings of a Newton step. */
     constexpr unsigned int largest_halvings = 8;
     /** Round-off of the potential energy over its largest part. */
@@ -242,7 +240,7 @@ namespace vfife
             best  = now;
             least = residual;
           }
-        if (i >= patient_iterations && least < edge_jump)
+        if (i >= now.patience && least < edge_jump)
           {
             // The surfaces are left where they have been evaluated.
             now        = std::move(best);

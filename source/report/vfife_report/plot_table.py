@@ -12,8 +12,8 @@ from .pictures.bodies import draw_bodies
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
 from .pictures.scene import Scene, is_in_mesh
 from .pictures.teeth_in_mesh import draw_teeth_in_mesh
-from .plots import (bearings, campbell, comparisons, histories, lumped, rim, root_stress, run_up, spectra,
-                    speed_response, tooth_contact)
+from .plots import (bearings, campbell, comparisons, driven_waves, histories, lumped, rim, root_stress, run_up,
+                    spectra, speed_response, tooth_contact)
 from .plots.curves import draw_curves
 from .plots.loaded_contact import draw_loaded_contact
 from .plots.plot_row import PlotRow, draw_rows
@@ -119,6 +119,16 @@ TABLE_PLOTS = (
     PlotRow("wave_response.svg", (has_file("wave_response.csv"),), speed_response.draw_wave_response,
             "Waves of the rim over speed: where a mesh order meets one, it runs.", "Response over speed",
             data="wave_response.csv"),
+    PlotRow("waves_met.svg", (has_file("waves_frequencies.csv"),), driven_waves.draw_waves_met,
+            "Frequencies of the web's waves over speed, less or more the turn of the gear, and mesh orders. Discs: amplitudes "
+            "of the rim where the waves were driven.", "Travelling waves",
+            data="waves_frequencies.csv, waves_lines.csv"),
+    PlotRow("driven_waves.svg", (has_file("waves_response.csv"),), driven_waves.draw_driven_waves,
+            "Driven waves of the rim around their speeds. Vertical: where the mesh order meets the wave of the free gear.",
+            "Travelling waves", data="waves_response.csv"),
+    PlotRow("waves_build_up.svg", (has_file("waves_build_up.csv"),), driven_waves.draw_growth,
+            "Driven waves from the equilibrium on, at the speeds of their lines.", "Travelling waves",
+            data="waves_build_up.csv"),
 )
 
 # Of a study: all its runs on shared axes.

@@ -5,9 +5,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/fem/fem_options.h>
 #include <vfife/lumped/speed_sweep.h>
-#include <vfife/mesh/body_mesh.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/table_writer.h>

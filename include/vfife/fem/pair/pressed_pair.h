@@ -53,7 +53,9 @@ namespace vfife
     bool            touching = true;   ///< otherwise the turn is given and contact is left out
     /** Forces are compared with at least this [N]; 0: with those of the contact, which then must
      * not be lost. */
-    double        unit = 0;
+    double unit = 0;
+    /** Where contact may be lost: iterations after which the best balance will do. */
+    unsigned int  patience = 12;
     PressedForces acting;
 
     double potential(const TurnLoad &load) const;
@@ -153,8 +155,8 @@ namespace vfife
 
     /**
      * Finds the equilibrium: displacements are @p base and the bodies' answer. @p tolerance: of
-     * PressedState::residual(); where contact may be lost, the best one below 1e-3 after 12
-     * iterations. Returns the
+     * PressedState::residual(); where contact may be lost, the best one below 1e-3 after
+     * PressedState::patience iterations. Returns the
      * iterations; throws NumericalError, naming position and history of residuals, and what @p
      * explain says where that is not empty.
      */

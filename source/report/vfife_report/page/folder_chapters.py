@@ -97,6 +97,25 @@ def tell_frequencies(run, plots):
     yield from plots
 
 
+def tell_waves(run, plots):
+    yield from plots
+    lines = read_table(run.path / "waves_lines.csv")
+    if lines is None:
+        return
+    yield tell_rows(lines, ("wave", "nodal diameter", "mesh order", "speed", "speed in contact", "peak speed", "frequency",
+                            "damping ratio", "damping ratio of the width", "damping ratio of the build-up"), range(lines.n_rows),
+                    "Where mesh orders meet waves: by the modes of the free gear, in contact by linear theory, and measured; "
+                    "damping ratios of the wave, and by the measured width and build-up.")
+    yield tell_rows(lines, ("wave", "nodal diameter", "mesh order", "predicted width", "width", "predicted amplitude",
+                            "amplitude", "stress amplification"), range(lines.n_rows),
+                    "Half-power width over the speed, amplitude of the rim and largest stress at a probe over that without "
+                    "waves, at the peak.")
+    avoided = read_table(run.path / "speeds_to_avoid.csv")
+    if avoided is not None:
+        yield tell_rows(avoided, ("from", "to", "stress amplification", "waves"), range(avoided.n_rows),
+                        "Pinion speeds to avoid, with margins.")
+
+
 LEDGER = Chapter("Comparison ledger", tell_ledger)
 TABLE_CHAPTERS = (
     Chapter("Unloaded tooth contact"),
@@ -105,4 +124,5 @@ TABLE_CHAPTERS = (
     Chapter("Bearings", tell_bearings),
     Chapter("Natural frequencies", tell_frequencies),
     Chapter("Response over speed"),
+    Chapter("Travelling waves", tell_waves),
     Chapter("Lumped model", tell_lumped_model))

@@ -1,0 +1,90 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_waves_wave_line_h
+#define vfife_study_waves_wave_line_h
+
+#include <vfife/base/text/table.h>
+#include <vfife/study/waves/driven_wave.h>
+#include <vfife/study/waves/wave_fits.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vfife
+{
+  /** What was found where a wave was driven at and around its speed. */
+  struct WaveResponse
+  {
+    std::vector<WaveMotion>           motions;  ///< by speed, ascending
+    std::vector<std::complex<double>> linear;   ///< by linear theory, at the same speeds [um]
+    ResonanceFit                      curve;    ///< of the amplitudes over the driver's speed
+    BuildUpFit                        build_up; ///< at the speed nearest to the predicted one
+    /** Amplitude at the peak of one mode under the forces at these speeds, less what the wave
+     * itself makes of them [um]. */
+    double forced_peak = 0;
+    /** Of each probe of the driven body at the peak: largest stress over that without waves. */
+    std::vector<double> amplifications;
+  };
+
+  /** A speed at which a mesh order meets a wave, and what was found there. */
+  struct WaveLine
+  {
+    WaveMeeting  meeting;
+    double       speed        = 0; ///< of the driver, by the free body [rad/s]
+    unsigned int driver_teeth = 0;
+    double       zeta         = 0; ///< [1/s]
+    /** The same by linear theory, which knows the contact: amplitudes [um] over the driver's speed.
+     */
+    ResonanceFit                linear_curve;
+    std::optional<WaveResponse> response;
+
+    /** "wave of 4 diameters against the spin at mesh order 1" */
+    std::string name() const;
+    double      predicted_width() const; ///< of the speed, over it [-]
+    double      damping_ratio() const;   ///< [-]
+    double      mesh_frequency() const;  ///< at the speed in contact [Hz]
+    /** Largest of all probes; 1 without probes. */
+    double amplification() const;
+    /** Range of the driver's speed [rad/s] in which the amplification is more than @p allowed, by
+     * the resonance curve; nothing where it is nowhere. */
+    std::optional<std::pair<double, double>> find_range_to_avoid(double allowed) const;
+  };
+
+  /** Index of the motion whose speed is nearest to @p speed. */
+  std::size_t find_nearest(const std::vector<WaveMotion> &motions, double speed);
+
+  /** Evaluates what was measured at the speeds of a line: fits, amplifications. @p linear: by
+   * linear theory at the same speeds [um]; @p gains: WaveDriver::rim_gains(). */
+  WaveResponse evaluate_wave(const WaveLine                   &line,
+                             std::vector<WaveMotion>           motions,
+                             std::vector<std::complex<double>> linear,
+                             const Eigen::RowVectorXcd        &gains);
+
+  /** waves_lines.csv: a row a line. Numbers of a line that was not driven are no numbers. */
+  Table make_wave_line_table();
+  void  add_wave_line(const WaveLine &line, Table &table);
+
+  /** waves_frequencies.csv: a row a wave and speed of the driver [rad/s], @p rate of the driven
+   * body [rad/s]. */
+  Table make_wave_frequency_table();
+  void  add_wave_frequency(const BodyWave &wave, double speed, double rate, Table &table);
+
+  /** waves_response.csv: a row a speed of a line. */
+  Table make_wave_motion_table();
+  void  add_wave_motions(const WaveLine &line, Table &table);
+
+  /** waves_build_up.csv: a row a tooth mesh at the speed nearest to each line. */
+  Table make_build_up_table();
+  void  add_build_up(const WaveLine &line, Table &table);
+
+  /** waves_stress.csv: a row a speed and probe. */
+  Table make_wave_stress_table();
+  void  add_wave_stresses(const WaveLine &line, const std::vector<Probe> &probes, Table &table);
+
+  /** speeds_to_avoid.csv: ranges of the driver's speed with margins, ascending; those that touch
+   * are one. @p margin: over the speed. */
+  Table make_avoided_speed_table(const std::vector<WaveLine> &lines, double allowed, double margin);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,122 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Travelling waves of the web: where mesh orders meet them, what was found there, how they grow."""
+import numpy as np
+
+from ..data.table import Table, read_table
+from .style import COLOURS, GREY, add_legend, plt
+
+DASHES_OF_WAVE = {"forward": "--", "backward": "-"}
+LARGEST_BUBBLE = 900  # area of the marker of the largest amplitude [points^2]
+PANELS_IN_ROW = 2
+
+
+def name_line(lines, row):
+    """\"4 forward, mesh order 1\""""
+    return (f"{lines['nodal diameter'][row]:.0f} {lines['wave'][row]}, mesh order {lines['mesh order'][row]:.0f}")
+
+
+def find_line(table, lines, row):
+    """Rows of another table that belong to a line."""
+    found = np.ones(table.n_rows, dtype=bool)
+    for column in ("wave", "nodal diameter", "order", "mesh order"):
+        found &= table[column] == lines[column][row]
+    return found
+
+
+def draw_waves_met(run):
+    """Frequencies of the waves as an observer at rest sees them, rays of the mesh orders, and at their crossings
+    the amplitudes found."""
+    frequencies, lines = Table(run.path / "waves_frequencies.csv"), read_table(run.path / "waves_lines.csv")
+    plot, axes = plt.subplots(figsize=(8, 6))
+    draw_frequencies(axes, frequencies)
+    end = frequencies["speed"].max()
+    top = 1.05e-3 * frequencies["fixed frequency"].max()
+    if lines is not None:
+        slope = np.median(lines["mesh frequency"] / lines["speed in contact"])
+        for order in np.unique(lines["mesh order"]):
+            axes.plot([0, end], [0, 1e-3 * order * slope * end], color=GREY, linewidth=0.8)
+            reach = min(end, top / (1e-3 * order * slope))
+            axes.annotate(f"mesh order {order:.0f}", (reach, 1e-3 * order * slope * reach), xytext=(-2, -2),
+                          textcoords="offset points", fontsize=7, color=GREY, ha="right", va="top")
+        draw_bubbles(axes, lines)
+    axes.set(title="Waves and mesh orders as an observer at rest sees them", xlim=(0, end), ylim=(0, top),
+             xlabel="pinion speed [rpm]", ylabel="frequency [kHz]")
+    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1., 1.), frameon=False)
+    return plot
+
+
+def draw_frequencies(axes, frequencies):
+    keys = sorted({(int(n), d, int(o)) for n, d, o in zip(
+        frequencies["nodal diameter"], frequencies["wave"], frequencies["order"])})
+    for diameter, wave, order in keys:
+        rows = (frequencies["nodal diameter"] == diameter) & (frequencies["wave"] == wave) & (
+            frequencies["order"] == order)
+        axes.plot(frequencies["speed"][rows], 1e-3 * frequencies["fixed frequency"][rows], DASHES_OF_WAVE[wave],
+                  color=COLOURS[diameter % len(COLOURS)],
+                  label=f"n = {diameter}, {wave}" if order == 1 else None)
+
+
+def draw_bubbles(axes, lines):
+    """Areas in proportion to the amplitudes measured, rings where waves were predicted only."""
+    amplitude = lines["amplitude"]
+    measured = np.isfinite(amplitude)
+    speed = np.where(measured, lines["peak speed"], lines["speed in contact"])
+    height = 1e-3 * lines["mesh order"] * lines["mesh frequency"] * speed / lines["speed in contact"]
+    colours = np.array([COLOURS[int(n) % len(COLOURS)] for n in lines["nodal diameter"]])
+    if not np.all(measured):
+        axes.scatter(speed[~measured], height[~measured], s=30, facecolors="none", edgecolors=colours[~measured])
+    if not np.any(measured):
+        return
+    axes.scatter(speed[measured], height[measured], s=LARGEST_BUBBLE * amplitude[measured] / amplitude[measured].max(),
+                 c=colours[measured], alpha=0.45, linewidths=0)
+    for row in np.flatnonzero(measured):
+        axes.annotate(f"{amplitude[row]:.2g} um", (speed[row], height[row]), xytext=(0, -14),
+                      textcoords="offset points", fontsize=7, ha="center", va="top")
+
+
+def make_panels(n):
+    columns = min(n, PANELS_IN_ROW)
+    rows = -(-n // columns)
+    plot, panels = plt.subplots(rows, columns, squeeze=False, figsize=(8, 1 + 2.1 * rows))
+    for axes in panels.flat[n:]:
+        axes.set_visible(False)
+    return plot, panels.flat
+
+
+def draw_driven_waves(run):
+    """A panel a line: amplitudes over the speed, measured and by linear theory."""
+    lines, waves = Table(run.path / "waves_lines.csv"), Table(run.path / "waves_response.csv")
+    plot, panels = make_panels(lines.n_rows)
+    for row, axes in zip(range(lines.n_rows), panels):
+        mine = find_line(waves, lines, row)
+        axes.plot(waves["speed"][mine], waves["linear amplitude"][mine], "x--", color=COLOURS[2], markersize=4,
+                  label="linear theory")
+        axes.plot(waves["speed"][mine], waves["amplitude"][mine], "o", color=COLOURS[1], markersize=4,
+                  label="reduced pair")
+        axes.plot(waves["speed"][mine], waves["fitted amplitude"][mine], "+", color=COLOURS[0], markersize=6,
+                  label="resonance curve")
+        axes.axvline(lines["speed"][row], color=GREY, linewidth=0.7)
+        axes.set_title(name_line(lines, row), fontsize=8)
+        axes.set_ylim(bottom=0)
+        axes.set_ylabel("amplitude [um]", fontsize=8)
+    add_legend(panels[0], fontsize=7)
+    plot.supxlabel("pinion speed [rpm]", fontsize=9)
+    return plot
+
+
+def draw_growth(run):
+    """A panel a line: means over tooth meshes at the speed of the line."""
+    lines, growth = Table(run.path / "waves_lines.csv"), Table(run.path / "waves_build_up.csv")
+    plot, panels = make_panels(lines.n_rows)
+    for row, axes in zip(range(lines.n_rows), panels):
+        mine = find_line(growth, lines, row)
+        axes.plot(1e3 * growth["time"][mine], growth["amplitude"][mine], ".", color=COLOURS[1], markersize=3,
+                  label="reduced pair")
+        axes.plot(1e3 * growth["time"][mine], growth["fitted amplitude"][mine], color=COLOURS[0], linewidth=0.8,
+                  label="fit")
+        axes.set_title(name_line(lines, row), fontsize=8)
+        axes.set_ylim(bottom=0)
+        axes.set_ylabel("amplitude [um]", fontsize=8)
+    add_legend(panels[0], fontsize=7)
+    plot.supxlabel("time [ms]", fontsize=9)
+    return plot

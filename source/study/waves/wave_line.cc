@@ -1,0 +1,121 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/study/waves/wave_line.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  using Complex = std::complex<double>;
+
+  std::string WaveLine::name() const
+  {
+    const BodyWave &wave = meeting.wave;
+    return "wave of " + std::to_string(wave.diameters) +
+           (wave.diameters == 1 ? " diameter " : " diameters ") +
+           (wave.order > 1 ? "(order " + std::to_string(wave.order) + ") " : "") +
+           (wave.direction == WaveDirection::forward ? "with" : "against") +
+           " the spin at mesh order " + std::to_string(meeting.mesh_order);
+  }
+
+  double WaveLine::predicted_width() const
+  {
+    return meeting.width(zeta);
+  }
+
+  double WaveLine::damping_ratio() const
+  {
+    return meeting.wave.damping_ratio(zeta);
+  }
+
+  double WaveLine::mesh_frequency() const
+  {
+    return linear_curve.peak * driver_teeth / (2. * pi);
+  }
+
+  double WaveLine::amplification() const
+  {
+    double largest = 1;
+    if (response)
+      for (const double amplification : response->amplifications)
+        largest = std::max(largest, amplification);
+    return largest;
+  }
+
+  std::optional<std::pair<double, double>> WaveLine::find_range_to_avoid(const double allowed) const
+  {
+    // What the wave adds falls as the resonance curve: (A - 1)/sqrt(1 + (2 d/width)^2).
+    const double excess = (amplification() - 1.) / (allowed - 1.);
+    if (!response || !(excess > 1))
+      return {};
+    const double distance = .5 * response->curve.width * std::sqrt(excess * excess - 1.);
+    return std::make_pair(response->curve.peak - distance, response->curve.peak + distance);
+  }
+
+  std::size_t find_nearest(const std::vector<WaveMotion> &motions, const double speed)
+  {
+    const auto distance = [speed](const WaveMotion &motion) {
+      return std::abs(motion.speed - speed);
+    };
+    return std::min_element(motions.begin(),
+                            motions.end(),
+                            [&](const WaveMotion &a, const WaveMotion &b) {
+                              return distance(a) < distance(b);
+                            }) -
+           motions.begin();
+  }
+
+  namespace
+  {
+    /** Amplitude at the peak of the linear theory of one mode under the forces at all speeds: what
+     * the wave itself makes of them is in proportion to it and moves the peak; the rest drives it.
+     */
+    double find_forced_peak(const WaveLine                &line,
+                            const std::vector<WaveMotion> &motions,
+                            const ResonanceFit            &curve,
+                            const Complex                 &gain)
+    {
+      std::vector<Complex> waves, forces;
+      for (const WaveMotion &motion : motions)
+        {
+          waves.push_back(motion.amplitude - curve.background);
+          forces.push_back(line.meeting.wave.shape.dot(motion.force));
+        }
+      const Complex drive = fit_line(waves, forces).second;
+      const double  omega = line.meeting.wave.frequency() * curve.peak / line.speed;
+      return std::abs(gain * drive) / (line.zeta * omega);
+    }
+  } // namespace
+
+  WaveResponse evaluate_wave(const WaveLine            &line,
+                             std::vector<WaveMotion>    motions,
+                             std::vector<Complex>       linear,
+                             const Eigen::RowVectorXcd &gains)
+  {
+    WaveResponse         found;
+    std::vector<double>  speeds;
+    std::vector<Complex> amplitudes;
+    for (const WaveMotion &motion : motions)
+      {
+        speeds.push_back(motion.speed);
+        amplitudes.push_back(motion.amplitude);
+      }
+    found.curve            = fit_resonance(speeds, amplitudes);
+    found.linear           = std::move(linear);
+    const WaveMotion &near = motions[find_nearest(motions, line.linear_curve.peak)];
+    found.build_up         = fit_build_up(near.meshes, near.mesh_time);
+    found.forced_peak =
+      find_forced_peak(line, motions, found.curve, (gains * line.meeting.wave.shape)(0));
+
+    const WaveMotion &largest =
+      *std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
+        return std::abs(a.amplitude) < std::abs(b.amplitude);
+      });
+    const double to_peak = found.curve.amplitude / std::abs(largest.amplitude);
+    for (std::size_t p = 0; p < largest.static_stress.size(); ++p)
+      found.amplifications.push_back(
+        1. + to_peak * (largest.largest_stress[p] / largest.static_stress[p] - 1.));
+    found.motions = std::move(motions);
+    return found;
+  }
+} // namespace vfife

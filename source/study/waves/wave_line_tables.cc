@@ -1,0 +1,240 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Tables of WaveLine.
+#include <vfife/base/text/column_names.h>
+#include <vfife/study/waves/wave_line.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr double rpm = 30. / pi; // of 1 rad/s
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+    /** The columns that say which line a row is of. */
+    Table make_table_of_lines()
+    {
+      Table table;
+      table.add_text_column("wave");
+      table.add_column("nodal diameter", "-");
+      table.add_column("order", "-");
+      table.add_column("mesh order", "-");
+      return table;
+    }
+
+    std::vector<Table::Cell> start_row(const WaveLine &line)
+    {
+      const BodyWave &wave = line.meeting.wave;
+      return {name_of(wave.direction), wave.diameters, wave.order, line.meeting.mesh_order};
+    }
+  } // namespace
+
+  Table make_wave_line_table()
+  {
+    Table table = make_table_of_lines();
+    table.add_column(column::speed, "rpm");
+    table.add_column(column::frequency, "Hz");
+    table.add_column("stiffening", "-");
+    table.add_column(column::damping_ratio, "-");
+    table.add_column("speed in contact", "rpm");
+    table.add_column(column::mesh_frequency, "Hz");
+    table.add_column("predicted width", "-");
+    table.add_column("predicted amplitude", "um");
+    table.add_column("peak speed", "rpm");
+    table.add_column("width", "-");
+    table.add_column("amplitude", "um");
+    table.add_column("misfit", "-");
+    table.add_column("damping ratio of the width", "-");
+    table.add_column("damping ratio of the build-up", "-");
+    table.add_column("amplitude by the forces", "um");
+    table.add_column("stress amplification", "-");
+    return table;
+  }
+
+  void add_wave_line(const WaveLine &line, Table &table)
+  {
+    std::vector<Table::Cell> row       = start_row(line);
+    const double             frequency = line.meeting.wave.frequency();
+    for (const double value : {line.speed * rpm,
+                               frequency / (2. * pi),
+                               line.meeting.stiffening,
+                               line.damping_ratio(),
+                               line.linear_curve.peak * rpm,
+                               line.mesh_frequency(),
+                               line.linear_curve.width / line.linear_curve.peak,
+                               line.linear_curve.amplitude})
+      row.emplace_back(value);
+    if (!line.response)
+      row.insert(row.end(), 8, nan);
+    else
+      {
+        const WaveResponse &found = *line.response;
+        const double        width = found.curve.width / found.curve.peak;
+        for (const double value : {found.curve.peak * rpm,
+                                   width,
+                                   found.curve.amplitude,
+                                   found.curve.residual,
+                                   .5 * width * (1. - line.meeting.stiffening),
+                                   found.build_up.decay / frequency,
+                                   found.forced_peak,
+                                   line.amplification()})
+          row.emplace_back(value);
+      }
+    table.add_row(row);
+  }
+
+  Table make_wave_frequency_table()
+  {
+    Table table;
+    table.add_text_column("wave");
+    table.add_column("nodal diameter", "-");
+    table.add_column("order", "-");
+    table.add_column(column::speed, "rpm");
+    table.add_column(column::frequency, "Hz");
+    table.add_column("fixed frequency", "Hz");
+    return table;
+  }
+
+  void add_wave_frequency(const BodyWave &wave, const double speed, const double rate, Table &table)
+  {
+    // What meets the wave at a place that stands in space: crests pass it faster or slower by the
+    // turn of the body.
+    const double turn = wave.diameters * std::abs(rate);
+    const double fixed =
+      wave.direction == WaveDirection::forward ? wave.frequency() + turn : wave.frequency() - turn;
+    table.add_row({name_of(wave.direction),
+                   wave.diameters,
+                   wave.order,
+                   speed * rpm,
+                   wave.frequency() / (2. * pi),
+                   fixed / (2. * pi)});
+  }
+
+  Table make_wave_motion_table()
+  {
+    Table table = make_table_of_lines();
+    table.add_column(column::speed, "rpm");
+    table.add_column("amplitude", "um");
+    table.add_column("phase", "deg");
+    table.add_column("fitted amplitude", "um");
+    table.add_column("linear amplitude", "um");
+    table.add_column("running wave", "um");
+    table.add_column(column::peak_to_peak_dte, "arcsec");
+    table.add_column("largest force", "N");
+    table.add_column(column::energy_error, "-");
+    return table;
+  }
+
+  void add_wave_motions(const WaveLine &line, Table &table)
+  {
+    for (std::size_t k = 0; k < line.response->motions.size(); ++k)
+      {
+        const WaveMotion        &motion = line.response->motions[k];
+        std::vector<Table::Cell> row    = start_row(line);
+        for (const double value : {motion.speed * rpm,
+                                   std::abs(motion.amplitude),
+                                   std::arg(motion.amplitude) * 180. / pi,
+                                   std::abs(line.response->curve.value(motion.speed)),
+                                   std::abs(line.response->linear[k]),
+                                   motion.running,
+                                   motion.pp_error / arcsecond,
+                                   motion.largest_force,
+                                   motion.energy_error})
+          row.emplace_back(value);
+        table.add_row(row);
+      }
+  }
+
+  Table make_build_up_table()
+  {
+    Table table = make_table_of_lines();
+    table.add_column(column::speed, "rpm");
+    table.add_column(column::time, "s");
+    table.add_column("amplitude", "um");
+    table.add_column("fitted amplitude", "um");
+    return table;
+  }
+
+  void add_build_up(const WaveLine &line, Table &table)
+  {
+    const WaveResponse &found  = *line.response;
+    const WaveMotion   &motion = found.motions[find_nearest(found.motions, line.linear_curve.peak)];
+    for (std::size_t m = 0; m < motion.meshes.size(); ++m)
+      {
+        std::vector<Table::Cell> row   = start_row(line);
+        const double             since = m * motion.mesh_time;
+        row.emplace_back(motion.speed * rpm);
+        row.emplace_back(since + .5 * motion.mesh_time);
+        row.emplace_back(std::abs(motion.meshes[m]));
+        row.emplace_back(std::abs(found.build_up.value(since)));
+        table.add_row(row);
+      }
+  }
+
+  Table make_wave_stress_table()
+  {
+    Table table = make_table_of_lines();
+    table.add_column(column::speed, "rpm");
+    table.add_text_column(column::probe);
+    table.add_column("stress without waves", "MPa");
+    table.add_column("largest stress", "MPa");
+    table.add_column("stress amplification", "-");
+    return table;
+  }
+
+  void add_wave_stresses(const WaveLine &line, const std::vector<Probe> &probes, Table &table)
+  {
+    for (const WaveMotion &motion : line.response->motions)
+      for (std::size_t p = 0; p < probes.size(); ++p)
+        {
+          std::vector<Table::Cell> row = start_row(line);
+          row.emplace_back(motion.speed * rpm);
+          row.emplace_back(probes[p].name);
+          row.emplace_back(motion.static_stress[p]);
+          row.emplace_back(motion.largest_stress[p]);
+          row.emplace_back(motion.largest_stress[p] / motion.static_stress[p]);
+          table.add_row(row);
+        }
+  }
+
+  Table make_avoided_speed_table(const std::vector<WaveLine> &lines,
+                                 const double                 allowed,
+                                 const double                 margin)
+  {
+    struct Range
+    {
+      double      from, to, amplification;
+      std::string waves;
+    };
+    std::vector<Range> ranges;
+    for (const WaveLine &line : lines)
+      if (const auto found = line.find_range_to_avoid(allowed))
+        ranges.push_back({found->first * (1. - margin),
+                          found->second * (1. + margin),
+                          line.amplification(),
+                          line.name()});
+    std::sort(ranges.begin(), ranges.end(), [](const Range &a, const Range &b) {
+      return a.from < b.from;
+    });
+    Table table;
+    table.add_column("from", "rpm");
+    table.add_column("to", "rpm");
+    table.add_column("stress amplification", "-");
+    table.add_text_column("waves");
+    for (std::size_t k = 0; k < ranges.size();)
+      {
+        Range whole = ranges[k];
+        for (++k; k < ranges.size() && ranges[k].from <= whole.to; ++k)
+          {
+            whole.to            = std::max(whole.to, ranges[k].to);
+            whole.amplification = std::max(whole.amplification, ranges[k].amplification);
+            whole.waves += "; " + ranges[k].waves;
+          }
+        table.add_row({whole.from * rpm, whole.to * rpm, whole.amplification, whole.waves});
+      }
+    return table;
+  }
+} // namespace vfife

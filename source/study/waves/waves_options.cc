@@ -1,0 +1,124 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/quantity.h>
+#include <vfife/study/waves/waves_options.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Offsets beyond are no surroundings of a line [-]. */
+    constexpr double largest_offset = .5;
+  } // namespace
+
+  void WavesOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_quantity(prm,
+                     "lowest speed",
+                     lowest_speed,
+                     "rpm",
+                     "Of the pinion: waves are met from here on",
+                     Range::not_negative());
+    declare_quantity(prm,
+                     "highest speed",
+                     highest_speed,
+                     "rpm",
+                     "Of the pinion: up to here, and speed at which the bodies are reduced",
+                     Range::not_negative());
+    declare_names(prm, "diameters", diameters, "Numbers of nodal diameters of the gear's waves");
+    declare_integer(prm,
+                    "wave orders",
+                    wave_orders,
+                    "Waves of each number of diameters and direction, from the lowest on",
+                    1,
+                    100);
+    declare_integer(prm,
+                    "mesh harmonics",
+                    mesh_orders,
+                    "Multiples of the mesh frequency that may drive a wave, from 1 on",
+                    1,
+                    100);
+    declare_integer(
+      prm, "speeds", n_speeds, "Speeds of the waves' frequencies in the diagram", 2, 10000);
+    declare_switch(prm,
+                   "driven",
+                   driven,
+                   "Whether each wave is driven at its speed and around it by the reduced pair; if "
+                   "not, speeds are predicted only");
+    declare_names(prm,
+                  "offsets",
+                  offsets,
+                  "Of the speeds around each predicted one, over it: at least three [-]");
+    declare_number(prm,
+                   "decay times",
+                   decay_times,
+                   "Of the wave, at each speed before what is counted: exp(-1) each",
+                   Range::positive());
+    declare_number(prm,
+                   "allowed amplification",
+                   allowed_amplification,
+                   "Of the largest stress at a probe over that at rest in space, beyond which a "
+                   "speed is to be avoided",
+                   Range{1., std::numeric_limits<double>::infinity(), true});
+    declare_quantity(prm,
+                     "margin",
+                     margin,
+                     "-",
+                     "Over the speed, on both sides of what is to be avoided",
+                     Range::between(0., .5));
+  }
+
+  std::vector<unsigned int> WavesOptions::diameter_numbers() const
+  {
+    std::vector<unsigned int> numbers;
+    for (const std::string &text : diameters)
+      {
+        const double value = parse_quantity(text, "-");
+        if (!(value >= 1 && value <= 1000) || value != std::floor(value))
+          throw InputError("\"" + text + "\" is no number of nodal diameters: 1, 2, 3 ...");
+        numbers.push_back(static_cast<unsigned int>(value));
+      }
+    return numbers;
+  }
+
+  std::vector<double> WavesOptions::offset_parts() const
+  {
+    std::vector<double> parts;
+    for (const std::string &text : offsets)
+      {
+        parts.push_back(parse_quantity(text, "-"));
+        if (!(std::abs(parts.back()) <= largest_offset))
+          throw InputError("\"" + text + "\": at most 50 % to either side");
+      }
+    std::sort(parts.begin(), parts.end());
+    if (std::adjacent_find(parts.begin(), parts.end()) != parts.end())
+      throw InputError("an offset stands there twice");
+    return parts;
+  }
+
+  void WavesOptions::check(const std::string &section) const
+  {
+    const auto read = [&section](const char *entry, const auto &function) {
+      try
+        {
+          return function();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(section + "/" + entry, error.what());
+        }
+    };
+    if (!(lowest_speed > 0 && highest_speed > lowest_speed))
+      throw InputError(section + "/lowest speed",
+                       "0 < lowest speed < highest speed is needed: between them waves are met");
+    if (read("diameters", [this] { return diameter_numbers(); }).empty())
+      throw InputError(section + "/diameters", "at least one number of nodal diameters");
+    if (read("offsets", [this] { return offset_parts(); }).size() < 3)
+      throw InputError(section + "/offsets",
+                       "a resonance curve needs at least three speeds, as -1 %, 0 %, 1 %");
+  }
+} // namespace vfife

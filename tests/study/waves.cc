@@ -1,0 +1,161 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Study kind `waves` on the coarsest pair: prediction, a wave driven on its line and around it,
+// what is refused.
+#include "../parts.h"
+#include "../refusal.h"
+#include "../tests.h"
+#include "quick_pair.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+using namespace vfife;
+
+namespace
+{
+  using Columns = std::map<std::string, std::vector<double>>;
+
+  void write_file()
+  {
+    std::ofstream("waves.prm") << coarse_pair("set web = conical", coarse_web) <<
+      R"(
+subsection Study
+  set kind = waves
+end
+subsection Dynamics
+  set damping      = 800
+  set mesh damping = 6000
+end
+subsection Reduced
+  set settling meshes = 20
+  set counted meshes  = 4
+end
+subsection Waves
+  set lowest speed  = 7000 rpm
+  set highest speed = 8300 rpm
+  set diameters     = 4
+  set decay times   = 4
+end
+subsection Operation
+  set speed  = 10000 rpm
+  set torque = 800 N m
+end
+subsection Output
+  set history every = 30
+  set pictures      = false
+  set verbosity     = quiet
+end
+)";
+  }
+
+  /** Frequencies that `modal` finds at the speeds where the lines are said to be. */
+  void prediction(Communicator &world)
+  {
+    run_pair("waves.prm",
+             "predicted",
+             world,
+             {"Waves/driven=no", "Waves/diameters=3, 4", "Waves/highest speed=12000 rpm"});
+    const Columns lines = read_columns("predicted/waves_lines.csv");
+    check("two waves of four diameters, none of three between the speeds",
+          lines.at("speed").size() == 2 && lines.at("nodal diameter")[0] == 4);
+    check("not driven, not measured",
+          std::isnan(lines.at("peak speed")[0]) &&
+            !std::filesystem::exists("predicted/waves_response.csv"));
+    for (std::size_t k = 0; k < 2; ++k)
+      {
+        // Against the spin 79 + 4 times the gear's speed, with it 79 - 4 times.
+        const double gear = lines.at("speed")[k] * 27 / 79, turns = k == 0 ? 83 : 75;
+        check_close("frequency over that of the force",
+                    lines.at("frequency")[k] / (turns * gear / 60),
+                    1.,
+                    1e-9);
+        check_close("damping ratio",
+                    lines.at("damping ratio")[k],
+                    800 / (4 * 3.14159265 * lines.at("frequency")[k]),
+                    2e-3 * lines.at("damping ratio")[k]);
+        run_pair("waves.prm",
+                 "modal",
+                 world,
+                 {"Study/kind=modal",
+                  "Fem/bodies=gear",
+                  "Fem/speeds=" + std::to_string(gear) + " rpm",
+                  "Fem/modes=4",
+                  "Fem/mass=lumped",
+                  "Fem/coriolis=yes",
+                  "Fem/cyclic symmetry=yes",
+                  "Fem/largest nodal diameter=4"});
+        const Columns modes = read_columns("modal/modes.csv");
+        double        least = 1.;
+        for (std::size_t m = 0; m < modes.at("frequency").size(); ++m)
+          if (modes.at("nodal diameter")[m] == 4)
+            least =
+              std::min(least, std::abs(modes.at("frequency")[m] / lines.at("frequency")[k] - 1.));
+        check_below("a mode of the whole gear at that speed", least, 1e-4);
+      }
+  }
+
+  /** The wave that runs against the spin. */
+  void driven(Communicator &world)
+  {
+    run_pair("waves.prm", "driven", world);
+    const Columns lines  = read_columns("driven/waves_lines.csv"),
+                  waves  = read_columns("driven/waves_response.csv"),
+                  growth = read_columns("driven/waves_build_up.csv"),
+                  stress = read_columns("driven/waves_stress.csv");
+    check("a row a speed", waves.at("speed").size() == 5);
+    check("a row a probe and speed", stress.at("largest stress").size() == 10);
+    const auto over = [&lines](const char *value, const char *reference) {
+      return lines.at(value)[0] / lines.at(reference)[0];
+    };
+    check_close("speed in contact over that of the free gear",
+                over("speed in contact", "speed"),
+                1.,
+                2e-2);
+    check_close("speed of the peak over its prediction",
+                over("peak speed", "speed in contact"),
+                1.,
+                1e-2);
+    check_close("width over its prediction", over("width", "predicted width"), 1., .1);
+    check_close("width over twice the damping ratio",
+                over("damping ratio of the width", "damping ratio"),
+                1.,
+                .1);
+    check_close("build-up", over("damping ratio of the build-up", "damping ratio"), 1., .1);
+    check_close("amplitude over its prediction", over("amplitude", "predicted amplitude"), 1., .1);
+    check_close("amplitude by the forces", over("amplitude by the forces", "amplitude"), 1., .1);
+    check_below("misfit of the curve", lines.at("misfit")[0], 5e-2);
+    check("the wave grows", growth.at("amplitude")[0] < .5 * growth.at("amplitude")[20]);
+    check_below("energy", waves.at("energy error")[2], 1e-2);
+    std::ifstream file("driven/summary.json");
+    check("summary", nlohmann::json::parse(file).at("status") == "finished");
+    const Columns avoided = read_columns("driven/speeds_to_avoid.csv");
+    const double  peak    = lines.at("peak speed")[0];
+    check("the speed is to be avoided, with margins",
+          lines.at("stress amplification")[0] > 1.1 && avoided.at("from").size() == 1 &&
+            avoided.at("from")[0] < .98 * peak && avoided.at("to")[0] > 1.02 * peak);
+  }
+
+  void refusals(Communicator &world)
+  {
+    const auto refuse = [&](const std::string &entry, const std::string &value) {
+      print_refusal([&]() { run_pair("waves.prm", "refused", world, {entry + "=" + value}); });
+    };
+    refuse("Waves/lowest speed", "12000 rpm");
+    refuse("Waves/diameters", "0");
+    refuse("Waves/diameters", "2.5");
+    refuse("Waves/diameters", "20");
+    refuse("Waves/offsets", "0, 1 %");
+    refuse("Waves/offsets", "0, 60 %, 1 %");
+    refuse("Waves/offsets", "0, 1 %, 1 %");
+    refuse("Waves/diameter", "3");
+    refuse("Dynamics/damping", "0");
+    refuse("Operation/driving member", "gear");
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  write_file();
+  run_parts(argc, argv, {prediction, driven, refusals});
+}
