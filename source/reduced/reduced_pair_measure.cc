@@ -162,23 +162,30 @@ namespace vfife
     state.measured.probes = measure_probes(model_.probes);
   }
 
+  ReducedPair::Reader ReducedPair::reader(const unsigned int b) const
+  {
+    const Member &member = *members_[b];
+    return [&member,
+            coordinates = member.coordinates(),
+            force       = VectorXd(rows_of(member, now_.force))](const unsigned int reading,
+                                                           const unsigned int sector) {
+      const std::size_t row = 3 * member.body.touch_nodes.size() + reading;
+      return member.spin * member.body.spin[row] +
+             member.rows.read(reading, sector, coordinates, force, member.axial);
+    };
+  }
+
   std::vector<ProbeValue> ReducedPair::measure_probes(const std::vector<Probe> &probes) const
   {
     std::vector<ProbeValue> measured;
     for (const Probe &probe : probes)
       {
-        const Member                &member      = *members_[probe.body];
-        const std::vector<VectorXcd> coordinates = member.coordinates();
-        const VectorXd               force       = rows_of(member, now_.force);
-        const std::size_t            first       = 3 * member.body.touch_nodes.size();
-        const unsigned int           sector      = probe.node / member.body.nodes_per_sector;
-        std::array<double, 9>        values{};
+        const ReducedBody    &reduced = body(probe.body);
+        const Reader          read    = reader(probe.body);
+        std::array<double, 9> values{};
         for (unsigned int c = 0; c < values.size(); ++c)
-          {
-            const unsigned int k = member.body.find_reading(reading::of_probe(probe.name, c));
-            values[c]            = member.spin * member.body.spin[first + k] +
-                        member.rows.read(k, sector, coordinates, force, member.axial);
-          }
+          values[c] = read(reduced.find_reading(reading::of_probe(probe.name, c)),
+                           probe.node / reduced.nodes_per_sector);
         measured.push_back(make_probe_value(model_, probe, values));
       }
     return measured;

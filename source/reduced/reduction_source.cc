@@ -85,7 +85,7 @@ namespace vfife
       std::vector<unsigned int> nodes = touch_nodes;
       stream.pass(nodes);
     });
-    add("list of probes and waves", [&](ByteStream &stream) {
+    add("list of probes, waves and fillets", [&](ByteStream &stream) {
       for (SectorReading reading : readings)
         stream.pass(reading.name, reading.weights);
     });

@@ -138,7 +138,8 @@ namespace vfife
                                             {"sweep", "Sweep", "parameters"},
                                             {"sweep", "Sweep", "figures"},
                                             {"loaded tooth contact analysis", "Fillets", "gauges"},
-                                            {"run", "Fillets", "gauges"}};
+                                            {"run", "Fillets", "gauges"},
+                                            {"reduced", "Fillets", "gauges"}};
 
     /** All that a kind declares, as of a gear pair, each list of names holding one NAME. */
     Json declare_kind(const std::string &kind)

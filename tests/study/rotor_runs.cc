@@ -3,6 +3,7 @@
 // dampers and couplings do, and the passage of the elements of a bearing whose cage rolls.
 #include "../parts.h"
 #include "../tests.h"
+#include "child_program.h"
 #include "quick_pair.h"
 #include "short_rotor.h"
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <complex>
+#include <filesystem>
 
 using namespace vfife;
 using namespace rotor_text;
@@ -379,9 +381,25 @@ namespace
                 0.01);
     check_below("passage: energy error", largest_energy_error(run), 1e-3);
   }
+  /** A cage knows from the time alone where it is: interrupted, that run has the same digits. */
+  void passage_goes_on(Communicator &world)
+  {
+    const std::string steps = "Dynamics/largest number of steps=",
+                      kept  = "Output/checkpoint every=600 s";
+    for (const char *folder : {"whole_passage", "passage_in_parts"})
+      std::filesystem::remove_all(folder);
+    run_pair("ball_passage.prm", "whole_passage", world, {steps + "1200"});
+    run_pair("ball_passage.prm", "passage_in_parts", world, {steps + "500", kept});
+    run_pair("ball_passage.prm", "passage_in_parts", world, {steps + "1200", kept}, true);
+    const std::string whole = read_text("whole_passage/bearings.csv");
+    check("passage, interrupted: same digits",
+          whole.size() > 1000 && whole == read_text("passage_in_parts/bearings.csv"));
+  }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts<Communicator>(argc, argv, {&whirl, &damped, &wound, &balance, &ball_passage});
+  run_parts<Communicator>(argc,
+                          argv,
+                          {&whirl, &damped, &wound, &balance, &ball_passage, &passage_goes_on});
 }

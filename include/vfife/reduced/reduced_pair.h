@@ -7,6 +7,7 @@
 #include <vfife/reduced/reduced_body.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -71,6 +72,12 @@ namespace vfife
 
     /** Sets time, step and measurements; forces at the nodes where the field is not empty. */
     void measure(State &state);
+
+    /** The value of a reading (its place among those of the body) on a sector, spin included. */
+    using Reader = std::function<double(unsigned int reading, unsigned int sector)>;
+
+    /** Reads body @p b as it is now; the pair must outlive the function. */
+    Reader reader(unsigned int b) const;
 
     /** What @p probes show, which are the model's or copies of them in other sectors. */
     std::vector<ProbeValue> measure_probes(const std::vector<Probe> &probes) const;

@@ -45,6 +45,11 @@ namespace vfife
           const GaugeOptions &options,
           const std::string  &section);
 
+    const Fillet &fillet() const
+    {
+      return fillet_;
+    }
+
     /** A vector [mm] at a node of the body. */
     using NodeVectors = std::function<Vector3(unsigned int node)>;
 

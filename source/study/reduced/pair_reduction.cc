@@ -47,7 +47,8 @@ namespace vfife
                                        const double          cutoff,
                                        const double          faster,
                                        const Communicator   &communicator,
-                                       Log                  &log)
+                                       Log                  &log,
+                                       const MoreReadings   &more)
   {
     require_reducible(model);
     FemOptions fem;
@@ -58,11 +59,14 @@ namespace vfife
     std::vector<ReducedBody> bodies;
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
-        const auto                       start = WallClock::now();
-        const Body                      &body  = model.bodies[b];
-        const std::vector<unsigned int>  nodes = list_touch_nodes(model, b);
-        const std::vector<SectorReading> readings =
+        const auto                      start = WallClock::now();
+        const Body                     &body  = model.bodies[b];
+        const std::vector<unsigned int> nodes = list_touch_nodes(model, b);
+        std::vector<SectorReading>      readings =
           list_readings(model, b, stiffness, RimWriter::count_diameters(model));
+        if (more)
+          for (SectorReading &reading : more(b))
+            readings.push_back(std::move(reading));
         const ReductionSource source(model, b, nodes, readings, fem);
         const double          rate = faster * body.rate;
         if (auto kept = store.find(body.name(), source, {2. * pi * cutoff, rate, options.reach}))

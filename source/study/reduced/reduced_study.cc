@@ -17,6 +17,7 @@
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_length.h>
+#include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/reduced/reduced_study.h>
@@ -43,6 +44,7 @@ namespace vfife
         gear_case_.set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
         output_.declare(prm);
+        fillets_.declare(prm, file);
         Subsection section(prm, "Reduced");
         options_.declare(prm);
         sweep_.declare(prm);
@@ -60,6 +62,9 @@ namespace vfife
         sweep_.check("Reduced");
         if (dynamics_.start != Start::static_preload)
           throw InputError("Dynamics/start", "a reduced pair starts from its static preload");
+        if (sweep_.kind != SweepKind::none && fillets_.records())
+          throw InputError("Fillets/teeth",
+                           "a sweep over speeds records no fillets and has no gauges");
         if (dynamics_.damping_rate != DampingRate::momentum)
           throw InputError("Dynamics/damping rate",
                            "modes are damped relative to the momentum's rate of the body");
@@ -68,6 +73,7 @@ namespace vfife
       void inspect(Communicator &communicator, Log &log) override
       {
         const Model model = gear_case_.make_model(log);
+        RootStress(model, fillets_);
         log.line("penalty of a run of this file ",
                  find_penalties(communicator, log).front(),
                  " N/mm^3; modes below ",
@@ -130,6 +136,7 @@ namespace vfife
       GearCase          gear_case_;
       DynamicsOptions   dynamics_;
       OutputOptions     output_;
+      FilletOptions     fillets_;
       ReducedOptions    options_;
       SpeedSweepOptions sweep_;
     };
@@ -212,6 +219,10 @@ namespace vfife
       PairResults results(model, gear_case_.hertz_contact(), output_, history_steps, end_time);
       results.add_observers(run.observers(),
                             [&](const unsigned int n) { return pair.measure_rim(n); });
+      results.record_fillets(
+        fillets_,
+        [&pair](const RootStress &) { return measure_fillet_readings(pair); },
+        run.observers());
       RunSummary summary = start_summary("reduced", model, folder);
       summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
@@ -268,8 +279,18 @@ namespace vfife
       const Communicator       &communicator = folder.communicator();
       Model                     model        = gear_case_.make_model(log);
       const std::vector<double> penalties    = find_penalties(communicator, log);
-      std::vector<ReducedBody>  bodies       = reduce_pair(
-        model, options_, dynamics_.stiffness, least_cutoff(), largest_factor(), communicator, log);
+      const RootStress          roots(model, fillets_);
+      const MoreReadings        of_fillets = [&](const unsigned int b) {
+        return list_fillet_readings(model, roots, b);
+      };
+      std::vector<ReducedBody> bodies = reduce_pair(model,
+                                                    options_,
+                                                    dynamics_.stiffness,
+                                                    least_cutoff(),
+                                                    largest_factor(),
+                                                    communicator,
+                                                    log,
+                                                    fillets_.records() ? of_fillets : nullptr);
       if (options_.exports)
         export_bodies(bodies, model, folder);
       const Motion motion = make_motion(bodies);

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/element/stress.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
 #include <vfife/study/cases/probe_copies.h>
@@ -21,6 +22,22 @@ namespace vfife
     /** Newton's method of an equilibrium may go round between two states of contact at one speed
      * and not at the next one: speeds that are tried, over the one that is wanted. */
     constexpr std::array<double, 9> start_parts{{0., .003, -.003, .01, -.01, .03, -.03, .1, -.1}};
+
+    /** Parts of a wave's period at which its stress is looked at. */
+    constexpr unsigned int n_phases = 64;
+
+    double find_largest_von_mises(const std::array<Complex, 6> &amplitudes)
+    {
+      double largest = 0;
+      for (unsigned int k = 0; k < n_phases; ++k)
+        {
+          Stress stress;
+          for (unsigned int c = 0; c < 6; ++c)
+            stress[c] = (amplitudes[c] * std::polar(1., pi * k / n_phases)).real();
+          largest = std::max(largest, von_mises(stress));
+        }
+      return largest;
+    }
 
     /** Frequency of the force in the turning axes at a driven rate [rad/s], signed as the wave's.
      */
@@ -90,6 +107,25 @@ namespace vfife
     return stresses;
   }
 
+  void WaveDriver::add_wave_stresses(const unsigned int         n,
+                                     const Complex             &turned,
+                                     std::vector<WaveStresses> &sums) const
+  {
+    const ReducedBody &reduced = body();
+    for (std::size_t p = 0; p < copies_.size(); ++p)
+      {
+        const std::vector<ProbeValue> values = pair_.measure_probes(copies_[p]);
+        for (std::size_t m = 0; m < values.size(); ++m)
+          {
+            const unsigned int sector = copies_[p][m].node / reduced.nodes_per_sector;
+            const Complex      phase =
+              turned * std::polar(2. / reduced.n_sectors, -(n * sector * reduced.sector_angle));
+            for (std::size_t c = 0; c < sums[p].size(); ++c)
+              sums[p][c] += phase * values[m].stress[c];
+          }
+      }
+  }
+
   void WaveDriver::start(const double speed, const double step)
   {
     for (const double part : start_parts)
@@ -123,8 +159,8 @@ namespace vfife
     motion.mesh_time  = 2. * pi / (schedule.speed * t.driver_teeth);
     const double step = motion.mesh_time / schedule.steps;
     start(schedule.speed, step);
-    motion.static_stress = motion.largest_stress = read_stresses();
-    std::fill(motion.largest_stress.begin(), motion.largest_stress.end(), 0.);
+    motion.static_stress = read_stresses();
+    std::vector<WaveStresses> stresses(probes_.size(), WaveStresses{});
     motion.force = Eigen::VectorXcd::Zero(body().harmonics[harmonic].n_modes());
 
     const unsigned int   stride = schedule.steps / schedule.samples;
@@ -155,12 +191,14 @@ namespace vfife
             counted.push_back(rim * std::exp(-i * (spin * time)));
             if (mesh + 1 < schedule.settling_meshes + schedule.counted_meshes)
               continue;
-            const std::vector<double> stresses = read_stresses();
-            for (std::size_t p = 0; p < stresses.size(); ++p)
-              motion.largest_stress[p] = std::max(motion.largest_stress[p], stresses[p]);
+            add_wave_stresses(n,
+                              std::exp(-i * (omega * time)) / double(schedule.samples),
+                              stresses);
           }
         motion.meshes.push_back(sum / double(schedule.samples));
       }
+    for (const WaveStresses &stress : stresses)
+      motion.wave_stress.push_back(find_largest_von_mises(stress));
     motion.force /= double(counted.size());
     motion.pp_error     = largest_error - least_error;
     motion.energy_error = std::abs(state.measured.energy.error());

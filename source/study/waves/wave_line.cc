@@ -113,8 +113,8 @@ namespace vfife
       });
     const double to_peak = found.curve.amplitude / std::abs(largest.amplitude);
     for (std::size_t p = 0; p < largest.static_stress.size(); ++p)
-      found.amplifications.push_back(
-        1. + to_peak * (largest.largest_stress[p] / largest.static_stress[p] - 1.));
+      found.amplifications.push_back(1. +
+                                     to_peak * largest.wave_stress[p] / largest.static_stress[p]);
     found.motions = std::move(motions);
     return found;
   }

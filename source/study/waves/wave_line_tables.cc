@@ -180,7 +180,7 @@ namespace vfife
     table.add_column(column::speed, "rpm");
     table.add_text_column(column::probe);
     table.add_column("stress without waves", "MPa");
-    table.add_column("largest stress", "MPa");
+    table.add_column("stress of the wave", "MPa");
     table.add_column("stress amplification", "-");
     return table;
   }
@@ -194,8 +194,8 @@ namespace vfife
           row.emplace_back(motion.speed * rpm);
           row.emplace_back(probes[p].name);
           row.emplace_back(motion.static_stress[p]);
-          row.emplace_back(motion.largest_stress[p]);
-          row.emplace_back(motion.largest_stress[p] / motion.static_stress[p]);
+          row.emplace_back(motion.wave_stress[p]);
+          row.emplace_back(1. + motion.wave_stress[p] / motion.static_stress[p]);
           table.add_row(row);
         }
   }

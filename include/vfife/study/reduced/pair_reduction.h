@@ -5,6 +5,7 @@
 #include <vfife/element/stiffness.h>
 #include <vfife/reduced/reduced_body.h>
 
+#include <functional>
 #include <vector>
 
 namespace vfife
@@ -15,11 +16,14 @@ namespace vfife
   struct Model;
   struct ReducedOptions;
 
+  /** Readings of a body beyond those of every run. */
+  using MoreReadings = std::function<std::vector<SectorReading>(unsigned int body)>;
+
   /**
    * The bodies of a gear pair with modes below @p cutoff [Hz] at least, about their state of spin
-   * at the model's rates times @p faster, with all readings of a run; of those that are kept in
-   * ReducedOptions::store the kept ones. Throws as reduce_body() and ReductionStore, and InputError
-   * for pairs on shafts. Collective.
+   * at the model's rates times @p faster, with all readings of a run and @p more (nullptr: none);
+   * of those that are kept in ReducedOptions::store the kept ones. Throws as reduce_body() and
+   * ReductionStore, and InputError for pairs on shafts. Collective.
    */
   std::vector<ReducedBody> reduce_pair(const Model          &model,
                                        const ReducedOptions &options,
@@ -27,7 +31,8 @@ namespace vfife
                                        double                cutoff,
                                        double                faster,
                                        const Communicator   &communicator,
-                                       Log                  &log);
+                                       Log                  &log,
+                                       const MoreReadings   &more = nullptr);
 
   /** Writes the matrices of each body and what their rows and columns are, as RealBody has them:
    * BODY_mass.mtx, ..., BODY_coordinates.csv, BODY_rows.csv. */

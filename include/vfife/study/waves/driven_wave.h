@@ -6,6 +6,7 @@
 #include <vfife/reduced/body_waves.h>
 #include <vfife/reduced/reduced_pair.h>
 
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -36,9 +37,10 @@ namespace vfife
     /** Over the counted meshes: largest distance of the wave with these diameters from what stands
      * in space [um], transmission error peak to peak [rad], largest force [N]. */
     double running = 0, pp_error = 0, largest_force = 0;
-    /** Largest von Mises stress over all copies of each probe: in the equilibrium, which is the
-     * passage of one of them where nothing runs, and over the counted meshes [MPa]. */
-    std::vector<double> static_stress, largest_stress;
+    /** Of each probe [MPa]: largest von Mises stress over all copies in the equilibrium, which is
+     * the passage of one of them where nothing runs; that of the driven wave alone, over its
+     * period. */
+    std::vector<double> static_stress, wave_stress;
     double              energy_error = 0; ///< [-]
   };
 
@@ -70,6 +72,14 @@ namespace vfife
     void                 start(double speed, double step);
     std::complex<double> read_rim(unsigned int diameters);
     std::vector<double>  read_stresses() const;
+
+    /** Complex amplitudes of the components of Stress [MPa]. */
+    using WaveStresses = std::array<std::complex<double>, 6>;
+    /** Adds the part of all copies' stresses that follows the sectors as a wave with @p n
+     * diameters, times @p turned, by probe. */
+    void add_wave_stresses(unsigned int                n,
+                           const std::complex<double> &turned,
+                           std::vector<WaveStresses>  &sums) const;
 
     const Model                    &model_;
     ReducedPair                    &pair_;

@@ -23,7 +23,8 @@ namespace vfife
     /** Amplitude at the peak of one mode under the forces at these speeds, less what the wave
      * itself makes of them [um]. */
     double forced_peak = 0;
-    /** Of each probe of the driven body at the peak: largest stress over that without waves. */
+    /** Of each probe of the driven body at the peak: largest stress without waves and that of the
+     * wave over the first; von Mises stresses of sums are at most the sums. */
     std::vector<double> amplifications;
   };
 
