@@ -5,6 +5,7 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
+#include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
 
 #include <nlohmann/json.hpp>
@@ -243,7 +244,16 @@ namespace
     std::ofstream("kept/gear.reduction", std::ios::binary) << damaged;
     refuse({});
     std::ofstream("kept/gear.reduction", std::ios::binary) << first.substr(0, 1000);
-    refuse({});
+    try
+      {
+        turn("store_refused", {});
+        check("a cut file is refused", false);
+      }
+    catch (const InputError &error)
+      {
+        check("a cut file is refused",
+              std::string(error.what()).find("is damaged: it has") != std::string::npos);
+      }
     std::ofstream("kept/gear.reduction", std::ios::binary) << "something else, long enough for a "
                                                               "header and whatever comes behind it";
     refuse({});

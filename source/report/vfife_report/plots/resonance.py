@@ -35,7 +35,9 @@ def draw_resonance(study):
     for axes, (column, of_model) in zip(panels, RIPPLES):
         for what, kind, colour in KINDS:
             values = read_ripple(axis, column, what)
-            axes.plot(axis.values, values, "o-", color=colour, markersize=4, label=what)
+            # Lines between runs would say what other models know better.
+            axes.plot(axis.values, values, "o" if beside.responses else "o-", color=colour, markersize=4,
+                      label=f"runs, {what}" if beside.responses else what)
             if not np.all(steady):
                 axes.plot(axis.values[~steady], values[~steady], "o", color=colour, markersize=8,
                           markerfacecolor="none", label="not steady")
