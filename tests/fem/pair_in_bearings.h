@@ -19,10 +19,10 @@
 inline vfife::Model make_held_pair(const vfife::Communicator &world, const std::string &more = "")
 {
   const std::string all = quick_pair("set web = none", "set rim rows = 2", "1e-5");
-  std::ofstream("in_bearings.prm") << all.substr(0, all.find("subsection Dynamics"))
-                                   << "subsection Operation\n set hub = rigid hub\nend\n"
-                                   << more;
-  return make_gear_model("in_bearings.prm", world);
+  return make_gear_model("in_bearings.prm",
+                         all.substr(0, all.find("subsection Dynamics")) +
+                           "subsection Operation\n set hub = rigid hub\nend\n" + more,
+                         world);
 }
 
 /** Steel a thousand times as stiff: bodies that do not deform. */

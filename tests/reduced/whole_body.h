@@ -63,9 +63,11 @@ inline vfife::Model make_pinion(const std::optional<vfife::ConstraintKind> &hub,
                                 const double                                rate,
                                 const vfife::Communicator                  &world)
 {
-  const std::string all = quick_pair("set web = none", "set rim rows = 2", "1e-5");
-  std::ofstream("pinion.prm") << all.substr(0, all.find("subsection Dynamics"));
-  vfife::Model pair = make_gear_model("pinion.prm", world), model;
+  const std::string all  = quick_pair("set web = none", "set rim rows = 2", "1e-5");
+  vfife::Model      pair = make_gear_model("pinion.prm",
+                                      all.substr(0, all.find("subsection Dynamics")),
+                                      world),
+               model;
   model.add_body(std::move(pair.bodies[0]));
   hold_hub(model, "bore", hub, rate);
   return model;

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -23,6 +24,19 @@ inline vfife::Model make_gear_model(const std::string &path, const vfife::Commun
   std::ostringstream nothing;
   vfife::Log         log(nothing, world.is_root(), vfife::Verbosity::quiet);
   return gears.make_model(log);
+}
+
+/** The same of a file that is written with this @p text: by one rank, before the others read it,
+ * and read by all before anyone writes it again. */
+inline vfife::Model
+make_gear_model(const std::string &path, const std::string &text, const vfife::Communicator &world)
+{
+  if (world.is_root())
+    std::ofstream(path) << text;
+  world.barrier();
+  vfife::Model model = make_gear_model(path, world);
+  world.barrier();
+  return model;
 }
 
 #endif
