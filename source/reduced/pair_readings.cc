@@ -176,6 +176,15 @@ namespace vfife
     return readings;
   }
 
+  std::complex<double> find_rim_wave(const std::vector<double> &coefficients,
+                                     const unsigned int         component,
+                                     const unsigned int         diameters)
+  {
+    // c_0, c_1, s_1, c_2 ... of each component: c cos + s sin is Re((c - i s) exp(i n alpha)).
+    const std::size_t at = component * (coefficients.size() / 3) + 2 * diameters - 1;
+    return {coefficients[at], -coefficients[at + 1]};
+  }
+
   ProbeValue
   make_probe_value(const Model &model, const Probe &probe, const std::array<double, 9> &components)
   {

@@ -20,18 +20,17 @@ namespace vfife
     constexpr double least_reach = 2e-3;
     /** Widenings after which all nodes of the teeth are looked at. */
     constexpr unsigned int largest_widening = 4;
-
-    using NodeOfBody = std::pair<unsigned int, unsigned int>;
-
-    std::vector<unsigned int> nodes_of(const std::vector<NodeOfBody> &nodes, const unsigned int b)
-    {
-      std::vector<unsigned int> own;
-      for (const NodeOfBody &node : nodes)
-        if (node.first == b)
-          own.push_back(node.second);
-      return own;
-    }
   } // namespace
+
+  std::vector<unsigned int> ReducedPair::nodes_of(const std::vector<NodeOfBody> &nodes,
+                                                  const unsigned int             b)
+  {
+    std::vector<unsigned int> own;
+    for (const NodeOfBody &node : nodes)
+      if (node.first == b)
+        own.push_back(node.second);
+    return own;
+  }
 
   Matrix3 ReducedPair::axes_of(const unsigned int b, const unsigned int node) const
   {

@@ -42,13 +42,9 @@ namespace vfife
     std::vector<std::vector<VectorXcd>> coordinates;
     for (unsigned int b = 0; b < members_.size(); ++b)
       {
-        const Member             &member = *members_[b];
-        std::vector<unsigned int> own;
-        for (const NodeOfBody &node : nodes_)
-          if (node.first == b)
-            own.push_back(node.second);
+        const Member &member = *members_[b];
         rows.emplace_back(member.body, member.standing_gains());
-        rows.back().set_nodes(own);
+        rows.back().set_nodes(nodes_of(nodes_, b));
         coordinates.push_back(member.forces_of(member.axial).modes);
         for (std::size_t i = 0; i < coordinates[b].size(); ++i)
           coordinates[b][i] =

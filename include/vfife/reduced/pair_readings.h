@@ -6,6 +6,7 @@
 #include <vfife/reduced/reduced_body.h>
 
 #include <array>
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,12 @@ namespace vfife
                                            unsigned int  body,
                                            StiffnessKind stiffness,
                                            unsigned int  largest_diameters);
+
+  /** The wave w with @p diameters, of a rim's motion Re(w exp(i n alpha)) in turning axes along a
+   * @p component (r, theta, z), of the @p coefficients that ReducedPair::measure_rim() has [um]. */
+  std::complex<double> find_rim_wave(const std::vector<double> &coefficients,
+                                     unsigned int               component,
+                                     unsigned int               diameters);
 
   /** What a probe shows when its readings have the values @p components. */
   ProbeValue

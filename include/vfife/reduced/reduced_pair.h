@@ -125,6 +125,8 @@ namespace vfife
     void set_rows(std::vector<NodeOfBody> nodes);
     /** Where nodes are displaced to now (3 each, axes of time zero) [mm]. */
     Eigen::VectorXd displace_nodes(const std::vector<NodeOfBody> &nodes) const;
+    /** Those of body @p b, in their order. */
+    static std::vector<unsigned int> nodes_of(const std::vector<NodeOfBody> &nodes, unsigned int b);
     /** Of a node's rows, in the axes of time zero. */
     Matrix3 axes_of(unsigned int body, unsigned int node) const;
     /** Rows in the state of spin, under the torques, and with the modes' @p coordinates by body. */

@@ -16,6 +16,7 @@
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/reduction_store.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace vfife
@@ -81,6 +82,14 @@ namespace vfife
         store.keep(body.name(), source, bodies.back());
       }
     return bodies;
+  }
+
+  double find_kept_cutoff(const std::vector<ReducedBody> &bodies)
+  {
+    double cutoff = 0;
+    for (const ReducedBody &body : bodies)
+      cutoff = std::max(cutoff, .5 / pi * body.cutoff);
+    return cutoff;
   }
 
   void export_bodies(const std::vector<ReducedBody> &bodies,

@@ -144,8 +144,7 @@ namespace vfife
     ReducedStudy::Motion ReducedStudy::make_motion(const std::vector<ReducedBody> &bodies) const
     {
       Motion motion;
-      for (const ReducedBody &body : bodies)
-        motion.cutoff = std::max(motion.cutoff, .5 / pi * body.cutoff);
+      motion.cutoff         = find_kept_cutoff(bodies);
       motion.steps_per_mesh = n_steps_of_mesh(motion.cutoff);
       motion.options.step =
         1. / (gear_case_.mesh_frequency() * largest_factor() * motion.steps_per_mesh);
@@ -279,9 +278,11 @@ namespace vfife
       const Communicator       &communicator = folder.communicator();
       Model                     model        = gear_case_.make_model(log);
       const std::vector<double> penalties    = find_penalties(communicator, log);
-      const RootStress          roots(model, fillets_);
-      const MoreReadings        of_fillets = [&](const unsigned int b) {
-        return list_fillet_readings(model, roots, b);
+      std::optional<RootStress> roots;
+      if (fillets_.records())
+        roots.emplace(model, fillets_);
+      const MoreReadings of_fillets = [&](const unsigned int b) {
+        return list_fillet_readings(model, *roots, b);
       };
       std::vector<ReducedBody> bodies = reduce_pair(model,
                                                     options_,
@@ -290,7 +291,7 @@ namespace vfife
                                                     largest_factor(),
                                                     communicator,
                                                     log,
-                                                    fillets_.records() ? of_fillets : nullptr);
+                                                    roots ? of_fillets : nullptr);
       if (options_.exports)
         export_bodies(bodies, model, folder);
       const Motion motion = make_motion(bodies);

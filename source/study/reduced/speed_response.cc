@@ -4,6 +4,7 @@
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
+#include <vfife/reduced/pair_readings.h>
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/reduced/speed_response.h>
@@ -43,10 +44,8 @@ namespace vfife
     {
       const std::vector<double>         rim = pair.measure_rim(largest);
       std::vector<std::complex<double>> waves;
-      const std::size_t                 axial = 2 * (2 * largest + 1);
       for (unsigned int n = 1; n <= largest; ++n)
-        waves.push_back(std::complex<double>(rim[axial + 2 * n - 1], -rim[axial + 2 * n]) *
-                        std::polar(1., -(n * turned)));
+        waves.push_back(find_rim_wave(rim, 2, n) * std::polar(1., -(n * turned)));
       return waves;
     }
   } // namespace

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
 #include <vfife/element/stress.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
@@ -18,10 +17,6 @@ namespace vfife
   {
     constexpr unsigned int axial = 2; ///< component of the rim's motion
     constexpr Complex      i(0., 1.);
-
-    /** Newton's method of an equilibrium may go round between two states of contact at one speed
-     * and not at the next one: speeds that are tried, over the one that is wanted. */
-    constexpr std::array<double, 9> start_parts{{0., .003, -.003, .01, -.01, .03, -.03, .1, -.1}};
 
     /** Parts of a wave's period at which its stress is looked at. */
     constexpr unsigned int n_phases = 64;
@@ -89,9 +84,7 @@ namespace vfife
 
   Complex WaveDriver::read_rim(const unsigned int n)
   {
-    const std::vector<double> rim   = pair_.measure_rim(n);
-    const std::size_t         first = axial * (2 * n + 1);
-    return {rim[first + 2 * n - 1], -rim[first + 2 * n]};
+    return find_rim_wave(pair_.measure_rim(n), axial, n);
   }
 
   std::vector<double> WaveDriver::read_stresses() const
@@ -126,23 +119,6 @@ namespace vfife
       }
   }
 
-  void WaveDriver::start(const double speed, const double step)
-  {
-    for (const double part : start_parts)
-      try
-        {
-          pair_.set_speed(speed * (1. + part), step);
-          pair_.start();
-          pair_.set_speed(speed, step);
-          return;
-        }
-      catch (const NumericalError &)
-        {
-          if (part == start_parts.back())
-            throw;
-        }
-  }
-
   WaveMotion WaveDriver::drive(const WaveMeeting &meeting, const WaveSchedule &schedule)
   {
     const Transmission &t = *model_.transmission;
@@ -158,7 +134,8 @@ namespace vfife
     motion.speed      = schedule.speed;
     motion.mesh_time  = 2. * pi / (schedule.speed * t.driver_teeth);
     const double step = motion.mesh_time / schedule.steps;
-    start(schedule.speed, step);
+    pair_.set_speed(schedule.speed, step);
+    pair_.start();
     motion.static_stress = read_stresses();
     std::vector<WaveStresses> stresses(probes_.size(), WaveStresses{});
     motion.force = Eigen::VectorXcd::Zero(body().harmonics[harmonic].n_modes());

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Tables of WaveLine.
+// Tables of WaveLine, and what logs say of it.
+#include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/study/waves/wave_line.h>
 
@@ -236,5 +237,41 @@ namespace vfife
         table.add_row({whole.from * rpm, whole.to * rpm, whole.amplification, whole.waves});
       }
     return table;
+  }
+
+  void log_wave_line(const WaveLine &line, Log &log)
+  {
+    log.line(line.name(),
+             ": ",
+             line.speed * rpm,
+             " rpm by the free body, ",
+             line.linear_curve.peak * rpm,
+             " rpm in contact; ",
+             line.meeting.wave.frequency() / (2. * pi),
+             " Hz in turning axes, damping ratio ",
+             100. * line.damping_ratio(),
+             " %, width ",
+             100. * line.linear_curve.width / line.linear_curve.peak,
+             " % of the speed, amplitude ",
+             line.linear_curve.amplitude,
+             " um");
+  }
+
+  void log_wave_response(const WaveLine &line, Log &log)
+  {
+    const WaveResponse &response = *line.response;
+    log.line(line.name(),
+             ": peak at ",
+             response.curve.peak * rpm,
+             " rpm, ",
+             100. * (response.curve.peak / line.linear_curve.peak - 1.),
+             " % from its prediction in contact, width ",
+             100. * response.curve.width / response.curve.peak,
+             " %, decay ",
+             response.build_up.decay,
+             " 1/s, amplitude ",
+             response.curve.amplitude,
+             " um, stress amplified by ",
+             line.amplification());
   }
 } // namespace vfife

@@ -30,46 +30,8 @@ namespace vfife
 {
   namespace
   {
-    constexpr double rpm = 30. / pi; // of 1 rad/s
-
     /** Of fits by linear theory: from the free body's line to the curve in contact. */
     constexpr unsigned int n_rounds = 4;
-
-    void log_line(const WaveLine &line, Log &log)
-    {
-      log.line(line.name(),
-               ": ",
-               line.speed * rpm,
-               " rpm by the free body, ",
-               line.linear_curve.peak * rpm,
-               " rpm in contact; ",
-               line.meeting.wave.frequency() / (2. * pi),
-               " Hz in turning axes, damping ratio ",
-               100. * line.damping_ratio(),
-               " %, width ",
-               100. * line.linear_curve.width / line.linear_curve.peak,
-               " % of the speed, amplitude ",
-               line.linear_curve.amplitude,
-               " um");
-    }
-
-    void log_response(const WaveLine &line, Log &log)
-    {
-      const WaveResponse &response = *line.response;
-      log.line(line.name(),
-               ": peak at ",
-               response.curve.peak * rpm,
-               " rpm, ",
-               100. * (response.curve.peak / line.linear_curve.peak - 1.),
-               " % from its prediction in contact, width ",
-               100. * response.curve.width / response.curve.peak,
-               " %, decay ",
-               response.build_up.decay,
-               " 1/s, amplitude ",
-               response.curve.amplitude,
-               " um, stress amplified by ",
-               line.amplification());
-    }
 
     class WavesStudy : public StudyKind
     {
@@ -107,7 +69,7 @@ namespace vfife
         log.line("waves of the ",
                  model.bodies[model.transmission->driven].name(),
                  " with modes below ",
-                 cutoff(),
+                 least_cutoff(),
                  " Hz");
       }
 
@@ -119,9 +81,18 @@ namespace vfife
       {
         return gear_case_.mesh_frequency() * speed / gear_case_.operation().speed;
       }
-      double cutoff() const
+      /** That which is asked for [Hz]. */
+      double least_cutoff() const
       {
         return reduced_.find_cutoff(mesh_frequency(options_.highest_speed));
+      }
+      /** At the highest speed: what lies below is between it and rest. */
+      std::vector<ReducedBody>
+      reduce(const Model &model, const Communicator &communicator, Log &log) const
+      {
+        const double faster = options_.highest_speed / gear_case_.operation().speed;
+        return reduce_pair(
+          model, reduced_, dynamics_.stiffness, least_cutoff(), faster, communicator, log);
       }
       void check_diameters(const Model &model) const;
       std::vector<WaveLine>
@@ -137,7 +108,7 @@ namespace vfife
                                const OutputFolder    &folder,
                                Log                   &log,
                                std::vector<WaveLine> &lines) const;
-      WaveSchedule       schedule(const WaveLine &line, double speed) const;
+      WaveSchedule       schedule(const Tools &tools, const WaveLine &line, double speed) const;
       ReducedPairOptions pair_options() const;
 
       GearCase        gear_case_;
@@ -231,27 +202,13 @@ namespace vfife
       write_csv(folder, "waves_frequencies.csv", table);
     }
 
-    WaveSchedule WavesStudy::schedule(const WaveLine &line, const double speed) const
-    {
-      const double frequency = mesh_frequency(speed);
-      WaveSchedule schedule;
-      schedule.speed   = speed;
-      schedule.samples = output_.history_every;
-      schedule.steps   = reduced_.find_steps(frequency, cutoff(), output_.history_every);
-      schedule.settling_meshes =
-        std::max<unsigned int>(reduced_.settling_meshes,
-                               std::ceil(options_.decay_times * frequency /
-                                         line.meeting.wave.decay_rate(line.zeta)));
-      schedule.counted_meshes = reduced_.counted_meshes;
-      return schedule;
-    }
-
     /** What lines have in common: waves of the driven body, their drive and its linear theory. */
     struct WavesStudy::Tools
     {
       WaveDriver     driver;
       StaticPassage  passage;
       LinearResponse linear;
+      double         cutoff; ///< of the modes that the bodies have [Hz]
 
       Tools(const Model                    &model,
             const std::vector<ReducedBody> &bodies,
@@ -266,6 +223,7 @@ namespace vfife
                  {options.damping, options.mesh_damping},
                  pair.sector_sense(model.transmission->driven),
                  model.transmission->driven_sense)
+        , cutoff(find_kept_cutoff(bodies))
       {
       }
 
@@ -279,6 +237,22 @@ namespace vfife
                                    line.meeting.rate * speed / line.speed))(0);
       }
     };
+
+    WaveSchedule
+    WavesStudy::schedule(const Tools &tools, const WaveLine &line, const double speed) const
+    {
+      const double frequency = mesh_frequency(speed);
+      WaveSchedule schedule;
+      schedule.speed   = speed;
+      schedule.samples = output_.history_every;
+      schedule.steps   = reduced_.find_steps(frequency, tools.cutoff, output_.history_every);
+      schedule.settling_meshes =
+        std::max<unsigned int>(reduced_.settling_meshes,
+                               std::ceil(options_.decay_times * frequency /
+                                         line.meeting.wave.decay_rate(line.zeta)));
+      schedule.counted_meshes = reduced_.counted_meshes;
+      return schedule;
+    }
 
     void WavesStudy::predict(const Tools &tools, WaveLine &line) const
     {
@@ -313,14 +287,14 @@ namespace vfife
           for (const double part : options_.offset_parts())
             {
               const double speed = line.linear_curve.peak * (1. + part);
-              found.push_back(driver.drive(line.meeting, schedule(line, speed)));
+              found.push_back(driver.drive(line.meeting, schedule(tools, line, speed)));
               expected.push_back(tools.linear_amplitude(line, speed));
             }
           line.response = evaluate_wave(line,
                                         std::move(found),
                                         std::move(expected),
                                         driver.rim_gains(line.meeting.wave.diameters));
-          log_response(line, log);
+          log_wave_response(line, log);
           add_wave_motions(line, motions);
           add_build_up(line, growth);
           add_wave_stresses(line, driver.probes(), stresses);
@@ -336,21 +310,15 @@ namespace vfife
     void WavesStudy::run(OutputFolder &folder, Log &log)
     {
       log.set_verbosity(output_.verbosity);
-      Model model = gear_case_.make_model(log);
+      const Model model = gear_case_.make_model(log);
       check_diameters(model);
       const std::vector<double> penalties = find_run_penalties(
         gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
-      // Bodies are reduced at the highest speed: what lies below is between it and rest.
-      const double faster = options_.highest_speed / gear_case_.operation().speed;
-      model.transmission->driver_rate *= faster;
-      for (Body &body : model.bodies)
-        body.rate *= faster;
-      const auto                     start = WallClock::now();
-      const std::vector<ReducedBody> bodies =
-        reduce_pair(model, reduced_, dynamics_.stiffness, cutoff(), 1., folder.communicator(), log);
-      ReducedPair        pair(model, bodies, penalties, pair_options());
-      const unsigned int driven  = model.transmission->driven;
-      RunSummary         summary = start_summary("waves", model, folder);
+      const auto                     start  = WallClock::now();
+      const std::vector<ReducedBody> bodies = reduce(model, folder.communicator(), log);
+      ReducedPair                    pair(model, bodies, penalties, pair_options());
+      const unsigned int             driven  = model.transmission->driven;
+      RunSummary                     summary = start_summary("waves", model, folder);
 
       std::vector<WaveLine> lines =
         find_lines(model, bodies[driven], pair.sector_sense(driven), log);
@@ -366,7 +334,7 @@ namespace vfife
           for (WaveLine &line : lines)
             {
               predict(tools, line);
-              log_line(line, log);
+              log_wave_line(line, log);
             }
           if (options_.driven)
             drive(tools, tools.driver, folder, log, lines);
@@ -381,7 +349,7 @@ namespace vfife
         add_wave_line(line, table);
       write_csv(folder, "waves_lines.csv", table);
       summary.run_time = seconds_since(start);
-      summary.figures  = {{"cut-off frequency", {cutoff(), "Hz"}},
+      summary.figures  = {{"cut-off frequency", {find_kept_cutoff(bodies), "Hz"}},
                           {"damping", {dynamics_.mass_damping(), "1/s"}},
                           {"lines", {double(lines.size()), "-"}}};
       write_summary(folder, summary);

@@ -34,6 +34,10 @@ namespace vfife
                                        Log                  &log,
                                        const MoreReadings   &more = nullptr);
 
+  /** That of the modes that the bodies have, which may be above the one asked for where they were
+   * kept [Hz]. */
+  double find_kept_cutoff(const std::vector<ReducedBody> &bodies);
+
   /** Writes the matrices of each body and what their rows and columns are, as RealBody has them:
    * BODY_mass.mtx, ..., BODY_coordinates.csv, BODY_rows.csv. */
   void export_bodies(const std::vector<ReducedBody> &bodies,

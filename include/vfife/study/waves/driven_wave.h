@@ -67,9 +67,7 @@ namespace vfife
     }
 
   private:
-    const ReducedBody &body() const;
-    /** The equilibrium at a speed of the driver, or where none is found at one close by. */
-    void                 start(double speed, double step);
+    const ReducedBody   &body() const;
     std::complex<double> read_rim(unsigned int diameters);
     std::vector<double>  read_stresses() const;
 

@@ -13,6 +13,8 @@
 
 namespace vfife
 {
+  class Log;
+
   /** What was found where a wave was driven at and around its speed. */
   struct WaveResponse
   {
@@ -86,6 +88,11 @@ namespace vfife
   /** speeds_to_avoid.csv: ranges of the driver's speed with margins, ascending; those that touch
    * are one. @p margin: over the speed. */
   Table make_avoided_speed_table(const std::vector<WaveLine> &lines, double allowed, double margin);
+
+  /** Says what is predicted of a line. */
+  void log_wave_line(const WaveLine &line, Log &log);
+  /** Says what its driven pairs have shown. */
+  void log_wave_response(const WaveLine &line, Log &log);
 } // namespace vfife
 
 #endif

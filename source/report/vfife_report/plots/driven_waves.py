@@ -83,6 +83,12 @@ def make_panels(n):
     return plot, panels.flat
 
 
+def finish_panel(axes, lines, row):
+    axes.set_title(name_line(lines, row), fontsize=8)
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel("amplitude [um]", fontsize=8)
+
+
 def draw_driven_waves(run):
     """A panel a line: amplitudes over the speed, measured and by linear theory."""
     lines, waves = Table(run.path / "waves_lines.csv"), Table(run.path / "waves_response.csv")
@@ -96,9 +102,7 @@ def draw_driven_waves(run):
         axes.plot(waves["speed"][mine], waves["fitted amplitude"][mine], "+", color=COLOURS[0], markersize=6,
                   label="resonance curve")
         axes.axvline(lines["speed"][row], color=GREY, linewidth=0.7)
-        axes.set_title(name_line(lines, row), fontsize=8)
-        axes.set_ylim(bottom=0)
-        axes.set_ylabel("amplitude [um]", fontsize=8)
+        finish_panel(axes, lines, row)
     add_legend(panels[0], fontsize=7)
     plot.supxlabel("pinion speed [rpm]", fontsize=9)
     return plot
@@ -114,9 +118,7 @@ def draw_growth(run):
                   label="reduced pair")
         axes.plot(1e3 * growth["time"][mine], growth["fitted amplitude"][mine], color=COLOURS[0], linewidth=0.8,
                   label="fit")
-        axes.set_title(name_line(lines, row), fontsize=8)
-        axes.set_ylim(bottom=0)
-        axes.set_ylabel("amplitude [um]", fontsize=8)
+        finish_panel(axes, lines, row)
     add_legend(panels[0], fontsize=7)
     plot.supxlabel("time [ms]", fontsize=9)
     return plot
