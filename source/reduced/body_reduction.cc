@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include "matrix_stream.h"
 #include "residual_sum.h"
+#include "ring_parts.h"
 
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
@@ -73,6 +74,7 @@ namespace vfife
     struct OwnHarmonics
     {
       std::vector<ReducedBody::Harmonic> harmonics;
+      RingParts                          rings;
       /** Of h = 0, or empty. */
       Eigen::VectorXd torque_residual, euler_residual, turn_coriolis;
       unsigned int    n_unknowns = 0;
@@ -83,6 +85,7 @@ namespace vfife
                       const std::vector<double>    &second_equilibrium,
                       const double                  second_rate,
                       const std::vector<SectorRow> &rows,
+                      const std::vector<SectorRow> &ring_rows,
                       const ReducedBody            &reduced,
                       const unsigned int            number,
                       OwnHarmonics                 &own,
@@ -107,6 +110,8 @@ namespace vfife
           harmonic.spin_stiffness = .5 * (D + D.adjoint());
         }
       const auto flexibilities = harmonic.eigenvalues.cwiseInverse().cast<std::complex<double>>();
+      if (number < 2)
+        own.rings.add(body, sector, modes, rows, ring_rows, harmonic);
 
       // 2. What they leave of the static displacements.
       residual.add(number,
@@ -124,6 +129,7 @@ namespace vfife
           harmonic.euler  = sector.euler_forces(modes).cast<std::complex<double>>();
           own.torque_residual = sector.answer(body.torque(), rows) - modal_part(harmonic.torque);
           own.euler_residual  = sector.euler_answer(rows) - modal_part(harmonic.euler);
+          own.rings.add_axial(body, sector, ring_rows, harmonic);
           if (body.turns())
             own.turn_coriolis = sector.turn_coriolis(modes);
         }
@@ -169,6 +175,7 @@ namespace vfife
       pass_matrix(own.torque_residual, stream);
       pass_matrix(own.euler_residual, stream);
       pass_matrix(own.turn_coriolis, stream);
+      own.rings.pass(stream);
     }
 
     /** What all ranks have found. Collective. */
@@ -192,6 +199,7 @@ namespace vfife
             }
           if (found.turn_coriolis.size() > 0)
             reduced.turn_coriolis = found.turn_coriolis;
+          found.rings.move_to(reduced.rings);
         }
       std::sort(reduced.harmonics.begin(),
                 reduced.harmonics.end(),
@@ -224,6 +232,8 @@ namespace vfife
     reduced.counted          = true; // CyclicHarmonic::find_modes() returns no others
 
     const std::vector<SectorRow> rows = make_rows(sector, touch_nodes, reduced.readings);
+    const std::vector<SectorRow> ring_rows =
+      describe_rings(model, body, sector, rate, reduced.rings);
     reduced.spin.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       reduced.spin[i] = read_row(rows[i], sector.spin());
@@ -239,7 +249,7 @@ namespace vfife
       const std::vector<double> there  = sector.find_equilibrium(second);
       for (unsigned int h = communicator.rank(); h <= reduced.n_sectors / 2;
            h += communicator.size())
-        add_harmonic(sector, there, second, rows, reduced, h, own, residual);
+        add_harmonic(sector, there, second, rows, ring_rows, reduced, h, own, residual);
     });
     residual.sum(communicator);
     gather(own, communicator, reduced);

@@ -35,8 +35,12 @@ namespace vfife
     , turn_scale_(body.turns ? std::sqrt(body.turn_inertia) : 0.)
   {
     for (std::size_t i = 0; i < harmonics_.size(); ++i)
-      harmonics_[i].position = harmonics_[i].velocity =
-        VectorXcd::Zero(body.harmonics[i].n_modes());
+      {
+        harmonics_[i].position = harmonics_[i].velocity =
+          VectorXcd::Zero(body.harmonics[i].n_modes());
+        if (i < damping_.more.size())
+          harmonics_[i].damping = damping_.more[i];
+      }
     change(rate, step);
   }
 
@@ -99,6 +103,8 @@ namespace vfife
     all.block(n, n, n, n)             = -coupling;
     for (Eigen::Index k = 0; k < n; ++k)
       all(n + k, n + k) -= k < n_modes ? damping_.modes : damping_.turn;
+    if (harmonic.damping.size() > 0)
+      all.block(n, n, n_modes, n_modes) -= harmonic.damping;
     all.block(n, 2 * n, n, n) = MatrixXcd::Identity(n, n) / w;
     MatrixXcd moved           = MatrixXcd(step * all).exp();
     moved.middleRows(n, n) *= w;
@@ -215,8 +221,11 @@ namespace vfife
 
   std::pair<double, double> ModalMotion::losses() const
   {
-    return {2. * damping_.modes * kinetic(),
-            damping_.turn * body_.turn_inertia * turn_rate_ * turn_rate_};
+    double modes = 2. * damping_.modes * kinetic();
+    for (const Harmonic &harmonic : harmonics_)
+      if (harmonic.damping.size() > 0)
+        modes += harmonic.velocity.dot(harmonic.damping * harmonic.velocity).real();
+    return {modes, damping_.turn * body_.turn_inertia * turn_rate_ * turn_rate_};
   }
 
   double ModalMotion::added_inertia() const

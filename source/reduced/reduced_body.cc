@@ -3,6 +3,7 @@
 
 #include <vfife/reduced/reduced_body.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -37,19 +38,39 @@ namespace vfife
         fits = fits && is(residual, n_rows, n_columns);
       for (const unsigned int node : body.touch_nodes)
         fits = fits && node < body.nodes_per_sector;
+      const ReducedBody::Rings &rings       = body.rings;
+      const Eigen::Index        n_of_rings  = 6 * rings.size();
+      const Eigen::Index        of_bearings = 6 * rings.n_bearings;
+      fits = fits && rings.centres.size() == rings.size() && rings.n_bearings <= rings.size() &&
+             is(rings.stiffness, of_bearings, of_bearings) &&
+             is(rings.residual, n_of_rings, n_of_rings) && rings.spin.size() == n_of_rings &&
+             rings.torque.size() == n_of_rings && rings.euler.size() == n_of_rings;
+      for (const Eigen::MatrixXcd &answers : rings.answers)
+        fits = fits && is(answers, n_of_rings > 0 ? n_rows : 0, n_of_rings);
       for (const ReducedBody::Harmonic &harmonic : body.harmonics)
         {
           const Eigen::Index n     = harmonic.n_modes();
           const Eigen::Index alike = harmonic.number == 0 ? n : 0;
           fits = fits && harmonic.number <= body.n_sectors / 2 && is(harmonic.shapes, n_rows, n) &&
                  (n == 0 || (is(harmonic.coriolis, n, n) && is(harmonic.spin_stiffness, n, n))) &&
-                 harmonic.torque.size() == alike && harmonic.euler.size() == alike;
+                 harmonic.torque.size() == alike && harmonic.euler.size() == alike &&
+                 is(harmonic.rings,
+                    harmonic.number < 2 ? n_of_rings : 0,
+                    harmonic.number < 2 && n_of_rings > 0 ? n : 0);
           if (harmonic.number == 0 && body.turns)
             fits = fits && body.turn_coriolis.size() == n;
         }
       return fits;
     }
   } // namespace
+
+  unsigned int ReducedBody::Rings::find(const std::string &name) const
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw std::logic_error("a reduced body has no ring \"" + name + "\"");
+    return found - names.begin();
+  }
 
   Eigen::VectorXcd ReducedBody::Harmonic::forces_of(const AxialLoad &load) const
   {
@@ -92,7 +113,26 @@ namespace vfife
     pass_matrix(harmonic.shapes, stream);
     pass_matrix(harmonic.torque, stream);
     pass_matrix(harmonic.euler, stream);
+    pass_matrix(harmonic.rings, stream);
   }
+
+  namespace
+  {
+    void serialize(ReducedBody::Rings &rings, ByteStream &stream)
+    {
+      stream.pass(rings.names, rings.centres, rings.n_bearings);
+      pass_matrix(rings.stiffness, stream);
+      Eigen::MatrixXd inertia = rings.inertia;
+      pass_matrix(inertia, stream);
+      stream.require(inertia.rows() == 6 && inertia.cols() == 6, "an inertia that is none");
+      rings.inertia = inertia;
+      for (Eigen::MatrixXcd &answers : rings.answers)
+        pass_matrix(answers, stream);
+      pass_matrix(rings.residual, stream);
+      for (Eigen::VectorXd *const vector : {&rings.spin, &rings.torque, &rings.euler})
+        pass_matrix(*vector, stream);
+    }
+  } // namespace
 
   void serialize(ReducedBody &body, ByteStream &stream)
   {
@@ -125,6 +165,7 @@ namespace vfife
                 body.n_unknowns,
                 body.counted,
                 body.memory);
+    serialize(body.rings, stream);
     stream.require(has_consistent_sizes(body), "a reduced body whose parts do not fit each other");
   }
 } // namespace vfife

@@ -31,51 +31,11 @@ namespace vfife
   {
     if (!model.transmission || model.contacts.empty())
       throw InputError("a reduced pair needs a gear pair with contact");
-    if (!model.bearings.empty())
-      throw InputError("bearing \"" + model.bearings.front().name +
-                       "\" lets a body move, and a reduced pair turns on ideal bores: take kind = "
-                       "run, or leave the shafts out");
     for (const ContactPair &pair : model.contacts)
       if (pair.options.damping_ratio > 0 || pair.options.friction.coefficient > 0)
         throw InputError("contact \"" + pair.side +
                          "\": a reduced pair has no friction and no damping of the contact; set "
                          "Contact/friction coefficient and Contact/damping ratio to 0");
-  }
-
-  VectorXd ReducedPair::Answers::answer(const VectorXd &force)
-  {
-    VectorXd     u     = VectorXd::Zero(force.size());
-    Eigen::Index first = 0;
-    for (const TouchRows *rows : rows_)
-      {
-        // Few nodes are under pressure: only their columns.
-        const Eigen::Index n = rows->n_rows();
-        for (Eigen::Index k = 0; k < n; ++k)
-          if (force[first + k] != 0.)
-            u.segment(first, n) += force[first + k] * rows->flexibility().col(k);
-        first += n;
-      }
-    return u;
-  }
-
-  Eigen::MatrixXd ReducedPair::Answers::flexibility(const std::vector<unsigned int> &rows)
-  {
-    Eigen::MatrixXd flexibility = Eigen::MatrixXd::Zero(rows.size(), rows.size());
-    Eigen::Index    first       = 0;
-    std::size_t     begin       = 0;
-    for (const TouchRows *body : rows_)
-      {
-        // Bodies do not move each other.
-        std::size_t end = begin;
-        while (end < rows.size() && rows[end] < first + body->n_rows())
-          ++end;
-        for (std::size_t k = begin; k < end; ++k)
-          for (std::size_t i = begin; i < end; ++i)
-            flexibility(i, k) = body->flexibility()(rows[i] - first, rows[k] - first);
-        first += body->n_rows();
-        begin = end;
-      }
-    return flexibility;
   }
 
   ReducedPair::ReducedPair(const Model               &model,
@@ -85,6 +45,7 @@ namespace vfife
     : model_(require_pair(model, bodies))
     , options_(options)
     , pair_(model, penalties)
+    , springs_(make_bearing_springs(model, bodies))
     , load_(torque_on(model, model.transmission->driven, 0.))
   {
     std::vector<const TouchRows *> rows;
@@ -93,7 +54,7 @@ namespace vfife
         members_.push_back(std::make_unique<Member>(model, b, std::move(bodies[b]), options));
         rows.push_back(&members_.back()->rows);
       }
-    answers_     = std::make_unique<Answers>(rows);
+    answers_     = std::make_unique<Answers>(*this, rows);
     driver_rate_ = model.transmission->driver_rate;
   }
 
@@ -147,20 +108,24 @@ namespace vfife
     return model_.transmission->ratio() * driver_turn_;
   }
 
-  Eigen::Ref<const VectorXd> ReducedPair::rows_of(const Member &member, const VectorXd &x) const
+  VectorXd ReducedPair::rows_of(const Member &member, const VectorXd &x) const
   {
-    return x.segment(member.first, member.rows.n_rows());
+    VectorXd own(member.places.size());
+    for (std::size_t i = 0; i < member.places.size(); ++i)
+      own[i] = x[member.places[i]];
+    return own;
   }
 
   VectorXd ReducedPair::displace(const std::vector<std::vector<VectorXcd>> &coordinates) const
   {
-    VectorXd u(3 * nodes_.size());
+    VectorXd u(n_rows());
     for (std::size_t b = 0; b < members_.size(); ++b)
       {
-        const Member &member                          = *members_[b];
-        u.segment(member.first, member.rows.n_rows()) = member.spin * member.rows.spin() +
-                                                        member.rows.under(member.axial) +
-                                                        member.rows.displace(coordinates[b]);
+        const Member  &member = *members_[b];
+        const VectorXd own    = member.spin * member.rows.spin() + member.rows.under(member.axial) +
+                             member.rows.displace(coordinates[b]);
+        for (std::size_t i = 0; i < member.places.size(); ++i)
+          u[member.places[i]] = own[i];
       }
     return u;
   }
@@ -170,7 +135,7 @@ namespace vfife
     std::vector<ModalForces> forces;
     for (const auto &member : members_)
       forces.push_back({member->rows.project(rows_of(*member, state.force)), 0.});
-    forces[model_.transmission->driven].moment = state.acting.contact_torque;
+    forces[model_.transmission->driven].moment = state.acting.torque;
     return forces;
   }
 
@@ -206,7 +171,7 @@ namespace vfife
   {
     // From forces that go on as they did.
     const VectorXd base           = displace(coordinates);
-    const double   present_torque = now_.acting.contact_torque;
+    const double   present_torque = now_.acting.torque;
     double         torque         = present_torque;
     const VectorXd present        = now_.force;
     if (earlier_force_.size() > 0)
@@ -223,10 +188,12 @@ namespace vfife
       }
     catch (const StrayContact &)
       {
-        now_.force                 = present;
-        now_.acting.contact_torque = present_torque;
+        now_.force         = present;
+        now_.acting.torque = present_torque;
         return false;
       }
+    rows_           = base + now_.deflection;
+    damped_         = answers_->evaluate_bearings(rows_);
     earlier_force_  = present;
     earlier_torque_ = present_torque;
     return true;
@@ -234,7 +201,9 @@ namespace vfife
 
   void ReducedPair::step()
   {
-    const Transmission      &t      = *model_.transmission;
+    const Transmission &t      = *model_.transmission;
+    const auto          before = bearings_;
+    springs_.set_dampers(before, options_.step);
     const double             way    = torque_way();
     const EnergyLedger       powers = find_powers();
     std::vector<ModalForces> half   = project(now_);
@@ -275,6 +244,9 @@ namespace vfife
         half[b].add(.5, after[b]);
         members_[b]->motion.advance(half[b]);
       }
+    set_bearings(rows_);
     add_work(axial[t.driven].torque, way, powers);
+    if (springs_.has_dampers())
+      add_damping(before);
   }
 } // namespace vfife

@@ -33,6 +33,12 @@ namespace vfife
     const Transmission &t = *model_.transmission;
     EnergyLedger        powers;
     powers.drive_work = -now_.acting.driver_torque * members_[t.driver]->rate;
+    if (springs_.size() > 0)
+      {
+        powers.drive_work -= bearings_.torques[t.driver] * members_[t.driver]->rate;
+        for (std::size_t b = 0; b < members_.size(); ++b)
+          powers.drive_work += bearings_.cage_slopes[b] * members_[b]->rate;
+      }
     for (const auto &member : members_)
       {
         const auto losses = member->motion.losses();
@@ -86,6 +92,7 @@ namespace vfife
         for (std::size_t i = 0; i < modal.size(); ++i)
           energy_.strain -= .5 * modal[i].dot(member.motion.gain(i) * modal[i]).real();
       }
+    energy_.strain += bearings_.energy;
     energy_.kinetic += energy_.kinetic_relative;
     energy_.contact = now_.acting.contact_energy;
     energy_.scale   = std::max(energy_.scale, energy_.exchanged_since(first_energy_));
@@ -152,13 +159,13 @@ namespace vfife
     measure_contact(state);
     measure_energy();
     state.measured.energy = energy_;
-    const Member &driver  = *members_[model_.transmission->driver];
-    state.measured.drive_torque =
-      driver.inertia * driver.axial.acceleration - now_.acting.driver_torque;
-    state.measured.rate_factor = speed_factor();
+    measure_bearings(state.measured);
+    state.measured.drive_torque = measure_drive_torque();
+    state.measured.rate_factor  = speed_factor();
     state.measured.body_rates.clear();
     for (const auto &member : members_)
-      state.measured.body_rates.push_back(member->rate + member->motion.turn_rate());
+      state.measured.body_rates.push_back(member->rate + member->motion.turn_rate() +
+                                          member->modal_rate());
     state.measured.probes = measure_probes(model_.probes);
   }
 

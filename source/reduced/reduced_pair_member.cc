@@ -3,6 +3,7 @@
 #include "reduced_pair_parts.h"
 
 #include <vfife/model/body_frame.h>
+#include <vfife/reduced/body_rings.h>
 
 #include <cmath>
 
@@ -34,6 +35,43 @@ namespace vfife
       return gains;
     }
 
+    /**
+     * Damping beside that of all modes alike. What hangs in bearings is damped relative to its own
+     * rigid motion, as in runs, which takes that motion's part away: of real coordinates, h = 0,
+     * rho^T J rho, of complex ones half of it, rho the motion of the whole body and J its inertia.
+     * Dampers of couplings act on their seats' twist.
+     */
+    std::vector<MatrixXcd> make_damping(const Model       &model,
+                                        const unsigned int b,
+                                        const ReducedBody &body,
+                                        const double       zeta)
+    {
+      std::vector<MatrixXcd> more;
+      if (body.rings.size() == 0)
+        return more;
+      const Vector3 axis =
+        model.bodies[b].placement.rotation.transpose() * model.bodies[b].axis.direction;
+      const Eigen::Index whole = 6 * body.rings.find(ring::whole);
+      for (const ReducedBody::Harmonic &harmonic : body.harmonics)
+        {
+          if (harmonic.number > 1)
+            break;
+          const MatrixXcd rho = harmonic.rings.middleRows<6>(whole);
+          MatrixXcd      &D   = more.emplace_back(-(harmonic.number == 0 ? 1. : .5) * zeta *
+                                           rho.adjoint() * body.rings.inertia * rho);
+          if (harmonic.number == 0)
+            for (const Coupling &coupling : model.couplings)
+              if (coupling.body == b)
+                {
+                  const Eigen::Index seat = body.rings.find(ring::of_coupling(coupling.name));
+                  const Eigen::RowVectorXcd twist =
+                    axis.transpose() * harmonic.rings.middleRows<3>(6 * seat + 3);
+                  D += coupling.damping * twist.adjoint() * twist;
+                }
+        }
+      return more;
+    }
+
     bool is_near(const double rate, const double other, const double part)
     {
       return std::abs(rate - other) <= part * std::abs(other);
@@ -58,8 +96,14 @@ namespace vfife
     , sense(find_sector_sense(model.bodies[b]))
     , axial{torque_on(model, b, 0.), 0.}
     , inertia(body.turns ? body.turn_inertia : model.bodies[b].axial_inertia())
-    , motion(body, rate, {options.damping, options.mesh_damping}, options.step)
-    , rows(body, gains_of(motion, body.harmonics.size()))
+    , motion(body,
+             rate,
+             {options.damping, options.mesh_damping, make_damping(model, b, body, options.damping)},
+             options.step)
+    , rows(body,
+           gains_of(motion, body.harmonics.size()),
+           {model.bodies[b].placement.rotation, model.transmission->arm})
+    , axis_(model.bodies[b].placement.rotation.transpose() * model.bodies[b].axis.direction)
   {
     set_rate(rate);
     gain_rate = rate;
@@ -102,6 +146,33 @@ namespace vfife
     for (std::size_t i = 0; i < body.harmonics.size(); ++i)
       coordinates.push_back(motion.coordinates(i));
     return coordinates;
+  }
+
+  double ReducedPair::Member::modal_rate() const
+  {
+    double rate_of_modes = 0;
+    if (in_bearings())
+      for (std::size_t i = 0; i < body.harmonics.size(); ++i)
+        if (body.harmonics[i].number == 0)
+          rate_of_modes +=
+            axis_.dot((body.harmonics[i].rings.middleRows<3>(6 * body.rings.find(ring::whole) + 3) *
+                       motion.velocities(i))
+                        .real());
+    return rate_of_modes;
+  }
+
+  std::pair<double, double> ReducedPair::Member::twist(const Coupling        &coupling,
+                                                       const Eigen::VectorXd &forces) const
+  {
+    const unsigned int seat          = body.rings.find(ring::of_coupling(coupling.name));
+    double             rate_of_modes = 0;
+    for (std::size_t i = 0; i < body.harmonics.size(); ++i)
+      if (body.harmonics[i].number == 0)
+        rate_of_modes += axis_.dot(
+          (body.harmonics[i].rings.middleRows<3>(6 * seat + 3) * motion.velocities(i)).real());
+    const Eigen::Matrix<double, 6, 1> placed =
+      rows.read_ring(seat, spin, coordinates(), forces, axial);
+    return {(rows.placement() * axis_).dot(placed.tail<3>()), rate_of_modes};
   }
 
   std::vector<MatrixXcd> ReducedPair::Member::standing_gains() const

@@ -72,7 +72,9 @@ namespace vfife
     if (now_.force.size() > 0 && widening_ < largest_widening)
       {
         const double reach = std::max(least_reach, std::abs(now_.turn) * model_.transmission->arm);
-        pair_.hold(displace_nodes(nodes));
+        const VectorXd u   = displace_nodes(nodes);
+        check_reach(nodes, u);
+        pair_.hold(u);
         nodes = pair_.find_near(now_.turn, later, std::ldexp(reach, widening_));
         for (std::size_t i = 0; i < nodes_.size(); ++i)
           if (now_.force.segment<3>(3 * i).squaredNorm() > 0.)
@@ -88,25 +90,36 @@ namespace vfife
     if (nodes == nodes_)
       return;
     std::vector<PressedPair::Node> axes;
-    Eigen::Index                   row = 0;
+    owners_.clear();
+    const auto add_rows = [&](const unsigned int b, const Eigen::Index n) {
+      std::vector<Eigen::Index> &places = members_[b]->places;
+      for (Eigen::Index i = 0; i < n; ++i)
+        {
+          owners_.emplace_back(b, places.size());
+          places.push_back(owners_.size() - 1);
+        }
+    };
     for (unsigned int b = 0; b < members_.size(); ++b)
       {
-        Member                   &member = *members_[b];
-        std::vector<unsigned int> own    = nodes_of(nodes, b);
-        member.rows.set_nodes(own);
-        member.first = row;
-        row += member.rows.n_rows();
+        std::vector<unsigned int> own = nodes_of(nodes, b);
+        members_[b]->rows.set_nodes(own);
+        members_[b]->places.clear();
+        add_rows(b, 3 * own.size());
         // Rows are along the axes of the body frame, turned with the sector.
         for (const unsigned int node : own)
           axes.push_back({b, node, axes_of(b, node)});
       }
+    for (const Bearing &bearing : model_.bearings)
+      add_rows(bearing.body, 6);
     pair_.set_nodes(axes);
 
     // Forces go with their nodes.
     const auto keep = [&](VectorXd &force) {
       if (force.size() == 0)
         return;
-      VectorXd kept = VectorXd::Zero(row);
+      VectorXd           kept  = VectorXd::Zero(n_rows());
+      const Eigen::Index seats = 6 * springs_.size();
+      kept.tail(seats)         = force.tail(seats);
       for (std::size_t i = 0, k = 0; i < nodes.size(); ++i)
         {
           while (k < nodes_.size() && nodes_[k] < nodes[i])

@@ -43,7 +43,9 @@ namespace vfife
     for (unsigned int b = 0; b < members_.size(); ++b)
       {
         const Member &member = *members_[b];
-        rows.emplace_back(member.body, member.standing_gains());
+        rows.emplace_back(member.body,
+                          member.standing_gains(),
+                          RingAxes{member.rows.placement(), model_.transmission->arm});
         rows.back().set_nodes(nodes_of(nodes_, b));
         coordinates.push_back(member.forces_of(member.axial).modes);
         for (std::size_t i = 0; i < coordinates[b].size(); ++i)
@@ -52,14 +54,13 @@ namespace vfife
       }
     for (const TouchRows &one : rows)
       pointers.push_back(&one);
-    Answers answers(pointers);
+    Answers answers(*this, pointers);
 
-    const VectorXd base = displace(coordinates);
-    PressedState   apart;
-    apart.force = apart.deflection = VectorXd::Zero(base.size());
-    now_                           = pair_.press_rigid(answers, base, load_, std::move(apart));
-    now_.unit                      = std::abs(load_) / model_.transmission->arm;
-    now_.patience                  = start_patience;
+    springs_.set_dampers({}, 0.);
+    const VectorXd base      = displace(coordinates);
+    now_                     = pair_.press_rigid(answers, base, load_, settle(answers, base));
+    now_.unit                = std::abs(load_) / model_.transmission->arm;
+    now_.patience            = start_patience;
     const unsigned int n     = pair_.balance(answers, base, TurnLoad{load_}, start_tolerance, now_);
     ReducedEquilibrium found = find_slope(answers, base + now_.deflection);
     found.turn               = now_.turn;
@@ -73,8 +74,9 @@ namespace vfife
         forces.add(1., contact[b]);
         member.motion.stand(forces, member.body.turns ? now_.turn : 0., member.sector_rate);
       }
-    now_.patience   = PressedState().patience;
-    now_.deflection = answers_->answer(now_.force);
+    now_.patience = PressedState().patience;
+    set_bearings(base + now_.deflection);
+    check_reach(nodes_, displace_nodes(nodes_));
     restart_energy();
     return found;
   }
@@ -91,8 +93,9 @@ namespace vfife
         std::vector<VectorXcd> modes = member.forces_of(unit).modes;
         for (std::size_t i = 0; i < modes.size(); ++i)
           modes[i] = member.motion.standing_flexibility(i, member.sector_rate) * modes[i];
-        twist.segment(member.first, member.rows.n_rows()) =
-          member.rows.under(unit) + member.rows.displace(modes);
+        const VectorXd own = member.rows.under(unit) + member.rows.displace(modes);
+        for (std::size_t i = 0; i < member.places.size(); ++i)
+          twist[member.places[i]] = own[i];
         changes.push_back(std::move(modes));
       }
     const auto [force, turn] = pair_.find_slope(answers, u, TurnLoad{load_}, twist, 1.);

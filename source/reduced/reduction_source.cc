@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/byte_stream.h>
+#include <vfife/bearing/bearing_system.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/model/constraints/supports.h>
 #include <vfife/model/model.h>
 #include <vfife/reduced/reduction_source.h>
 
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace vfife
 {
@@ -53,6 +54,27 @@ namespace vfife
                       constraint.prescribed);
     }
 
+    /** Rings, and the linear laws that the body's stiffness has for them; a housing joins all. */
+    void pass_seats(const Model &model, const unsigned int body, ByteStream &stream)
+    {
+      if (!model.bodies[body].floats)
+        return;
+      Eigen::MatrixXd     law = make_bearing_system(model).linearized().stiffness;
+      std::vector<double> numbers(law.data(), law.data() + law.size());
+      stream.pass(numbers);
+      for (Bearing bearing : model.bearings)
+        if (bearing.body == body)
+          stream.pass(bearing.name, bearing.nodes);
+      for (Coupling coupling : model.couplings)
+        if (coupling.body == body)
+          stream.pass(coupling.name, coupling.nodes, coupling.stiffness);
+      if (model.transmission && body == model.transmission->driver)
+        {
+          std::vector<unsigned int> bore = model.transmission->driver_bore;
+          stream.pass(bore);
+        }
+    }
+
     void pass_torque(const Model &model, const unsigned int body, ByteStream &stream)
     {
       for (Torque torque : model.torques)
@@ -68,15 +90,15 @@ namespace vfife
                                    const FemOptions                 &fem)
   {
     const Body &body = model.bodies[b];
-    if (body.floats)
-      throw std::logic_error("a body in bearings has no reduction source");
-    const auto add = [this](const char *const name, const auto &pass) {
+    const auto  add  = [this](const char *const name, const auto &pass) {
       parts_.emplace_back(name, checksum(pass));
     };
     add("mesh", [&](ByteStream &stream) { pass_mesh(body, stream); });
     add("material", [&](ByteStream &stream) { pass_material(body, stream); });
     add("hold of the hub", [&](ByteStream &stream) { pass_hub(model, b, stream); });
     add("place of the torque", [&](ByteStream &stream) { pass_torque(model, b, stream); });
+    add("list of bearings and couplings",
+        [&](ByteStream &stream) { pass_seats(model, b, stream); });
     add("kind of elements", [&](ByteStream &stream) {
       FemOptions options = fem;
       stream.pass(options.element, options.mass, options.strain);

@@ -28,11 +28,15 @@ namespace vfife
     }
   } // namespace
 
-  TouchRows::TouchRows(const ReducedBody &body, std::vector<MatrixXcd> gains)
+  TouchRows::TouchRows(const ReducedBody &body, std::vector<MatrixXcd> gains, const RingAxes axes)
     : body_(body)
     , gains_(std::move(gains))
+    , placement_(axes.placement)
+    , to_rows_(MatrixXd::Zero(6 * body.rings.n_bearings, 6 * body.rings.size()))
     , place_of_(body.nodes_per_sector, no_place)
   {
+    for (Eigen::Index i = 0; i < to_rows_.rows(); i += 3)
+      to_rows_.block<3, 3>(i, i) = (i % 6 == 0 ? 1. : axes.arm) * placement_;
     for (unsigned int i = 0; i < body.touch_nodes.size(); ++i)
       place_of_[body.touch_nodes[i]] = i;
   }
@@ -84,11 +88,11 @@ namespace vfife
                                "and was not among the nodes that forces act on");
         row += 3;
       }
-    const Eigen::Index n_modes = body_.n_modes();
-    shapes_.resize(2 * n_modes, row);
-    spin_.resize(row);
-    torque_.resize(row);
-    euler_.resize(row);
+    const Eigen::Index n_modes = body_.n_modes(), n_rows = row + n_ring_rows();
+    shapes_.resize(2 * n_modes, n_rows);
+    spin_.resize(n_rows);
+    torque_.resize(n_rows);
+    euler_.resize(n_rows);
     for (const Run &run : runs_)
       for (std::size_t k = 0; k < run.places.size(); ++k)
         {
@@ -115,6 +119,8 @@ namespace vfife
       });
     if (!same)
       fill_flexibility();
+    if (n_ring_rows() > 0)
+      fill_rings();
   }
 
   void TouchRows::set_gains(std::vector<MatrixXcd> gains)
@@ -122,6 +128,8 @@ namespace vfife
     gains_ = std::move(gains);
     blocks_.clear();
     fill_flexibility();
+    if (n_ring_rows() > 0)
+      fill_rings();
   }
 
   void TouchRows::fill_flexibility()
@@ -129,7 +137,7 @@ namespace vfife
     Eigen::Index n = 0;
     for (const Run &run : runs_)
       n += 3 * run.places.size();
-    flexibility_.resize(n, n);
+    flexibility_.resize(n + n_ring_rows(), n + n_ring_rows());
     for (const Run &to : runs_)
       for (const Run &from : runs_)
         {
@@ -161,7 +169,8 @@ namespace vfife
                                      const std::vector<VectorXcd>    &coordinates,
                                      const VectorXd                  &forces) const
   {
-    const Eigen::Index n = 3 * body_.touch_nodes.size();
+    const Eigen::Index n     = 3 * body_.touch_nodes.size();
+    const VectorXd     loads = ring_loads(forces);
     VectorXd           u(3 * nodes.size()), of_sector;
     unsigned int       last = body_.n_sectors;
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -183,6 +192,9 @@ namespace vfife
                   for (unsigned int c = 0; c < 3; ++c)
                     if (const double f = forces[run.first + 3 * k + c]; f != 0.)
                       of_sector += f * residual->col(3 * run.places[k] + c).head(n);
+            for (unsigned int h = 0; h < 2 && loads.size() > 0; ++h)
+              of_sector +=
+                (phase(body_, h, sector) * (body_.rings.answers[h].topRows(n) * loads)).real();
           }
         u.segment<3>(3 * i) =
           of_sector.segment<3>(3 * place_of_[nodes[i] % body_.nodes_per_sector]);
@@ -238,6 +250,9 @@ namespace vfife
                      .segment<3>(3 * run.places[k])
                      .dot(forces.segment<3>(run.first + 3 * k));
       }
+    const VectorXd loads = ring_loads(forces);
+    for (unsigned int h = 0; h < 2 && loads.size() > 0; ++h)
+      value += (phase(body_, h, sector) * (body_.rings.answers[h].row(row) * loads)(0)).real();
     return value;
   }
 
@@ -257,6 +272,8 @@ namespace vfife
         value += body_.summed_residual.row(reading)
                    .segment<3>(3 * run.places[k])
                    .dot(forces.segment<3>(run.first + 3 * k));
+    if (const VectorXd loads = ring_loads(forces); loads.size() > 0)
+      value += body_.n_sectors * (body_.rings.answers[0].row(row).real() * loads)(0);
     return value;
   }
 
@@ -296,6 +313,9 @@ namespace vfife
             sum += wave[3 * run.places[k] + c] * forces[run.first + 3 * k + c];
         value += phase(body_, n, run.sector) * sum;
       }
+    if (const VectorXd loads = ring_loads(forces); loads.size() > 0 && n == 1)
+      value += .5 * body_.n_sectors *
+               std::conj((body_.rings.answers[1].row(reading_row(reading)) * loads)(0));
     return value;
   }
 } // namespace vfife

@@ -8,6 +8,7 @@
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/statics/compliance.h>
+#include <vfife/fem/system/bearing_rings.h>
 #include <vfife/fem/system/torque_forces.h>
 #include <vfife/reduced/body_reduction.h>
 
@@ -259,6 +260,74 @@ namespace
       check_below(name + ": state of spin", difference(whole.spin(), alike(reduced.spin)), 1e-6);
   }
 
+  /** Unit loads on the seats of bearings and couplings, and what they, all nodes and the body as a
+   * whole do under them. */
+  void compare_rings(const std::string &name,
+                     const Model       &model,
+                     const ReducedBody &reduced,
+                     const Whole       &whole)
+  {
+    const Body          &body = whole.body();
+    const Discretization discretization(model, {0}, FemElement::incompatible_modes);
+    const BearingRings   seats(discretization);
+    check(name + ": rings", reduced.rings.size() == seats.list().size() + 1);
+    Eigen::MatrixXd turn =
+      Eigen::MatrixXd::Zero(6 * reduced.rings.size(), 6 * reduced.rings.size());
+    for (Eigen::Index i = 0; i < turn.rows(); i += 3)
+      turn.block<3, 3>(i, i) = body.placement.rotation;
+    // Modes' parts of h = 0 and 1 beside the residual ones.
+    Eigen::MatrixXd  rings   = reduced.rings.residual;
+    Eigen::MatrixXcd rows[2] = {reduced.rings.answers[0], reduced.rings.answers[1]};
+    for (const ReducedBody::Harmonic &harmonic : reduced.harmonics)
+      if (harmonic.number < 2)
+        {
+          const Eigen::MatrixXcd modal =
+            harmonic.eigenvalues.cwiseInverse().asDiagonal() * harmonic.rings.adjoint();
+          rings += (harmonic.rings * modal).real();
+          rows[harmonic.number] += harmonic.shapes * modal;
+        }
+    double nodes = 0, motions = 0, mean = 0;
+    for (std::size_t c = 0; c < 6 * seats.list().size(); ++c)
+      {
+        const Eigen::VectorXd load = Eigen::VectorXd::Unit(6 * seats.list().size(), c);
+        Field                 forces(3 * std::size_t(body.n_nodes()), 0.);
+        seats.add_forces(load, forces);
+        const Field     u = whole.answer(forces);
+        Eigen::VectorXd all(turn.rows());
+        all << load, Eigen::VectorXd::Zero(6);
+        const Eigen::VectorXd own = turn.transpose() * all;
+        // About the axis nothing is left where it turns freely.
+        if (reduced.turns && std::abs(body.axis.direction[c % 3]) > .5 && c % 6 > 2)
+          continue;
+        nodes = largest_of(nodes, difference(u, whole_field(body, [&](const unsigned int k) {
+                                               return Eigen::VectorXd(
+                                                 (rows[0] * own +
+                                                  std::polar(1., k * reduced.sector_angle) *
+                                                    (rows[1] * own))
+                                                   .real());
+                                             })));
+        const Eigen::VectorXd moved = turn * rings * own, known = seats.displacement(u);
+        // Turns as ways at 10 mm.
+        const double largest =
+          Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()).cwiseAbs().maxCoeff();
+        for (std::size_t i = 0; i < 2 * seats.list().size(); ++i)
+          motions = largest_of(motions,
+                               (i % 2 == 0 ? 1. : 10.) / largest *
+                                 (moved.segment<3>(3 * i) - known.segment<3>(3 * i)).norm());
+        const Field momentum = whole.momentum(u);
+        Vector3     sum      = Vector3::Zero();
+        for (std::size_t i = 0; i < body.n_nodes(); ++i)
+          sum += Eigen::Map<const Vector3>(momentum.data() + 3 * i);
+        mean = largest_of(
+          mean,
+          (sum / reduced.rings.inertia(0, 0) - moved.segment<3>(6 * seats.list().size())).norm() /
+            largest);
+      }
+    check_below(name + ": displacements under loads on rings", nodes, 1e-7);
+    check_below(name + ": rings under them", motions, 1e-7);
+    check_below(name + ": centre of mass under them", mean, 1e-7);
+  }
+
   void compare(const std::string  &name,
                const Model        &model,
                const Model        &loose,
@@ -273,6 +342,8 @@ namespace
     compare_frequencies(name, reduced, whole);
     compare_shapes(name, reduced, whole);
     compare_statics(name, reduced, whole);
+    if (reduced.rings.size() > 0)
+      compare_rings(name, model, reduced, whole);
   }
 
   /** Twelve sectors with mirror planes: modes of different shapes share frequencies by chance only,

@@ -17,6 +17,9 @@ namespace vfife
   {
     double modes = 0; ///< c'' + modes c'
     double turn  = 0; ///< theta'' + turn theta', of the rigid turn
+    /** Hermitian matrices on c' beside that, in the order of ReducedBody::harmonics; those behind
+     * the last one are zero. */
+    std::vector<Eigen::MatrixXcd> more = {};
   };
 
   /** Modal forces: of each harmonic of a ReducedBody, and about the axis. */
@@ -86,6 +89,10 @@ namespace vfife
     {
       return harmonics_[i].position;
     }
+    const Eigen::VectorXcd &velocities(const std::size_t i) const
+    {
+      return harmonics_[i].velocity;
+    }
     double turn() const
     {
       return turn_;
@@ -110,6 +117,7 @@ namespace vfife
     struct Harmonic
     {
       Eigen::MatrixXcd stiffness;          ///< at this rate [1/s^2]
+      Eigen::MatrixXcd damping;            ///< ModalDamping::more, or empty
       Eigen::MatrixXcd propagator, forced; ///< of (c, c') in one step; rows of a turn are the last
       Eigen::MatrixXcd gain;               ///< half of what a force does to c
       Eigen::VectorXcd position, velocity;

@@ -4,6 +4,7 @@
 
 #include <vfife/base/types.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -62,6 +63,9 @@ namespace vfife
       /** Modal forces of the Euler force of a unit angular acceleration about the axis; empty for h
        * > 0, zero where the body turns freely. */
       Eigen::VectorXcd euler;
+      /** Of h < 2: motions of the rings are Re(rings c), six rows each as in Rings; modal forces of
+       * loads w on them rings^H w. Empty without rings. */
+      Eigen::MatrixXcd rings;
 
       unsigned int n_modes() const
       {
@@ -69,6 +73,38 @@ namespace vfife
       }
       /** Modal forces; zero for h > 0. */
       Eigen::VectorXcd forces_of(const AxialLoad &load) const;
+    };
+
+    /**
+     * Mean motions of rings of a body that hangs in bearings, in axes of the body frame: six rows
+     * each, displacement and turn. They are of the harmonics 0 (along the axis and about it) and 1
+     * (across it) alone. K of the body has the linear springs `stiffness` for its bearings.
+     */
+    struct Rings
+    {
+      std::vector<std::string> names;          ///< list_rings()
+      std::vector<Vector3>     centres;        ///< undeformed [mm]
+      unsigned int             n_bearings = 0; ///< the first rings are seats of bearings
+      /** Of the bearings, six rows each [N/mm, N, N mm]. */
+      Eigen::MatrixXd stiffness;
+      /** Of the whole body about its centre of mass [t, t mm^2]. */
+      Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Zero();
+      /** Loads w on the rings displace the rows of sector k by Re(answers[h] w exp(i h k alpha)),
+       * h = 0, 1, less what the modes do statically; and forces at touch nodes the rings by the
+       * transposed. */
+      std::array<Eigen::MatrixXcd, 2> answers;
+      /** The rings under loads on them, less the modes' part. */
+      Eigen::MatrixXd residual;
+      /** In the state of spin; under a unit torque about the axis and under the Euler force of a
+       * unit angular acceleration, less the modes' part. */
+      Eigen::VectorXd spin, torque, euler;
+
+      std::size_t size() const
+      {
+        return names.size();
+      }
+      /** Place of a ring; throws std::logic_error where there is none. */
+      unsigned int find(const std::string &name) const;
     };
 
     unsigned int n_sectors        = 0;
@@ -115,6 +151,8 @@ namespace vfife
     unsigned int n_unknowns = 0;     ///< of the largest system solved
     bool         counted    = false; ///< factorizations count as many modes below the cut-off
     double       memory     = 0;     ///< of the largest factors [MB]
+
+    Rings rings; ///< of a body in bearings
 
     unsigned int n_rows() const
     {

@@ -2,6 +2,8 @@
 #ifndef vfife_reduced_reduced_pair_h
 #define vfife_reduced_reduced_pair_h
 
+#include <vfife/bearing/mean_motion.h>
+#include <vfife/fem/pair/bearing_springs.h>
 #include <vfife/fem/pair/pressed_pair.h>
 #include <vfife/reduced/modal_motion.h>
 #include <vfife/reduced/reduced_body.h>
@@ -27,8 +29,8 @@ namespace vfife
     double tolerance = 1e-7;
   };
 
-  /** Throws InputError where the model is no gear pair on ideal bores, and for friction or damping
-   * of its contact. */
+  /** Throws InputError where the model is no gear pair, and for friction or damping of its contact.
+   */
   void require_reducible(const Model &model);
 
   /** The equilibrium from which a reduced pair starts. */
@@ -45,7 +47,8 @@ namespace vfife
    * forces that are the mean of both ends, and at the end of each the contact is in balance with
    * the flexibilities that act at once (doc/reduced.md, Steps). No step is too long for stability.
    * The driver turns at its rate, the driven body carries the model's torque on it, both over time
-   * as the model has them.
+   * as the model has them. Bodies on shafts have the whole laws of their bearings, in balance like
+   * the contact (doc/reduced.md, On bearings).
    */
   class ReducedPair
   {
@@ -92,6 +95,9 @@ namespace vfife
     /** Turn of a body's momentum about its axis beyond the kinematic one [rad]. */
     double measure_turn(unsigned int body) const;
 
+    /** The mean motion of a ring (its name) of a body in bearings now, without rates. */
+    MeanMotion::Motion measure_ring(unsigned int body, const std::string &name) const;
+
     /** Newton iterations of all steps. */
     std::uint64_t n_iterations() const
     {
@@ -131,7 +137,18 @@ namespace vfife
     Matrix3 axes_of(unsigned int body, unsigned int node) const;
     /** Rows in the state of spin, under the torques, and with the modes' @p coordinates by body. */
     Eigen::VectorXd displace(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates) const;
-    Eigen::Ref<const Eigen::VectorXd> rows_of(const Member &member, const Eigen::VectorXd &x) const;
+    Eigen::VectorXd rows_of(const Member &member, const Eigen::VectorXd &x) const;
+    Eigen::Index    n_rows() const
+    {
+      return owners_.size();
+    }
+    /** Bearings without contact, from the linear ones. */
+    PressedState settle(Answers &answers, const Eigen::VectorXd &base);
+    /** Takes the bearings at the displacements @p u of the rows as their state, without dampers. */
+    void set_bearings(const Eigen::VectorXd &u);
+    /** Throws NumericalError where bearings let the flanks move farther than contact is looked for;
+     * @p u: of the candidates @p nodes, axes of time zero. */
+    void check_reach(const std::vector<NodeOfBody> &nodes, const Eigen::VectorXd &u) const;
     /** Finds the contact at the end of a step, were the modes then at @p coordinates without it;
      * not where it comes upon nodes without rows. */
     bool balance(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates,
@@ -145,10 +162,14 @@ namespace vfife
     void add_work(double torque, double way_before, const EnergyLedger &powers_before);
     /** Powers now: of what drives and what is lost [mJ/s]. */
     EnergyLedger find_powers() const;
-    void         measure_transmission(Measurements &measured) const;
-    void         measure_contact(State &state) const;
-    void         measure_energy();
-    void         restart_energy();
+    /** Of the dampers of bearings in a step from the state @p before. */
+    void   add_damping(const BearingSprings::Response &before);
+    void   measure_transmission(Measurements &measured) const;
+    void   measure_bearings(Measurements &measured) const;
+    double measure_drive_torque() const;
+    void   measure_contact(State &state) const;
+    void   measure_energy();
+    void   restart_energy();
     /** Mean rotation of bore or rim about the axis beyond the kinematic turn [rad]. */
     double read_turn(const Member &member, const char *reading) const;
 
@@ -158,18 +179,24 @@ namespace vfife
     PressedPair                          pair_;
     std::unique_ptr<Answers>             answers_;
     std::vector<NodeOfBody>              nodes_; ///< of the rows, sorted
-    PressedState                         now_;
-    Eigen::VectorXd                      earlier_force_; ///< a step before, at the rows, or empty
-    double                               earlier_torque_ = 0;
-    double                               load_        = 0; ///< torque on the driven body now [N mm]
-    double                               driver_rate_ = 0; ///< at time zero [rad/s]
-    double                               driver_turn_ = 0; ///< since time zero [rad]
-    double                               time_        = 0;
-    std::uint64_t                        step_        = 0;
-    std::uint64_t                        n_iterations_ = 0;
-    unsigned int                         search_steps_ = 1, since_search_ = 0;
-    unsigned int                         widening_ = 0; ///< doublings of the distance looked at
-    EnergyLedger                         energy_, first_energy_;
+    /** Body of each row and its place among that body's rows; those of bearings are the last. */
+    std::vector<std::pair<unsigned int, Eigen::Index>> owners_;
+    BearingSprings                                     springs_;
+    BearingSprings::Response bearings_; ///< as they are now, dampers left out
+    BearingSprings::Response damped_;   ///< with those of the last step
+    Eigen::VectorXd          rows_;     ///< displacements of all rows at its end
+    PressedState             now_;
+    Eigen::VectorXd          earlier_force_; ///< a step before, at the rows, or empty
+    double                   earlier_torque_ = 0;
+    double                   load_           = 0; ///< torque on the driven body now [N mm]
+    double                   driver_rate_    = 0; ///< at time zero [rad/s]
+    double                   driver_turn_    = 0; ///< since time zero [rad]
+    double                   time_           = 0;
+    std::uint64_t            step_           = 0;
+    std::uint64_t            n_iterations_   = 0;
+    unsigned int             search_steps_ = 1, since_search_ = 0;
+    unsigned int             widening_ = 0; ///< doublings of the distance looked at
+    EnergyLedger             energy_, first_energy_;
   };
 } // namespace vfife
 

@@ -21,8 +21,7 @@ namespace vfife
   {
   public:
     ReductionSource() = default;
-    /** As reduce_body() is given them. Throws std::logic_error for bodies in bearings, whose laws
-     * have no such numbers. */
+    /** As reduce_body() is given them. */
     ReductionSource(const Model                      &model,
                     unsigned int                      body,
                     const std::vector<unsigned int>  &touch_nodes,

@@ -11,17 +11,25 @@
 
 namespace vfife
 {
+  /** Along what the rows of rings are. */
+  struct RingAxes
+  {
+    Matrix3 placement = Matrix3::Identity(); ///< of the body: turns its frame into that of the rows
+    double  arm       = 1; ///< turns are counted as ways there, moments as forces [mm]
+  };
+
   /**
    * Nodes of a reduced body that may touch now, on some of its sectors, as rows: three each, along
-   * the axes of the body frame turned with the node's sector. What forces there do to the modes,
-   * what the modes are there, and how far the nodes give way at once.
+   * the axes of the body frame turned with the node's sector; behind them six of each ring that is
+   * the seat of a bearing. What forces there do to the modes, what the modes are there, and how far
+   * the rows give way at once.
    */
   class TouchRows
   {
   public:
     /** @p gains: what a modal force does at once to the coordinates of its harmonic, in the order
      * of ReducedBody::harmonics. The body must outlive the object. */
-    TouchRows(const ReducedBody &body, std::vector<Eigen::MatrixXcd> gains);
+    TouchRows(const ReducedBody &body, std::vector<Eigen::MatrixXcd> gains, RingAxes axes = {});
 
     /** From now on modal forces do this at once. */
     void set_gains(std::vector<Eigen::MatrixXcd> gains);
@@ -89,6 +97,26 @@ namespace vfife
                                    const std::vector<Eigen::VectorXcd> &coordinates,
                                    const Eigen::VectorXd               &forces);
 
+    /** Displacement [mm] and turn [rad] of a ring, along the placed axes: of the state of spin
+     * times @p spin, of modes, and at once by forces at the rows and an axial load. */
+    Eigen::Matrix<double, 6, 1> read_ring(unsigned int                         ring,
+                                          double                               spin,
+                                          const std::vector<Eigen::VectorXcd> &coordinates,
+                                          const Eigen::VectorXd               &forces,
+                                          const AxialLoad                     &axial) const;
+
+    /** Turns the body frame into the axes of the rows of rings. */
+    const Matrix3 &placement() const
+    {
+      return placement_;
+    }
+
+    /** Rows of the seats of bearings. */
+    Eigen::Index n_ring_rows() const
+    {
+      return 6 * body_.rings.n_bearings;
+    }
+
   private:
     /** Consecutive rows on one sector. */
     struct Run
@@ -102,12 +130,17 @@ namespace vfife
     int                    distance(unsigned int a, unsigned int b) const;
     const Eigen::MatrixXd &find_block(int distance);
     void                   fill_flexibility();
-    Eigen::Index           reading_row(unsigned int reading) const;
+    void                   fill_rings();
+    /** Forces at the rows of rings, as loads in the body frame on all rings. */
+    Eigen::VectorXd ring_loads(const Eigen::VectorXd &forces) const;
+    Eigen::Index    reading_row(unsigned int reading) const;
     /** What the waves of a reading are under unit forces at the touch nodes of sector 0. */
     const Eigen::RowVectorXcd &find_wave(unsigned int reading, unsigned int n);
 
     const ReducedBody             &body_;
     std::vector<Eigen::MatrixXcd>  gains_;
+    Matrix3                        placement_;
+    Eigen::MatrixXd                to_rows_;  ///< motions of all rings to rows of bearings' seats
     std::vector<unsigned int>      place_of_; ///< of the nodes of a sector among the touch nodes
     std::map<int, Eigen::MatrixXd> blocks_;   ///< by distance, at all touch nodes of both sectors
     std::map<std::pair<unsigned int, unsigned int>, Eigen::RowVectorXcd> waves_; ///< reading, n

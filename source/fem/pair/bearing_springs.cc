@@ -1,7 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include "bearing_springs.h"
-
+#include <vfife/fem/pair/bearing_springs.h>
 #include <vfife/model/constraints/supports.h>
+#include <vfife/model/model.h>
+
+#include <algorithm>
 
 namespace vfife
 {
@@ -24,43 +26,66 @@ namespace vfife
     }
   } // namespace
 
-  BearingSprings::BearingSprings(const Model &model, const BearingRings &rings, const double arm)
+  BearingSprings::BearingSprings(const Model                &model,
+                                 const std::vector<Vector3> &centres,
+                                 const Eigen::MatrixXd      &linear,
+                                 const double                arm)
     : system_(make_bearing_system(model))
     , arm_(arm)
+    , n_bodies_(model.bodies.size())
+    , driven_(model.transmission ? model.transmission->driven : n_bodies_)
+    , motions_known_(Eigen::VectorXd::Zero(linear.rows()))
+    , forces_known_(motions_known_)
   {
-    const std::size_t     first = first_bearing(model);
-    const Eigen::MatrixXd K =
-      rings.stiffness([&model](const unsigned int body) { return model.bodies[body].rate; });
-    for (std::size_t r = 0; r < rings.list().size(); ++r)
+    // Ways at the arm instead of turns.
+    Vector6 scale = Vector6::Ones();
+    scale.tail<3>().setConstant(1. / arm);
+    Eigen::VectorXd scales(linear.rows());
+    for (std::size_t b = 0; b < model.bearings.size(); ++b)
       {
-        const BearingRing &ring = rings.list()[r];
-        if (ring.support >= first + model.bearings.size())
-          continue; // A coupling is linear, and the same in all axes that turn about its own.
-        const Body &body = model.bodies[ring.body];
-        Spring      spring;
-        spring.body             = ring.body;
-        spring.motion           = ring;
+        const Bearing &bearing = model.bearings[b];
+        const Body    &body    = model.bodies[bearing.body];
+        Spring         spring;
+        spring.body             = bearing.body;
         spring.axis             = body.axis.direction;
-        spring.is_driven        = model.transmission && ring.body == model.transmission->driven;
-        spring.reading          = ShaftSeat(model.bearings[ring.support - first].axes).reading();
-        const Vector3 from_axis = ring.centre - body.axis.point;
+        spring.reading          = ShaftSeat(bearing.axes).reading() * scale.asDiagonal();
+        const Vector3 from_axis = centres[b] - body.axis.point;
         spring.eccentricity     = from_axis - from_axis.dot(spring.axis) * spring.axis;
-        // Ways at the arm instead of turns.
-        Vector6 scale = Vector6::Ones();
-        scale.tail<3>().setConstant(1. / arm);
-        spring.motion.motion.bottomRows<3>() *= arm;
-        spring.linear = scale.asDiagonal() * K.block<6, 6>(6 * r, 6 * r) * scale.asDiagonal();
-        spring.reading *= scale.asDiagonal();
+        spring.damping          = bearing.law->damping();
         springs_.push_back(spring);
+        scales.segment<6>(6 * b) = scale;
       }
+    linear_ = scales.asDiagonal() * linear * scales.asDiagonal();
   }
 
-  std::vector<PointMotion> BearingSprings::motions() const
+  bool BearingSprings::has_dampers() const
   {
-    std::vector<PointMotion> motions;
-    for (const Spring &spring : springs_)
-      motions.push_back(spring.motion);
-    return motions;
+    return std::any_of(springs_.begin(), springs_.end(), [](const Spring &spring) {
+      return !spring.damping.isZero(0.);
+    });
+  }
+
+  void BearingSprings::set_dampers(const Response &from, const double step)
+  {
+    step_ = has_dampers() ? step : 0.;
+    before_.clear();
+    for (const SeatState &state : from.states)
+      before_.push_back(state.displacement);
+  }
+
+  void BearingSprings::add_dampers(const std::vector<Vector5> &displacements,
+                                   Eigen::VectorXd            &loads,
+                                   Eigen::MatrixXd            &stiffness,
+                                   Response                   &r) const
+  {
+    for (std::size_t i = 0; i < springs_.size(); ++i)
+      {
+        const Vector5 way   = displacements[i] - before_[i];
+        const Vector5 force = 2. / step_ * springs_[i].damping * way;
+        r.energy += .5 * way.dot(force);
+        loads.segment<5>(5 * i) -= force;
+        stiffness.block<5, 5>(5 * i, 5 * i) += 2. / step_ * springs_[i].damping;
+      }
   }
 
   BearingSprings::Response BearingSprings::evaluate(const Eigen::VectorXd      &d,
@@ -72,9 +97,9 @@ namespace vfife
     // and with the turn, which takes the place along: q' = P [a]x (place).
     std::vector<Vector5> displacements;
     std::vector<double>  turns_of_seats;
-    Eigen::MatrixXd      Q      = Eigen::MatrixXd::Zero(5 * n, 6 * n);
-    Eigen::MatrixXd      Q_once = Q;
-    Eigen::VectorXd      once = Eigen::VectorXd::Zero(5 * n), twice = once;
+    Eigen::MatrixXd      Q       = Eigen::MatrixXd::Zero(5 * n, 6 * n);
+    Eigen::MatrixXd      Q_once  = Q;
+    Eigen::VectorXd      turning = Eigen::VectorXd::Zero(5 * n), once = turning, twice = turning;
     for (std::size_t i = 0; i < n; ++i)
       {
         const Spring  &s = springs_[i];
@@ -88,66 +113,61 @@ namespace vfife
         turns_of_seats.push_back(turns[s.body]);
         Q.block<5, 3>(5 * i, 6 * i)     = s.reading.leftCols<3>() * R;
         Q.block<5, 3>(5 * i, 6 * i + 3) = s.reading.rightCols<3>() * R;
-        if (!s.is_driven)
+        const Matrix3 spin              = cross_matrix(s.axis);
+        turning.segment<5>(5 * i)       = s.reading * turned(spin, place);
+        if (s.body != driven_)
           continue;
-        const Matrix3 spin                   = cross_matrix(s.axis);
-        once.segment<5>(5 * i)               = s.reading * turned(spin, place);
+        once.segment<5>(5 * i)               = turning.segment<5>(5 * i);
         twice.segment<5>(5 * i)              = s.reading * turned(spin * spin, place);
         Q_once.block<5, 3>(5 * i, 6 * i)     = s.reading.leftCols<3>() * spin * R;
         Q_once.block<5, 3>(5 * i, 6 * i + 3) = s.reading.rightCols<3>() * spin * R;
       }
 
     // 2. The bearings, in their housing, and what K0 has of them.
-    const BearingSystem::Response system = system_.evaluate(displacements, turns_of_seats);
+    const BearingSystem::Response system  = system_.evaluate(displacements, turns_of_seats);
+    Eigen::MatrixXd               tangent = system.stiffness;
     Eigen::VectorXd               loads(5 * n);
     for (std::size_t i = 0; i < n; ++i)
       loads.segment<5>(5 * i) = system.loads[i];
     Response r;
-    r.energy                     = system.energy;
-    r.force                      = Q.transpose() * loads;
-    r.stiffness                  = Q.transpose() * system.stiffness * Q;
-    const Eigen::VectorXd change = system.stiffness * once;
+    r.energy = system.energy;
+    if (step_ > 0)
+      add_dampers(displacements, loads, tangent, r);
+    const Eigen::VectorXd since = d - motions_known_, linear_force = linear_ * since;
+    r.energy += forces_known_.dot(d) - .5 * since.dot(linear_force);
+    r.force                      = Q.transpose() * loads + linear_force - forces_known_;
+    r.stiffness                  = Q.transpose() * tangent * Q - linear_;
+    const Eigen::VectorXd change = tangent * once;
     r.torque                     = loads.dot(once);
     r.by_turn                    = Q.transpose() * change - Q_once.transpose() * loads;
     r.turn_twice                 = once.dot(change) - loads.dot(twice);
+    r.torques.assign(n_bodies_, 0.);
+    r.cage_slopes.assign(n_bodies_, 0.);
     for (std::size_t i = 0; i < n; ++i)
       {
-        const Spring &s            = springs_[i];
-        const Vector6 own          = d.segment<6>(6 * i);
-        const Vector6 since        = own - s.motion_known;
-        const Vector6 linear_force = s.linear * since;
-        r.energy += s.force_known.dot(own) - .5 * since.dot(linear_force);
-        r.force.segment<6>(6 * i) += linear_force - s.force_known;
-        r.stiffness.block<6, 6>(6 * i, 6 * i) -= s.linear;
-        r.states.push_back({displacements[i], system.loads[i]});
+        r.torques[springs_[i].body] += loads.segment<5>(5 * i).dot(turning.segment<5>(5 * i));
+        r.cage_slopes[springs_[i].body] += system.turn_slopes[i];
+        r.states.push_back({displacements[i], loads.segment<5>(5 * i)});
       }
     return r;
   }
 
   Eigen::MatrixXd BearingSprings::tangent(const Response &response) const
   {
-    Eigen::MatrixXd K = response.stiffness;
-    Eigen::VectorXd scale(K.rows());
+    Eigen::VectorXd scale(linear_.rows());
     for (std::size_t i = 0; i < springs_.size(); ++i)
-      {
-        K.block<6, 6>(6 * i, 6 * i) += springs_[i].linear;
-        scale.segment<6>(6 * i) << 1., 1., 1., arm_, arm_, arm_;
-      }
-    return scale.asDiagonal() * K * scale.asDiagonal();
+      scale.segment<6>(6 * i) << 1., 1., 1., arm_, arm_, arm_;
+    return scale.asDiagonal() * (response.stiffness + linear_) * scale.asDiagonal();
   }
 
   double BearingSprings::set_known(const Eigen::VectorXd      &d,
                                    const std::vector<Matrix3> &rotations,
                                    const std::vector<double>  &turns)
   {
-    for (std::size_t i = 0; i < springs_.size(); ++i)
-      {
-        springs_[i].force_known  = Vector6::Zero();
-        springs_[i].motion_known = d.segment<6>(6 * i);
-      }
+    forces_known_.setZero();
+    motions_known_      = d;
     const Response here = evaluate(d, rotations, turns);
-    for (std::size_t i = 0; i < springs_.size(); ++i)
-      springs_[i].force_known = here.force.segment<6>(6 * i);
+    forces_known_       = here.force;
     return here.torque;
   }
 } // namespace vfife

@@ -5,16 +5,42 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /** Those of bearings: couplings are linear, and the same in all axes that turn about their own.
+     */
+    std::vector<BearingRing> list_bearing_rings(const Model &model, const BearingRings &rings)
+    {
+      return {rings.list().begin(), rings.list().begin() + model.bearings.size()};
+    }
+
+    BearingSprings make_springs(const Model &model, const BearingRings &rings)
+    {
+      std::vector<Vector3> centres;
+      for (const BearingRing &ring : list_bearing_rings(model, rings))
+        centres.push_back(ring.centre);
+      const Eigen::Index    n = 6 * centres.size();
+      const Eigen::MatrixXd K =
+        rings.stiffness([&model](const unsigned int body) { return model.bodies[body].rate; });
+      return {model, centres, K.topLeftCorner(n, n), model.transmission->arm};
+    }
+  } // namespace
+
   PairBodies::PairBodies(const Model              &model,
                          Compliance               &compliance,
                          std::vector<unsigned int> points,
                          const PressedPair        &pair)
     : compliance_(compliance)
     , pair_(pair)
-    , bearings_(model, compliance.rings(), model.transmission->arm)
+    , bearings_(make_springs(model, compliance.rings()))
   {
-    std::vector<PointMotion> motions = bearings_.motions();
-    Eigen::Index             n_known = 0;
+    std::vector<PointMotion> motions;
+    for (BearingRing &ring : list_bearing_rings(model, compliance.rings()))
+      {
+        ring.motion.bottomRows<3>() *= bearings_.arm();
+        motions.push_back(std::move(ring));
+      }
+    Eigen::Index n_known = 0;
     for (const StandingMotion &standing : compliance.standing_motions())
       {
         motions.push_back(standing);

@@ -2,8 +2,7 @@
 #ifndef vfife_fem_pair_pair_bodies_h
 #define vfife_fem_pair_pair_bodies_h
 
-#include "bearing_springs.h"
-
+#include <vfife/fem/pair/bearing_springs.h>
 #include <vfife/fem/pair/pressed_pair.h>
 #include <vfife/fem/statics/compliance.h>
 

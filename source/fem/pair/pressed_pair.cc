@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -326,6 +327,14 @@ namespace vfife
     for (const auto &[node, force] : sums)
       forces.push_back({node.first, node.second, force});
     return forces;
+  }
+
+  double PressedPair::depth_limit() const
+  {
+    double limit = std::numeric_limits<double>::infinity();
+    for (const auto &pair : pairs_)
+      limit = std::min(limit, pair->contact.depth_limit());
+    return limit;
   }
 
   std::pair<double, double> PressedPair::find_excursion(const Eigen::VectorXd &u) const

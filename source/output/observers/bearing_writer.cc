@@ -26,15 +26,19 @@ namespace vfife
 
   MisalignmentWriter::MisalignmentWriter(const OutputFolder &folder,
                                          const Model        &model,
-                                         const std::uint64_t steps_between)
+                                         const std::uint64_t steps_between,
+                                         RingMotions         motion_of)
     : SampledTable(folder, "misalignment.csv", list_mounting_columns(), steps_between)
     , folder_(folder)
     , mounting_(model)
+    , motion_of_(std::move(motion_of))
   {
   }
 
   void MisalignmentWriter::add_rows(const Model &, const State &state)
   {
-    add_row(state, mounting_.measure(state, folder_.communicator()));
+    add_row(state,
+            motion_of_ ? mounting_.measure(motion_of_)
+                       : mounting_.measure(state, folder_.communicator()));
   }
 } // namespace vfife

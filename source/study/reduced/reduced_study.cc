@@ -9,10 +9,12 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
+#include <vfife/reduced/body_rings.h>
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/cases/gear_case.h>
@@ -216,8 +218,17 @@ namespace vfife
         log,
         count_meshes(*model.transmission, end_time));
       PairResults results(model, gear_case_.hertz_contact(), output_, history_steps, end_time);
-      results.add_observers(run.observers(),
-                            [&](const unsigned int n) { return pair.measure_rim(n); });
+      const RingMotions bores = [&](const unsigned int b, const BodyRing &) {
+        // An ideal bore stays on its axis.
+        return model.bodies[b].floats ? pair.measure_ring(b, ring::bore) : MeanMotion::Motion();
+      };
+      results.add_observers(
+        run.observers(), [&](const unsigned int n) { return pair.measure_rim(n); }, bores);
+      if (!model.bearings.empty())
+        {
+          run.observers().add<BearingWriter>(history_steps);
+          write_bearing_curves(folder, model.bearings);
+        }
       results.record_fillets(
         fillets_,
         [&pair](const RootStress &) { return measure_fillet_readings(pair); },
@@ -244,6 +255,9 @@ namespace vfife
                  " Hz");
         summary.transmission_error = {
           {error_part::total, {m.transmission_error / arcsecond, "arcsec"}}};
+        if (PairMounting::changes(model))
+          for (const MountingNumber &one : list_numbers(PairMounting(model).measure(bores)))
+            summary.misalignment.push_back({one.name, {one.value, one.unit}});
         add_swing(swing, summary);
         probes.choose();
         probes.log_passages();

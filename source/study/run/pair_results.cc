@@ -37,7 +37,9 @@ namespace vfife
   {
   }
 
-  void PairResults::add_observers(RunObservers &observers, RimWriter::Measure measure_rim)
+  void PairResults::add_observers(RunObservers      &observers,
+                                  RimWriter::Measure measure_rim,
+                                  RingMotions        motion_of)
   {
     // The pattern on the flanks is gathered over the last tooth mesh [s] of the run.
     const Transmission &pair  = *model_.transmission;
@@ -48,7 +50,7 @@ namespace vfife
     probes_ = &observers.add<ProbeWriter>(history_steps_).table();
     observers.add<RimWriter>(model_, history_steps_, std::move(measure_rim));
     if (PairMounting::changes(model_))
-      observers.add<MisalignmentWriter>(model_, history_steps_);
+      observers.add<MisalignmentWriter>(model_, history_steps_, std::move(motion_of));
   }
 
   void PairResults::record_fillets(const FilletOptions                                    &options,

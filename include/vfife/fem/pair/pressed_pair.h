@@ -184,6 +184,9 @@ namespace vfife
     /** Forces of the contact on nodes where it was last evaluated, of those that may touch. */
     std::vector<NodalForce> contact_forces() const;
 
+    /** The farthest that contact is looked for [mm]. */
+    double depth_limit() const;
+
     /** Of the nodes that may touch: distance between the bodies' mean displacements [mm], and the
      * farthest that contact is looked for. */
     std::pair<double, double> find_excursion(const Eigen::VectorXd &u) const;

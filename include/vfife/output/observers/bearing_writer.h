@@ -25,13 +25,18 @@ namespace vfife
   class MisalignmentWriter : public SampledTable<Mounting>
   {
   public:
-    MisalignmentWriter(const OutputFolder &folder, const Model &model, std::uint64_t steps_between);
+    /** @p motion_of: of the members' bores now; without it those of the state's nodes. */
+    MisalignmentWriter(const OutputFolder &folder,
+                       const Model        &model,
+                       std::uint64_t       steps_between,
+                       RingMotions         motion_of = nullptr);
 
   private:
     void add_rows(const Model &model, const State &state) override;
 
     const OutputFolder &folder_;
     PairMounting        mounting_;
+    RingMotions         motion_of_;
   };
 } // namespace vfife
 

@@ -32,8 +32,11 @@ namespace vfife
                 std::uint64_t        history_steps,
                 double               end_time);
 
-    /** Adds the writers of the pair; @p measure_rim: RimWriter's. */
-    void add_observers(RunObservers &observers, RimWriter::Measure measure_rim = nullptr);
+    /** Adds the writers of the pair; @p measure_rim: RimWriter's, @p motion_of:
+     * MisalignmentWriter's. */
+    void add_observers(RunObservers      &observers,
+                       RimWriter::Measure measure_rim = nullptr,
+                       RingMotions        motion_of   = nullptr);
 
     /** Adds the writers of root stresses and gauges that @p options ask for; @p measure makes what
      * gives their strains. */
