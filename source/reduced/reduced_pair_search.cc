@@ -67,14 +67,17 @@ namespace vfife
     // Of the teeth that come near each other the nodes that may be pressed. What the load does to
     // the flanks turns the driven hub by `turn`: in so short a time they come nearer by less.
     const double later = driver_turn(search_steps_);
+    searched_from_     = driver_turn_;
+    searched_to_       = later;
+    held_.resize(0);
     pair_.find_candidates(later);
     std::vector<NodeOfBody> nodes = pair_.candidates();
     if (now_.force.size() > 0 && widening_ < largest_widening)
       {
         const double reach = std::max(least_reach, std::abs(now_.turn) * model_.transmission->arm);
-        const VectorXd u   = displace_nodes(nodes);
-        check_reach(nodes, u);
-        pair_.hold(u);
+        held_              = displace_nodes(nodes);
+        check_reach(nodes, held_);
+        pair_.hold(held_);
         nodes = pair_.find_near(now_.turn, later, std::ldexp(reach, widening_));
         for (std::size_t i = 0; i < nodes_.size(); ++i)
           if (now_.force.segment<3>(3 * i).squaredNorm() > 0.)

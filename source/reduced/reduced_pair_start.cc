@@ -1,7 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// The equilibrium from which a ReducedPair starts.
+// The equilibrium from which a ReducedPair starts, and the motion with which it goes on.
+#include "matrix_stream.h"
 #include "reduced_pair_parts.h"
 
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/reduced/pair_readings.h>
 
 #include <cmath>
@@ -75,10 +77,58 @@ namespace vfife
         member.motion.stand(forces, member.body.turns ? now_.turn : 0., member.sector_rate);
       }
     now_.patience = PressedState().patience;
-    set_bearings(base + now_.deflection);
+    rows_         = base + now_.deflection;
+    set_bearings(rows_);
     check_reach(nodes_, displace_nodes(nodes_));
     restart_energy();
     return found;
+  }
+
+  void ReducedPair::serialize(ByteStream &stream)
+  {
+    double step = options_.step;
+    stream.pass(time_, step_, driver_turn_, driver_rate_, load_, step, n_iterations_);
+    stream.require(step == options_.step, "a motion in steps of another length");
+    for (const auto &member : members_)
+      {
+        double rate = member->rate, of_modes = member->motion.rate(), of_gains = member->gain_rate;
+        stream.pass(rate, of_modes, of_gains, member->axial.torque, member->axial.acceleration);
+        if (stream.reads())
+          {
+            member->set_rate(rate);
+            member->motion.change(of_gains, step);
+            member->set_gains();
+            member->motion.change(of_modes, step);
+          }
+        member->motion.serialize(stream);
+      }
+    std::vector<NodeOfBody> nodes = nodes_;
+    stream.pass(search_steps_, since_search_, widening_, searched_from_, searched_to_, nodes);
+    pass_matrix(held_, stream);
+    if (stream.reads())
+      {
+        now_ = PressedState();
+        earlier_force_.resize(0);
+        pair_.set_position(searched_from_);
+        pair_.find_candidates(searched_to_);
+        if (held_.size() > 0)
+          pair_.hold(held_);
+        set_rows(std::move(nodes));
+        pair_.set_position(driver_turn_);
+      }
+    stream.pass(now_.turn, now_.unit, earlier_torque_);
+    for (VectorXd *const vector : {&now_.force, &earlier_force_, &rows_})
+      pass_matrix(*vector, stream);
+    stream.pass_record(energy_);
+    stream.pass_record(first_energy_);
+    if (!stream.reads())
+      return;
+    stream.require(now_.force.size() == n_rows() && rows_.size() == n_rows(),
+                   "forces at other nodes");
+    springs_.set_dampers({}, 0.);
+    now_.acting     = pair_.evaluate(*answers_, rows_, now_.turn, true);
+    now_.deflection = answers_->answer(now_.force);
+    bearings_ = damped_ = answers_->evaluate_bearings(rows_);
   }
 
   ReducedEquilibrium ReducedPair::find_slope(Answers &answers, const VectorXd &u)

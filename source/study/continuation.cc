@@ -115,6 +115,21 @@ namespace vfife
     return default_now;
   }
 
+  std::vector<std::string> list_changeable(const bool longer)
+  {
+    std::vector<std::string> entries = {"Study/output folder",
+                                        "Dynamics/end time",
+                                        "Dynamics/largest number of steps",
+                                        "Dynamics/energy limit",
+                                        "Output/fields every",
+                                        "Output/checkpoint every",
+                                        "Output/pictures",
+                                        "Output/verbosity"};
+    if (longer)
+      entries.insert(entries.begin() + 1, {"Operation/tooth meshes", "Operation/end time"});
+    return entries;
+  }
+
   Checkpoint find_checkpoint(const std::string              &folder,
                              const DeclaredSection          &now,
                              const std::vector<std::string> &changeable,

@@ -269,6 +269,47 @@ namespace
             read_text("kept/gear.reduction").size() > first.size());
   }
 
+  /** Stopped in the middle of a tooth mesh, between two samples. */
+  void goes_on(Communicator &world)
+  {
+    std::ofstream("goes_on.prm") << pair_text("reduced");
+    const std::vector<std::string> all = {"Operation/tooth meshes=3"};
+    run_pair("goes_on.prm", "whole", world, all);
+    run_pair("goes_on.prm",
+             "parts",
+             world,
+             {"Operation/tooth meshes=3", "Dynamics/largest number of steps=111"});
+    check("stopped where it was asked to",
+          read_columns("parts/history.csv").at("time").size() <
+            read_columns("whole/history.csv").at("time").size() / 2);
+    run_pair("goes_on.prm", "parts", world, all, true);
+    for (const char *table : {"history.csv", "probes.csv", "rim.csv"})
+      {
+        const Columns whole = read_columns("whole/" + std::string(table)),
+                      parts = read_columns("parts/" + std::string(table));
+        check(std::string(table) + ": as many samples",
+              whole.at("time") == parts.at("time") && whole.at("time").size() > 20);
+        double worst = 0;
+        for (const auto &[name, values] : whole)
+          if (name != "energy error")
+            {
+              double difference = 0, largest = 1e-12;
+              for (std::size_t i = 0; i < values.size(); ++i)
+                {
+                  difference = largest_of(difference, std::abs(values[i] - parts.at(name)[i]));
+                  largest    = std::max(largest, std::abs(values[i]));
+                }
+              worst = largest_of(worst, difference / largest);
+            }
+        check_below(std::string(table) + ": to round-off", worst, 1e-8);
+      }
+    const auto whole = read_summary("whole"), parts = read_summary("parts");
+    check("parts of the transmission error in the summary",
+          whole.at("transmission error") == parts.at("transmission error"));
+    print_refusal(
+      [&]() { run_pair("goes_on.prm", "parts", world, {"Operation/torque=700 N m"}, true); });
+  }
+
   void refusals(Communicator &world)
   {
     const auto refuse = [&](const std::string &entry, const std::string &value) {
@@ -287,5 +328,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {beside_run, speeds, run_up, store, refusals});
+  run_parts(argc, argv, {beside_run, speeds, run_up, store, goes_on, refusals});
 }

@@ -16,6 +16,7 @@
 
 namespace vfife
 {
+  class ByteStream;
   struct Model;
   struct Probe;
   struct State;
@@ -97,6 +98,10 @@ namespace vfife
 
     /** The mean motion of a ring (its name) of a body in bearings now, without rates. */
     MeanMotion::Motion measure_ring(unsigned int body, const std::string &name) const;
+
+    /** Passes the motion; reading, of a pair of the same bodies with the same step, which goes on
+     * as it would have but for round-off. */
+    void serialize(ByteStream &stream);
 
     /** Newton iterations of all steps. */
     std::uint64_t n_iterations() const
@@ -195,6 +200,8 @@ namespace vfife
     std::uint64_t            step_           = 0;
     std::uint64_t            n_iterations_   = 0;
     unsigned int             search_steps_ = 1, since_search_ = 0;
+    double                   searched_from_ = 0, searched_to_ = 0; ///< turns of the driver [rad]
+    Eigen::VectorXd          held_;         ///< displacements of candidates then, or empty [mm]
     unsigned int             widening_ = 0; ///< doublings of the distance looked at
     EnergyLedger             energy_, first_energy_;
   };

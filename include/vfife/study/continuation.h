@@ -16,6 +16,9 @@ namespace vfife
    * there was an entry whose default is another one. */
   std::string way_before(const std::string &path, const std::string &default_now);
 
+  /** Entries on which the past of a run does not depend; @p longer: among them those of its end. */
+  std::vector<std::string> list_changeable(bool longer);
+
   /**
    * The last usable checkpoint in @p folder, of a run with the parameters @p now but for
    * @p changeable ones. An entry that either has alone, since the run was begun by another version

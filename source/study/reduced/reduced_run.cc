@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
-#include <vfife/base/process/wall_clock.h>
+#include <vfife/base/process/run_signals.h>
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/progress_line.h>
-#include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/reduced/reduced_run.h>
 
 #include <algorithm>
@@ -32,18 +32,28 @@ namespace vfife
     }
   } // namespace
 
-  ReducedRun::ReducedRun(const OutputFolder &folder,
-                         Log                &log,
-                         const Model        &model,
-                         ReducedPair        &pair)
+  ReducedRun::ReducedRun(
+    OutputFolder &folder, Log &log, Model &model, ReducedPair &pair, const OutputOptions &output)
     : folder_(folder)
     , log_(log)
     , model_(model)
     , pair_(pair)
     , observers_(folder)
+    , checkpoints_(
+        folder, log, model, observers_, output, [this](ByteStream &common, ByteStream *) {
+          common.pass_required_part("reduced pair", [this](ByteStream &part) { serialize(part); });
+        })
   {
     state_.partition     = make_whole_partition(model);
     state_.contact_force = NodeField(model.n_nodes());
+  }
+
+  void ReducedRun::serialize(ByteStream &stream)
+  {
+    // All ranks do the same steps.
+    stream.pass(state_.step, state_.time);
+    pair_.serialize(stream);
+    stream.pass_record(start_);
   }
 
   void ReducedRun::show(const bool last)
@@ -59,19 +69,19 @@ namespace vfife
         observer->observe(model_, state_);
   }
 
-  void ReducedRun::run(const std::uint64_t                                    n_steps,
-                       const double                                           step,
-                       const std::uint64_t                                    sample_steps,
-                       const std::function<void(const ReducedEquilibrium &)> &prepared,
-                       const std::function<void()>                           &complete,
-                       RunSummary                                            &summary)
+  void ReducedRun::run(const Checkpoint            *checkpoint,
+                       const std::uint64_t          n_steps,
+                       const double                 step,
+                       const std::uint64_t          sample_steps,
+                       const std::function<void()> &prepared,
+                       const std::function<void()> &complete,
+                       RunSummary                  &summary)
   {
     const double end = n_steps * step;
     observers_.list().push_back(
       std::make_unique<ProgressLine>(log_, folder_.communicator(), 0., end, end, sample_steps));
-    auto       begin  = WallClock::now();
     const auto finish = [&]() {
-      summary.run_time = seconds_since(begin);
+      summary.run_time = checkpoints_.run_time();
       summary.dt       = step;
       summary.time     = state_.time;
       summary.steps    = state_.step;
@@ -85,18 +95,33 @@ namespace vfife
     };
     try
       {
-        const ReducedEquilibrium equilibrium = pair_.start();
-        pair_.measure(state_);
-        prepared(equilibrium);
-        begin = WallClock::now();
-        show(false);
+        if (checkpoint != nullptr)
+          {
+            checkpoints_.restore(*checkpoint, state_);
+            pair_.measure(state_);
+          }
+        else
+          {
+            start_.found = pair_.start();
+            pair_.measure(state_);
+            start_.transmission_error = state_.measured.transmission_error;
+            start_.contact_energy     = state_.measured.energy.contact;
+            start_.torque             = std::abs(pair_.load());
+            prepared();
+          }
+        checkpoints_.start_clocks();
+        RunSignals signals;
+        if (checkpoint == nullptr)
+          show(false);
         while (state_.step < n_steps)
           {
+            checkpoints_.before_step(signals, state_, false);
             pair_.step();
             ++state_.step;
             state_.time = state_.step * step;
             show(state_.step == n_steps);
           }
+        checkpoints_.before_step(signals, state_, true);
       }
     catch (const NumericalError &error)
       {

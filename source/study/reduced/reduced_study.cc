@@ -3,9 +3,11 @@
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/process/run_signals.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/lumped/speed_sweep.h>
+#include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/table_writer.h>
@@ -19,6 +21,7 @@
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_length.h>
+#include <vfife/study/continuation.h>
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/reduced_run.h>
@@ -85,6 +88,20 @@ namespace vfife
                  " steps in a tooth mesh");
       }
 
+      std::size_t resume(const std::string     &folder,
+                         const DeclaredSection &now,
+                         const Communicator    &communicator,
+                         Log                   &log) override
+      {
+        if (!is_motion())
+          throw InputError("Reduced/sweep",
+                           "a sweep over speeds has no checkpoints; start it at the speed where it "
+                           "was stopped");
+        checkpoint_ = find_checkpoint(
+          folder, now, list_changeable(gear_case_.may_be_made_longer()), communicator, log);
+        return checkpoint_->log_size;
+      }
+
       void run(OutputFolder &folder, Log &log) override;
 
     private:
@@ -141,6 +158,8 @@ namespace vfife
       FilletOptions     fillets_;
       ReducedOptions    options_;
       SpeedSweepOptions sweep_;
+
+      std::optional<Checkpoint> checkpoint_;
     };
 
     ReducedStudy::Motion ReducedStudy::make_motion(const std::vector<ReducedBody> &bodies) const
@@ -166,9 +185,17 @@ namespace vfife
       const ReducedEquilibrium found = pair.start();
       log.line("equilibrium at the lowest speed: ", found.iterations, " iterations");
       Table      resonance = make_resonance_response_table(), waves = make_wave_response_table();
+      RunSignals signals;
       const auto write = [&]() {
         write_csv(folder, "resonance.csv", resonance);
         write_csv(folder, "wave_response.csv", waves);
+        std::vector<double> signal = {static_cast<double>(signals.stop_signal())};
+        folder.communicator().max(signal);
+        if (signal[0] > 0)
+          throw Interrupted("stopped by " + RunSignals::name(static_cast<int>(signal[0])) +
+                            " after " + std::to_string(resonance.n_rows()) +
+                            " speeds, which resonance.csv has; a sweep does not go on, but may "
+                            "begin at the next speed");
       };
       RunSummary summary = start_summary("reduced", model, folder);
       try
@@ -209,8 +236,9 @@ namespace vfife
       const std::uint64_t history_steps = output_.compute_history_steps(&*model.transmission, h);
       const double        end_time =
         find_end(&*model.transmission, gear_case_.end_time(), history_steps * h);
-      const std::uint64_t n_steps = std::llround(end_time / h);
-      ReducedRun          run(folder, log, model, pair);
+      const std::uint64_t whole = std::llround(end_time / h), largest = dynamics_.largest_steps,
+                          n_steps = largest > 0 ? std::min(whole, largest) : whole;
+      ReducedRun   run(folder, log, model, pair, output_);
       const Table &history = run.observers().add<HistoryWriter>(model, history_steps).table();
       PairProbes   probes(
         model,
@@ -239,30 +267,30 @@ namespace vfife
       summary.figures.push_back({"steps in a tooth mesh", {double(motion.steps_per_mesh), "-"}});
       results.log_hertz(log);
 
-      Swing      swing;
-      double     penalty_lag = 0;
-      const auto prepared    = [&](const ReducedEquilibrium &found) {
-        const Measurements &m      = run.state().measured;
-        const double        torque = std::abs(pair.load());
-        swing                      = {found.stiffness, found.inertia};
-        penalty_lag                = compute_penalty_lag(m.energy.contact, torque);
-        log.line("equilibrium: ",
-                 found.iterations,
-                 " iterations, transmission error ",
-                 m.transmission_error / arcsecond,
-                 " arcsec, swing ",
-                 swing.frequency(),
-                 " Hz");
-        summary.transmission_error = {
-          {error_part::total, {m.transmission_error / arcsecond, "arcsec"}}};
+      const auto prepared = [&]() {
+        ReducedStart &start = run.start();
         if (PairMounting::changes(model))
-          for (const MountingNumber &one : list_numbers(PairMounting(model).measure(bores)))
-            summary.misalignment.push_back({one.name, {one.value, one.unit}});
-        add_swing(swing, summary);
+          start.misalignment = PairMounting(model).measure(bores);
+        log.line("equilibrium: ",
+                 start.found.iterations,
+                 " iterations, transmission error ",
+                 start.transmission_error / arcsecond,
+                 " arcsec, swing ",
+                 Swing{start.found.stiffness, start.found.inertia}.frequency(),
+                 " Hz");
         probes.choose();
         probes.log_passages();
       };
       const auto complete = [&] {
+        const ReducedStart &start       = run.start();
+        const Swing         swing       = {start.found.stiffness, start.found.inertia};
+        const double        penalty_lag = compute_penalty_lag(start.contact_energy, start.torque);
+        summary.transmission_error      = {
+               {error_part::total, {start.transmission_error / arcsecond, "arcsec"}}};
+        if (PairMounting::changes(model))
+          for (const MountingNumber &one : list_numbers(start.misalignment))
+            summary.misalignment.push_back({one.name, {one.value, one.unit}});
+        add_swing(swing, summary);
         if (swing.frequency() > 0 && history.n_rows() > 1)
           results.find_steady(history, swing.frequency(), summary, log);
         if (summary.status == "failed")
@@ -274,7 +302,13 @@ namespace vfife
         summary.figures.push_back(
           {"iterations a step", {double(pair.n_iterations()) / n_steps, "-"}});
       };
-      run.run(n_steps, h, history_steps, prepared, complete, summary);
+      run.run(checkpoint_ ? &*checkpoint_ : nullptr,
+              n_steps,
+              h,
+              history_steps,
+              prepared,
+              complete,
+              summary);
       log.line("finished: ",
                n_steps,
                " steps in ",

@@ -69,30 +69,6 @@ namespace vfife
                  " ms");
     }
 
-    /** Nothing that the past of a run depends on. */
-    const std::vector<std::string> changeable_entries = {"Study/output folder",
-                                                         "Operation/tooth meshes",
-                                                         "Operation/end time",
-                                                         "Dynamics/end time",
-                                                         "Dynamics/largest number of steps",
-                                                         "Dynamics/energy limit",
-                                                         "Output/fields every",
-                                                         "Output/checkpoint every",
-                                                         "Output/pictures",
-                                                         "Output/verbosity"};
-
-    /** Those entries of a case. */
-    std::vector<std::string> list_changeable(const Case &of_run)
-    {
-      std::vector<std::string> entries = changeable_entries;
-      const auto               is_end  = [](const std::string &entry) {
-        return entry == "Operation/tooth meshes" || entry == "Operation/end time";
-      };
-      if (!of_run.may_be_made_longer())
-        entries.erase(std::remove_if(entries.begin(), entries.end(), is_end), entries.end());
-      return entries;
-    }
-
     /** Seconds by section. */
     NamedFigures list_times(const Table &report)
     {
@@ -156,7 +132,8 @@ namespace vfife
                          Log                   &log) override
       {
         // What the log has beyond the checkpoint is written again by the steps that are repeated.
-        checkpoint_ = find_checkpoint(folder, now, list_changeable(*case_), communicator, log);
+        checkpoint_ = find_checkpoint(
+          folder, now, list_changeable(case_->may_be_made_longer()), communicator, log);
         return checkpoint_->log_size;
       }
 

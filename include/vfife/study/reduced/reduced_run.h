@@ -4,6 +4,9 @@
 
 #include <vfife/model/state.h>
 #include <vfife/output/files/summary.h>
+#include <vfife/output/measures/mounting.h>
+#include <vfife/reduced/reduced_pair.h>
+#include <vfife/study/run/run_checkpoints.h>
 #include <vfife/study/run/run_observers.h>
 
 #include <cstdint>
@@ -13,16 +16,26 @@ namespace vfife
 {
   class Log;
   class OutputFolder;
-  class ReducedPair;
-  struct ReducedEquilibrium;
+  struct Checkpoint;
 
-  /** The steps of a reduced pair from its equilibrium to the end, with observers and the figures of
-   * the summary that any run has. */
+  /** What the equilibrium before a reduced run has told. */
+  struct ReducedStart
+  {
+    ReducedEquilibrium found;
+    double             transmission_error = 0; ///< [rad]
+    double             contact_energy     = 0; ///< [mJ]
+    double             torque             = 0; ///< on the driven body [N mm]
+    Mounting           misalignment;           ///< of members on shafts
+  };
+
+  /** The steps of a reduced pair from its equilibrium, or a checkpoint, to the end, with observers,
+   * checkpoints, signals and the figures of the summary that any run has. */
   class ReducedRun
   {
   public:
     /** Everything given must outlive the object. */
-    ReducedRun(const OutputFolder &folder, Log &log, const Model &model, ReducedPair &pair);
+    ReducedRun(
+      OutputFolder &folder, Log &log, Model &model, ReducedPair &pair, const OutputOptions &output);
 
     RunObservers &observers()
     {
@@ -32,20 +45,28 @@ namespace vfife
     {
       return state_;
     }
+    /** Known in `prepared` but for what that sets, and in `complete`. */
+    ReducedStart &start()
+    {
+      return start_;
+    }
 
     /**
-     * Finds the equilibrium, calls @p prepared in it, and does @p n_steps steps; @p complete fills
-     * in @p summary, also of a run that has failed, before it is written. @p step [s];
-     * @p sample_steps from sample to sample. Throws NumericalError after that.
+     * Finds the equilibrium and calls @p prepared in it, or goes on from @p checkpoint (nullptr:
+     * none), and does the steps up to @p n_steps; @p complete fills in @p summary, also of a run
+     * that has failed, before it is written. @p step [s]; @p sample_steps from sample to sample.
+     * Throws NumericalError after that, Interrupted after a checkpoint.
      */
-    void run(std::uint64_t                                          n_steps,
-             double                                                 step,
-             std::uint64_t                                          sample_steps,
-             const std::function<void(const ReducedEquilibrium &)> &prepared,
-             const std::function<void()>                           &complete,
-             RunSummary                                            &summary);
+    void run(const Checkpoint            *checkpoint,
+             std::uint64_t                n_steps,
+             double                       step,
+             std::uint64_t                sample_steps,
+             const std::function<void()> &prepared,
+             const std::function<void()> &complete,
+             RunSummary                  &summary);
 
   private:
+    void serialize(ByteStream &stream);
     void show(bool last);
 
     const OutputFolder &folder_;
@@ -54,6 +75,8 @@ namespace vfife
     ReducedPair        &pair_;
     RunObservers        observers_;
     State               state_;
+    ReducedStart        start_;
+    RunCheckpoints      checkpoints_;
   };
 } // namespace vfife
 

@@ -2,11 +2,11 @@
 #ifndef vfife_study_run_stepping_h
 #define vfife_study_run_stepping_h
 
-#include <vfife/base/process/wall_clock.h>
 #include <vfife/model/observer.h>
 #include <vfife/model/state.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/output/output_options.h>
+#include <vfife/study/run/run_checkpoints.h>
 #include <vfife/study/run/run_observers.h>
 
 #include <functional>
@@ -81,16 +81,11 @@ namespace vfife
       double      alternating_share; ///< ExplicitSolver::alternating_share()
     };
 
-    void   keep_snapshot();
-    bool   go_back(const NumericalError &error);
-    void   before_step(RunSignals &signals, std::uint64_t last_step);
-    void   stop(int signal) const;
-    void   write();
-    void   restore(const Checkpoint &checkpoint);
-    void   serialize(ByteStream &common, ByteStream *own);
-    void   serialize_warnings(ByteStream &stream);
-    double run_time() const;
-    void   finish(const std::function<void()> &complete);
+    void serialize_solver(ByteStream &common, ByteStream *own);
+    void keep_snapshot();
+    bool go_back(const NumericalError &error);
+    void before_step(RunSignals &signals, std::uint64_t last_step);
+    void finish(const std::function<void()> &complete);
 
     OutputFolder        &folder_;
     const Communicator  &communicator_;
@@ -104,10 +99,8 @@ namespace vfife
     State                state_;
     RunSummary           summary_;
 
-    RunStart             *start_ = nullptr;
-    WallClock::time_point begin_, last_checkpoint_;
-    double                earlier_time_   = 0;     ///< run time before the checkpoint [s]
-    bool                  has_checkpoint_ = false; ///< of this run
+    RunCheckpoints checkpoints_;
+    RunStart      *start_ = nullptr;
     std::vector<Snapshot>
       snapshots_; ///< the first and the last two, while the step may be too long
   };

@@ -143,7 +143,10 @@ namespace vfife
 
   void add_reduced(const PairRun &run, const PairRun &reduced, ComparisonRows &rows)
   {
-    const auto mean = [&](const char *column, const char *unit, const double part) {
+    // Shafts move the flanks by parts of a millimetre, on which reduced bodies, as all of small
+    // displacements, do not let forces act: the tolerance of the loaded analysis.
+    const bool on_shafts = run.has("bearings.csv");
+    const auto mean      = [&](const char *column, const char *unit, const double part) {
       const double reference = reduced.steady_mean(column);
       add(run,
           reduced,
@@ -154,10 +157,11 @@ namespace vfife
            reference,
            kind,
            {},
-           "the same flanks, contact and penalty between reduced bodies"},
+           std::string("the same flanks, contact and penalty between reduced bodies") +
+             (on_shafts ? "; forces on undisplaced shafts" : "")},
           rows);
     };
-    mean(column::dte, "arcsec", run.tolerances.reduced_error);
+    mean(column::dte, "arcsec", on_shafts ? run.tolerances.error : run.tolerances.reduced_error);
     mean(column::contact_force_total, "N", run.tolerances.force);
     add_curve(run, reduced, column::dte, "arcsec", rows);
     add_curve(run, reduced, column::contact_force_total, "N", rows);
