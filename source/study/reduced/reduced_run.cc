@@ -40,7 +40,7 @@ namespace vfife
     , pair_(pair)
     , observers_(folder)
     , checkpoints_(
-        folder, log, model, observers_, output, [this](ByteStream &common, ByteStream *) {
+        folder, log, model, observers_.list(), output, [this](ByteStream &common, ByteStream *) {
           common.pass_required_part("reduced pair", [this](ByteStream &part) { serialize(part); });
         })
   {

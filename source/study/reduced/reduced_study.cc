@@ -40,6 +40,32 @@ namespace vfife
 {
   namespace
   {
+    Swing swing_of(const ReducedStart &start)
+    {
+      return {start.found.stiffness, start.found.inertia};
+    }
+
+    /** Where the bores of the members have gone; an ideal one stays on its axis. */
+    RingMotions bore_motions(const Model &model, const ReducedPair &pair)
+    {
+      return [&](const unsigned int b, const BodyRing &) {
+        return model.bodies[b].floats ? pair.measure_ring(b, ring::bore) : MeanMotion::Motion();
+      };
+    }
+
+    /** What the equilibrium has told, where there was one. */
+    void describe_start(const ReducedStart &start, const bool on_shafts, RunSummary &summary)
+    {
+      if (!(start.found.stiffness > 0))
+        return;
+      summary.transmission_error = {
+        {error_part::total, {start.transmission_error / arcsecond, "arcsec"}}};
+      if (on_shafts)
+        for (const MountingNumber &one : list_numbers(start.misalignment))
+          summary.misalignment.push_back({one.name, {one.value, one.unit}});
+      add_swing(swing_of(start), summary);
+    }
+
     class ReducedStudy : public StudyKind
     {
     public:
@@ -245,11 +271,8 @@ namespace vfife
         [&](const std::vector<Probe> &copies) { return pair.measure_probes(copies); },
         log,
         count_meshes(*model.transmission, end_time));
-      PairResults results(model, gear_case_.hertz_contact(), output_, history_steps, end_time);
-      const RingMotions bores = [&](const unsigned int b, const BodyRing &) {
-        // An ideal bore stays on its axis.
-        return model.bodies[b].floats ? pair.measure_ring(b, ring::bore) : MeanMotion::Motion();
-      };
+      PairResults results(model, gear_case_.hertz_contact(), output_, history_steps, n_steps * h);
+      const RingMotions bores = bore_motions(model, pair);
       results.add_observers(
         run.observers(), [&](const unsigned int n) { return pair.measure_rim(n); }, bores);
       if (!model.bearings.empty())
@@ -276,26 +299,21 @@ namespace vfife
                  " iterations, transmission error ",
                  start.transmission_error / arcsecond,
                  " arcsec, swing ",
-                 Swing{start.found.stiffness, start.found.inertia}.frequency(),
+                 swing_of(start).frequency(),
                  " Hz");
         probes.choose();
         probes.log_passages();
       };
       const auto complete = [&] {
-        const ReducedStart &start       = run.start();
-        const Swing         swing       = {start.found.stiffness, start.found.inertia};
-        const double        penalty_lag = compute_penalty_lag(start.contact_energy, start.torque);
-        summary.transmission_error      = {
-               {error_part::total, {start.transmission_error / arcsecond, "arcsec"}}};
-        if (PairMounting::changes(model))
-          for (const MountingNumber &one : list_numbers(start.misalignment))
-            summary.misalignment.push_back({one.name, {one.value, one.unit}});
-        add_swing(swing, summary);
-        if (swing.frequency() > 0 && history.n_rows() > 1)
-          results.find_steady(history, swing.frequency(), summary, log);
+        const ReducedStart &start = run.start();
+        describe_start(start, PairMounting::changes(model), summary);
+        if (const double swing = swing_of(start).frequency(); swing > 0 && history.n_rows() > 1)
+          results.find_steady(history, swing, summary, log);
         if (summary.status == "failed")
           return;
-        results.add_contact(penalty_lag, history.n_rows(), summary);
+        results.add_contact(compute_penalty_lag(start.contact_energy, start.torque),
+                            history.n_rows(),
+                            summary);
         results.write_orders(folder, history);
         results.write_edges(gear_case_, folder, log);
         summary.probes = probes.judge(run.state().time, results.probe_rows());

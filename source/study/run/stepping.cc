@@ -43,7 +43,7 @@ namespace vfife
     , checkpoints_(folder,
                    log,
                    model,
-                   observers_,
+                   observers_.list(),
                    output,
                    [this](ByteStream &common, ByteStream *own) { serialize_solver(common, own); })
   {

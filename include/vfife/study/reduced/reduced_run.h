@@ -3,10 +3,10 @@
 #define vfife_study_reduced_reduced_run_h
 
 #include <vfife/model/state.h>
+#include <vfife/output/files/run_checkpoints.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/output/measures/mounting.h>
 #include <vfife/reduced/reduced_pair.h>
-#include <vfife/study/run/run_checkpoints.h>
 #include <vfife/study/run/run_observers.h>
 
 #include <cstdint>

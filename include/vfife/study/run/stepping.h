@@ -4,9 +4,9 @@
 
 #include <vfife/model/observer.h>
 #include <vfife/model/state.h>
+#include <vfife/output/files/run_checkpoints.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/output/output_options.h>
-#include <vfife/study/run/run_checkpoints.h>
 #include <vfife/study/run/run_observers.h>
 
 #include <functional>

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_run_run_checkpoints_h
-#define vfife_study_run_run_checkpoints_h
+#ifndef vfife_output_files_run_checkpoints_h
+#define vfife_output_files_run_checkpoints_h
 
 #include <vfife/base/process/wall_clock.h>
-#include <vfife/study/run/run_observers.h>
+#include <vfife/model/observer.h>
 
 #include <functional>
 #include <string>
@@ -36,7 +36,7 @@ namespace vfife
     RunCheckpoints(OutputFolder        &folder,
                    Log                 &log,
                    Model               &model,
-                   RunObservers        &observers,
+                   Observers           &observers,
                    const OutputOptions &output,
                    Parts                solver);
 
@@ -65,7 +65,7 @@ namespace vfife
     const Communicator   &communicator_;
     Log                  &log_;
     Model                &model_;
-    RunObservers         &observers_;
+    Observers            &observers_;
     const OutputOptions  &output_;
     Parts                 solver_;
     WallClock::time_point begin_, last_checkpoint_;

@@ -7,8 +7,8 @@
 #include <vfife/model/state.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/run_checkpoints.h>
 #include <vfife/output/output_options.h>
-#include <vfife/study/run/run_checkpoints.h>
 
 #include <cmath>
 #include <utility>
@@ -29,7 +29,7 @@ namespace vfife
   RunCheckpoints::RunCheckpoints(OutputFolder        &folder,
                                  Log                 &log,
                                  Model               &model,
-                                 RunObservers        &observers,
+                                 Observers           &observers,
                                  const OutputOptions &output,
                                  Parts                solver)
     : folder_(folder)
@@ -74,7 +74,7 @@ namespace vfife
       earlier_time_ = part.reads() ? time : earlier_time_;
     });
     solver_(common, own);
-    for (const auto &observer : observers_.list())
+    for (const auto &observer : observers_)
       if (const std::string name = observer->part_name(); !name.empty())
         common.pass_part("observer " + name, [&](ByteStream &part) { observer->serialize(part); });
     common.pass_part("warnings", [&](ByteStream &part) { serialize_warnings(part); });
