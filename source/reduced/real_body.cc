@@ -38,7 +38,8 @@ namespace vfife
       std::string                 name, unit;
       Eigen::Index                place; ///< in ReducedBody::Harmonic::shapes
       std::optional<unsigned int> sector;
-      bool                        turns; ///< with the turn of the body
+      bool                        turns;           ///< with the turn of the body
+      bool                        of_ring = false; ///< place: in ReducedBody::Harmonic::rings
     };
 
     std::vector<Row> list_rows(const ReducedBody &body, const Model &model, const unsigned int b)
@@ -69,6 +70,14 @@ namespace vfife
                             place_of(reading::of_probe(probe.name, c)),
                             probe.node / body.nodes_per_sector,
                             false});
+      for (std::size_t i = 0; i < 6 * body.rings.size(); ++i)
+        rows.push_back(
+          {body.rings.names[i / 6] + (i % 6 < 3 ? " displacement " : " turn ") + components[i % 3],
+           i % 6 < 3 ? "mm" : "rad",
+           Eigen::Index(i),
+           {},
+           false,
+           true});
       return rows;
     }
 
@@ -92,10 +101,14 @@ namespace vfife
       for (std::size_t i = 0; i < rows.size(); ++i)
         {
           // Sector k has Re(z c exp(i h k alpha)); sums over all sectors know h = 0 alone.
-          Eigen::RowVectorXcd z = harmonic.shapes.row(rows[i].place);
+          Eigen::RowVectorXcd z = Eigen::RowVectorXcd::Zero(n);
+          if (!rows[i].of_ring)
+            z = harmonic.shapes.row(rows[i].place);
+          else if (harmonic.number < 2)
+            z = harmonic.rings.row(rows[i].place);
           if (rows[i].sector)
             z *= std::polar(1., harmonic.number * *rows[i].sector * body.sector_angle);
-          else
+          else if (!rows[i].of_ring)
             z *= harmonic.number == 0 ? body.n_sectors : 0.;
           real.shapes.block(i, first, 1, n) = z.real();
           if (size > n)
@@ -106,7 +119,9 @@ namespace vfife
           real.coordinates.add_row({double(real.coordinates.n_rows()),
                                     double(harmonic.number),
                                     std::string(part),
-                                    std::sqrt(harmonic.eigenvalues[k]) / (2. * pi)});
+                                    // Motions that spin makes unstable but for Coriolis forces
+                                    // have none.
+                                    std::sqrt(std::max(0., harmonic.eigenvalues[k])) / (2. * pi)});
     }
 
     void add_turn(const ReducedBody &body, const std::vector<Row> &rows, RealBody &real)
@@ -157,13 +172,15 @@ namespace vfife
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
         const Eigen::Index place = rows[i].place;
-        const double       sum   = rows[i].sector ? 1. : body.n_sectors;
-        real.rows.add_row({double(i),
-                           rows[i].name,
-                           rows[i].unit,
-                           sum * body.spin[place],
-                           sum * body.torque_residual[place]});
+        const double       sum   = rows[i].sector || rows[i].of_ring ? 1. : body.n_sectors;
+        real.rows.add_row(
+          {double(i),
+           rows[i].name,
+           rows[i].unit,
+           sum * (rows[i].of_ring ? body.rings.spin : body.spin)[place],
+           sum * (rows[i].of_ring ? body.rings.torque : body.torque_residual)[place]});
       }
+    real.seats    = body.rings.stiffness;
     real.residual = body.residual[body.reach].topRows(3 * body.touch_nodes.size());
     return real;
   }

@@ -112,7 +112,7 @@ namespace vfife
         }
     // Teeth that take each other's places leave the flexibility as it is.
     const bool same =
-      before.size() == runs_.size() &&
+      flexibility_.rows() == n_rows && before.size() == runs_.size() &&
       std::equal(before.begin(), before.end(), runs_.begin(), [&](const Run &a, const Run &b) {
         return a.places == b.places && distance(a.sector, before.front().sector) ==
                                          distance(b.sector, runs_.front().sector);

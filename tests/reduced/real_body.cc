@@ -4,6 +4,7 @@
 #include "../parts.h"
 #include "../study/gear_model.h"
 #include "../study/quick_pair.h"
+#include "../study/shaft_pair.h"
 #include "../tests.h"
 
 #include <vfife/base/parameters/parameter_matrix.h>
@@ -71,8 +72,9 @@ namespace
       }
     TouchRows rows(body, gains);
     rows.set_nodes({});
+    const VectorXd none = VectorXd::Zero(rows.n_rows());
     if (name == "bore turn" || name == "rim turn")
-      return motion.turn() + rows.read_all(body.find_reading(name), coordinates, VectorXd(), {});
+      return motion.turn() + rows.read_all(body.find_reading(name), coordinates, none, {});
     const char *const components[] = {"displacement x",
                                       "displacement y",
                                       "displacement z",
@@ -84,8 +86,7 @@ namespace
                                       "stress zx"};
     for (unsigned int i = 0; i < 3 * body.touch_nodes.size(); ++i)
       if (name == "node " + std::to_string(body.touch_nodes[i / 3]) + " " + components[i % 3])
-        return rows.displace_nodes(
-          {body.touch_nodes[i / 3]}, 0., {}, coordinates, VectorXd())[i % 3];
+        return rows.displace_nodes({body.touch_nodes[i / 3]}, 0., {}, coordinates, none)[i % 3];
     for (const Probe &probe : model.probes)
       for (unsigned int c = 0; c < 9; ++c)
         if (name == probe.name + " " + components[c])
@@ -93,8 +94,12 @@ namespace
                                              std::to_string(c)),
                            probe.node / body.nodes_per_sector,
                            coordinates,
-                           VectorXd(),
+                           none,
                            {});
+    for (unsigned int i = 0; i < 6 * body.rings.size(); ++i)
+      if (name ==
+          body.rings.names[i / 6] + (i % 6 < 3 ? " displacement " : " turn ") + "xyz"[i % 3])
+        return rows.read_ring(i / 6, 0., coordinates, none, {})[i % 6];
     check("row " + name, false);
     return 0;
   }
@@ -159,11 +164,10 @@ namespace
     check_below(name + ": readings under forces after 0.4 ms", worst, 1e-8);
   }
 
-  void exported(Communicator &world)
+  void exported(const std::string &pair, Communicator &world)
   {
     std::filesystem::remove_all(folder);
-    std::ofstream("exported.prm") << coarse_pair("set web = conical", coarse_web)
-                                  << "subsection Operation\n set speed = 20000 rpm\nend\n";
+    std::ofstream("exported.prm") << pair << "subsection Operation\n set speed = 20000 rpm\nend\n";
     const Model        model = make_gear_model("exported.prm", world);
     std::ostringstream screen;
     Log                log(screen, false);
@@ -176,10 +180,24 @@ namespace
     }
     compare("pinion", bodies[0], model, 1.1 * bodies[0].rate);
     compare("gear", bodies[1], model, bodies[1].rate);
+    for (const ReducedBody &body : bodies)
+      if (const Eigen::Index n = 6 * body.rings.n_bearings; n > 0)
+        check(model.bodies[&body - bodies.data()].name() + ": springs of its bearings",
+              read(model.bodies[&body - bodies.data()].name() + "_seat_stiffness").rows() == n);
+  }
+
+  void on_bores(Communicator &world)
+  {
+    exported(coarse_pair("set web = conical", coarse_web), world);
+  }
+
+  void on_shafts(Communicator &world)
+  {
+    exported(shaft_pair::pair_on_shafts(), world);
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {exported});
+  run_parts(argc, argv, {on_bores, on_shafts});
 }

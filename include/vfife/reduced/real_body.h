@@ -27,14 +27,17 @@ namespace vfife
     /** What the first rows, those of flank nodes, are at once under unit forces there [mm/N]. */
     Eigen::MatrixXd residual;
     Eigen::MatrixXd torque; ///< f of a unit torque about the axis, one column [1/(N mm)]
-    Table coordinates;      ///< number, nodal diameters, part, frequency without Coriolis forces
+    /** Springs of a body in bearings that the stiffness contains: of the seats of its bearings, six
+     * rows each in the order of the rows; other bearings take their place by what they differ. */
+    Eigen::MatrixXd seats;
+    Table coordinates; ///< number, nodal diameters, part, frequency without Coriolis forces
     /** Number, name, unit, value in the state of spin and at once under a unit torque. */
     Table rows;
   };
 
   /** Rows: flank nodes of sector 0 along the axes of the body frame, the mean rotations of bore and
-   * rim that the body has, and its probes in the sectors where they are, their axes those of the
-   * body frame turned back into sector 0. */
+   * rim that the body has, its probes in the sectors where they are, their axes those of the body
+   * frame turned back into sector 0, and the rings of a body in bearings, body frame. */
   RealBody make_real_body(const ReducedBody &body, const Model &model, unsigned int number);
 } // namespace vfife
 

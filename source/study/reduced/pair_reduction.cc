@@ -113,6 +113,10 @@ namespace vfife
         write("shapes", real.shapes, "what the rows of " + name + "rows.csv read of x");
         write("residual", real.residual, "mm/N: flank nodes, at once under forces on them");
         write("torque", real.torque, "f of a torque of 1 N mm about the axis of rotation");
+        if (real.seats.size() > 0)
+          write("seat_stiffness",
+                real.seats,
+                "springs of the bearings' seats that " + name + "stiffness.mtx contains");
         write_csv(folder, name + "coordinates.csv", real.coordinates);
         write_csv(folder, name + "rows.csv", real.rows);
       }
