@@ -127,6 +127,8 @@ namespace vfife
   {
     gains_ = std::move(gains);
     blocks_.clear();
+    if (shapes_.cols() == 0) // before set_nodes()
+      return;
     fill_flexibility();
     if (n_ring_rows() > 0)
       fill_rings();

@@ -130,7 +130,9 @@ namespace
              const unsigned int              n_meshes)
   {
     const double mesh = 1. / model.transmission->mesh_frequency();
-    ReducedPair  pair = make_pair(model, bodies, {mesh / steps, 2000., 2000.});
+    ReducedPair  pair = make_pair(model, bodies, {2. * mesh / steps, 2000., 2000.});
+    // As sweeps do it.
+    pair.set_speed(model.transmission->driver_rate, mesh / steps);
     pair.start();
     Means means;
     for (unsigned int i = 1; i <= n_meshes * steps; ++i)

@@ -4,6 +4,7 @@
 
 #include <vfife/contact/law/hertz.h>
 #include <vfife/output/files/summary.h>
+#include <vfife/output/measures/body_ring.h>
 #include <vfife/output/observers/fillet_writers.h>
 #include <vfife/output/observers/rim_writer.h>
 
