@@ -19,7 +19,36 @@ install(
   PATTERN *.html
   PATTERN *.css
   PATTERN __pycache__ EXCLUDE)
-install(DIRECTORY prm meshes DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife)
+# Python finds the packages beside the report by links: PREFIX/lib/python3/dist-packages, which Debian's Python knows for
+# PREFIX = /usr, others by PYTHONPATH.
+set(VFIFE_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Python's folder, below the prefix")
+file(RELATIVE_PATH report_from_python /prefix/${VFIFE_PYTHON_FOLDER} /prefix/${report_folder})
+foreach(package vfife vfife_report)
+  install(
+    CODE "set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${VFIFE_PYTHON_FOLDER}\")
+file(MAKE_DIRECTORY \"\${folder}\")
+file(CREATE_LINK \"${report_from_python}/${package}\" \"\${folder}/${package}\" SYMBOLIC)"
+    COMPONENT report)
+endforeach()
+install(
+  DIRECTORY prm meshes examples
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife
+  PATTERN __pycache__ EXCLUDE)
+# Pages keep their places to each other, so that their links hold.
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(
+  DIRECTORY doc
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  PATTERN Doxyfile EXCLUDE)
+install(
+  FILES LICENSE
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  RENAME copyright)
+install(
+  FILES contrib/completion.bash
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+  RENAME vfife)
 install(EXPORT vfifeTargets NAMESPACE vfife:: DESTINATION ${package_folder})
 
 configure_package_config_file(cmake/vfifeConfig.cmake.in ${PROJECT_BINARY_DIR}/vfifeConfig.cmake

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 namespace vfife
 {
@@ -56,17 +57,32 @@ namespace vfife
       return kinds;
     }
 
-    /** Whether one of the kinds reads a section; throws what the first of them says against it. */
-    bool is_read(const std::string            &section,
-                 const ParameterFile          &file,
-                 const std::vector<OtherKind> &kinds)
+    /** Whether a section or an entry of this path is declared. */
+    bool is_declared(const std::string &path, const DeclaredSection &top)
+    {
+      const DeclaredSection *section = &top;
+      std::istringstream     names(path);
+      for (std::string name; std::getline(names, name, '/');)
+        {
+          const DeclaredSection *const inner = section->find_section(name);
+          if (inner == nullptr)
+            return names.eof() && section->find_entry(name) != nullptr;
+          section = inner;
+        }
+      return true;
+    }
+
+    /** Whether one of the kinds that know what has this path reads all of the section at the top
+     * level that it stands in; throws what the first of them says against it. */
+    bool
+    is_read(const std::string &path, const ParameterFile &file, const std::vector<OtherKind> &kinds)
     {
       std::optional<InputError> complaint;
       for (const OtherKind &kind : kinds)
-        if (kind.top.find_section(section) != nullptr)
+        if (is_declared(path, kind.top))
           try
             {
-              file.read_section(section, *kind.prm);
+              file.read_section(path.substr(0, path.find('/')), *kind.prm);
               return true;
             }
           catch (const InputError &error)
@@ -84,13 +100,11 @@ namespace vfife
                                     const dealii::ParameterHandler &prm,
                                     const CaseRunner               &runner)
   {
-    const DeclaredSection          present = find_declared(prm);
-    const std::vector<std::string> all     = file.sections();
+    const DeclaredSection          present    = find_declared(prm);
+    const std::vector<std::string> undeclared = file.find_undeclared(prm);
     OtherSections                  others;
     // Nearly always the kind reads all there is.
-    if (std::all_of(all.begin(), all.end(), [&](const std::string &name) {
-          return present.find_section(name) != nullptr;
-        }))
+    if (undeclared.empty())
       return others;
 
     const std::vector<OtherKind> kinds = find_kinds(file, present, runner);
@@ -98,10 +112,9 @@ namespace vfife
       for (const std::string &name : kind.top.section_names())
         if (present.find_section(name) == nullptr && !contains(others.names, name))
           others.names.push_back(name);
-    for (const std::string &name : all)
-      if (present.find_section(name) == nullptr && !contains(case_sections, name) &&
-          is_read(name, file, kinds))
-        others.passed_over.push_back(name);
+    for (const std::string &path : undeclared)
+      if (!contains(case_sections, path) && is_read(path, file, kinds))
+        others.passed_over.push_back(path);
     return others;
   }
 } // namespace vfife

@@ -5,6 +5,7 @@ import json
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
     make_parameters, make_ring, quantity, write_parameters, write_run)
@@ -13,7 +14,9 @@ import meshio
 import numpy as np
 
 from vfife_report.command import main
+from vfife_report.data.fields import Fields
 from vfife_report.data.run_folder import RunFolder
+from vfife_report.pictures.scene import Scene
 from vfife_report.plots.campbell import draw_campbell
 
 CAMPBELL = "body,nodal diameter [-],order [-],direction,speed [rpm],frequency [Hz]\n" + "".join(
@@ -68,6 +71,14 @@ class Studies(unittest.TestCase):
             text = self.read(name)
             self.assertTrue((Path(name) / "pictures" / "bodies.png").is_file())
             self.assertEqual(text.count("<img "), 1)
+
+    def test_instants(self):
+        """Pictures say when they are of; the time of an equilibrium is a part of the load."""
+        points = make_ring(20, 30, 5, 24)
+        for study, time, said in (("run", 1e-3, "time 1.000 ms"), ("static", 1.0, "in equilibrium"), (None, None, "at rest")):
+            run = SimpleNamespace(summary={"study": study} if study else {}, body_name=str)
+            fields = Fields(points, {"body": np.zeros(points.shape[:2])}, time)
+            self.assertEqual(Scene(run, fields).when(), said)
 
     def test_analyses(self):
         """Three loaded analyses with other offsets: their figures stand beside each other, and are curves."""

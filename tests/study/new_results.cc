@@ -45,6 +45,11 @@ namespace
     return "done";
   }
 
+  nlohmann::json read_summary()
+  {
+    return nlohmann::json::parse(std::ifstream(folder + "/summary.json"));
+  }
+
   bool has(const std::string &file)
   {
     return std::filesystem::exists(folder + "/" + file);
@@ -61,8 +66,7 @@ int main(int argc, char **argv)
   };
 
   check("linear static", run("linear static", quiet, session.world()) == "done");
-  nlohmann::json summary;
-  std::ifstream(folder + "/summary.json") >> summary;
+  nlohmann::json summary = read_summary();
   check("the summary says that it has finished", summary.at("status") == "finished");
   check("and of which file", summary.at("parameter file") == "new_results.prm");
 
@@ -70,7 +74,10 @@ int main(int argc, char **argv)
                                "number of steps = 1\n  end\nend\n";
   check("an equilibrium that is not reached",
         run("static", quiet + one_step, session.world()) == "numerical error");
-  check("nothing says finished", !has("summary.json"));
+  summary = read_summary();
+  check("the summary says that it has failed", summary.at("status") == "failed");
+  check("and why",
+        summary.at("failure").get<std::string>().find("the equilibrium was not reached in 1") == 0);
 
   check("modal", run("modal", fem("modes = 4"), session.world()) == "done");
   check("modes are there", has("modes.json"));

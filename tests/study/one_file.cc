@@ -133,4 +133,14 @@ end
   const std::string paper = std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n";
   std::cout << do_study(of_kind("modal", paper + pair), world, true) << std::endl;
   refuse(of_kind("run", paper + pair), world);
+
+  // Kinds without a mesh pass over what carries it and its load, within sections that they read.
+  const std::string loaded = paper + pair + "subsection Operation\n  set speed  = 20000 rpm\n" +
+                             "  set torque = 800 N m\nend\n";
+  for (const char *kind : {"run", "tooth contact analysis"})
+    std::cout << kind << ": " << do_study(of_kind(kind, loaded), world, true) << std::endl;
+  refuse(of_kind("tooth contact analysis", replaced(loaded, "set web", "set wed")), world);
+  refuse(of_kind("tooth contact analysis", replaced(loaded, "subsection Body", "subsection Bdy")),
+         world);
+  refuse(of_kind("tooth contact analysis", loaded + "subsection Model\nend\n"), world);
 }

@@ -14,10 +14,11 @@ namespace vfife
   class CaseRunner;
 
   /**
-   * Sections that the kind of study which has declared @p prm does not read, but others of the same
-   * case do: one file serves for all of them. Those that stand in @p file are read as these would
-   * read them, so that what is misspelt there is found: throws InputError. What a case itself is of
-   * (Model, Gear pair) is never passed over, and studies without a case pass over nothing.
+   * Sections, also below those that it reads, and entries that the kind of study which has declared
+   * @p prm does not read, but others of the same case do: one file serves for all of them. Those
+   * that stand in @p file are read as these would read them, so that what is misspelt there is
+   * found: throws InputError. What a case itself is of (Model, Gear pair) is never passed over as a
+   * whole, and studies without a case pass over nothing.
    */
   OtherSections find_other_sections(const ParameterFile            &file,
                                     const dealii::ParameterHandler &prm,

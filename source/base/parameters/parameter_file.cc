@@ -70,6 +70,33 @@ namespace vfife
       throw InputError(message);
     }
 
+    /** Whether a statement sets or opens what has this path, or stands in it. */
+    bool is_at(const ParameterStatement &statement, const std::string &path)
+    {
+      return (statement.path() + "/").compare(0, path.size() + 1, path + "/") == 0;
+    }
+
+    /** Path of the first section on the way to a statement that is not declared, of the entry if it
+     * is the only one; empty where all is declared. */
+    std::string undeclared_part(const ParameterStatement &statement, const DeclaredSection &top)
+    {
+      std::vector<std::string> sections = statement.sections;
+      if (statement.opens_section)
+        sections.push_back(statement.name);
+      const DeclaredSection *section = &top;
+      std::string            path;
+      for (const std::string &name : sections)
+        {
+          path += (path.empty() ? "" : "/") + name;
+          section = section->find_section(name);
+          if (section == nullptr)
+            return path;
+        }
+      return statement.opens_section || section->find_entry(statement.name) != nullptr
+               ? ""
+               : statement.path();
+    }
+
     /** The section that a statement stands in, or nullptr; with @p strict an error instead of
      * nullptr. */
     const DeclaredSection *find_section_of(const ParameterStatement &statement,
@@ -132,11 +159,11 @@ namespace vfife
 
   void ParameterFile::read(dealii::ParameterHandler &prm, const OtherSections &others) const
   {
-    const DeclaredSection           top         = find_declared(prm);
-    const std::vector<std::string> &passed_over = others.passed_over;
+    const DeclaredSection top = find_declared(prm);
     for (const ParameterStatement &statement : statements_)
-      if (std::find(passed_over.begin(), passed_over.end(), statement.top_section()) ==
-          passed_over.end())
+      if (std::none_of(others.passed_over.begin(),
+                       others.passed_over.end(),
+                       [&statement](const std::string &path) { return is_at(statement, path); }))
         set_declared(statement, top, others, prm);
   }
 
@@ -148,14 +175,15 @@ namespace vfife
         set_declared(statement, top, {}, prm);
   }
 
-  std::vector<std::string> ParameterFile::sections() const
+  std::vector<std::string> ParameterFile::find_undeclared(const dealii::ParameterHandler &prm) const
   {
-    std::vector<std::string> names;
+    const DeclaredSection    top = find_declared(prm);
+    std::vector<std::string> paths;
     for (const ParameterStatement &statement : statements_)
-      if (const std::string name = statement.top_section();
-          !name.empty() && std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-    return names;
+      if (const std::string path = undeclared_part(statement, top);
+          !path.empty() && std::find(paths.begin(), paths.end(), path) == paths.end())
+        paths.push_back(path);
+    return paths;
   }
 
   void ParameterFile::set_declared(const ParameterStatement &statement,

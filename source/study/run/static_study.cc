@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
@@ -113,40 +114,56 @@ namespace vfife
     const auto         start              = WallClock::now();
     const unsigned int n_steps            = dynamics_.relaxation.load_steps;
     std::uint64_t      n_relaxation_steps = 0;
-    // Load step by load step; a row of the histories each, with the part of the loads as its time.
-    for (unsigned int step = 1; step <= n_steps; ++step)
+    const auto         finish             = [&]() {
+      // Steps of the summary are those of relaxation, not load steps: they are what takes the time.
+      summary.run_time = seconds_since(start);
+      summary.steps    = n_relaxation_steps;
+      summary.energy   = state.measured.energy;
+      for (const Log::Warning &warning : log.warnings())
+        summary.warnings.push_back(warning.text);
+      write_summary(folder, summary);
+    };
+    try
       {
-        // From the equilibrium before: large loads reach theirs in steps that relaxation can
-        // follow.
-        Relaxation::Loads loads;
-        loads.part                    = static_cast<double>(step) / n_steps;
-        const RelaxationReport report = relaxation.solve(state, loads);
-        n_relaxation_steps += report.steps;
-        log.line("load step ",
-                 step,
-                 " of ",
-                 n_steps,
-                 ": ",
-                 report.steps,
-                 " relaxation steps, residual ",
-                 report.residual);
-        state.time = *loads.part;
-        state.step = step;
-        // On all ranks: its sums over the bodies are collective.
-        solver.measure_at_rest(state);
-        state.measured.reactions = relaxation.compute_reactions(state, loads);
-        for (const auto &observer : observers)
-          observer->observe(model, state);
+        // Load step by load step; a row of the histories each, with the part of the loads as its
+        // time.
+        for (unsigned int step = 1; step <= n_steps; ++step)
+          {
+            // From the equilibrium before: large loads reach theirs in steps that relaxation can
+            // follow.
+            Relaxation::Loads loads;
+            loads.part                    = static_cast<double>(step) / n_steps;
+            const RelaxationReport report = relaxation.solve(state, loads);
+            n_relaxation_steps += report.steps;
+            log.line("load step ",
+                     step,
+                     " of ",
+                     n_steps,
+                     ": ",
+                     report.steps,
+                     " relaxation steps, residual ",
+                     report.residual);
+            state.time = *loads.part;
+            state.step = step;
+            // On all ranks: its sums over the bodies are collective.
+            solver.measure_at_rest(state);
+            state.measured.reactions = relaxation.compute_reactions(state, loads);
+            for (const auto &observer : observers)
+              observer->observe(model, state);
+          }
+      }
+    // Load steps that found their equilibrium keep their rows; why the next one did not is stated
+    // before others hear of it.
+    catch (const NumericalError &error)
+      {
+        summary.status  = "failed";
+        summary.failure = error.what();
+        finish();
+        throw;
       }
     for (const auto &observer : observers)
       observer->finish(model, state);
-    // Steps of the summary are those of relaxation, not load steps: they are what takes the time.
-    summary.run_time = seconds_since(start);
-    summary.steps    = n_relaxation_steps;
-    summary.energy   = state.measured.energy;
-    for (const Log::Warning &warning : log.warnings())
-      summary.warnings.push_back(warning.text);
-    write_summary(folder, summary);
+    finish();
     log.line(
       "finished: ", n_relaxation_steps, " relaxation steps in ", duration_text(summary.run_time));
     if (output_.pictures)

@@ -18,11 +18,11 @@ namespace dealii
 
 namespace vfife
 {
-  /** Sections at the top level of a file that its reader has no use for, but others have. */
+  /** Sections and entries of a file that its reader has no use for, but others have. */
   struct OtherSections
   {
-    std::vector<std::string> passed_over; ///< of those in the file; others have read them
-    std::vector<std::string> names;       ///< all that others know, for hints in messages
+    std::vector<std::string> passed_over; ///< paths of those in the file; others have read them
+    std::vector<std::string> names; ///< of all sections that others know, for hints in messages
   };
 
   /**
@@ -49,14 +49,15 @@ namespace vfife
     void read_known(const std::function<void(dealii::ParameterHandler &)> &declare) const;
 
     /** Sets all entries; one that @p prm (at its top level) does not declare is an error, unless
-     * it stands in one of the sections that are passed over. */
+     * it is passed over or stands in a section that is. */
     void read(dealii::ParameterHandler &prm, const OtherSections &others = {}) const;
 
     /** Sets the entries of one section at the top level; one that is not declared is an error. */
     void read_section(const std::string &section, dealii::ParameterHandler &prm) const;
 
-    /** Names of the sections at the top level, each once, in order. */
-    std::vector<std::string> sections() const;
+    /** Paths of the sections and entries that @p prm (at its top level) does not declare, each
+     * once, in order; of a section the path alone, not what stands in it. */
+    std::vector<std::string> find_undeclared(const dealii::ParameterHandler &prm) const;
 
     /** Whether an entry or a section ("Gear pair", "Gear pair/Gear/Blank") stands in the file or
      * the overrides. */

@@ -20,9 +20,15 @@ def read_parameters(folder):
 
 
 def read_parameter_file(path):
-    """The same from parameters.prm, where the description before an entry ends in its unit."""
+    """The same from parameters.prm."""
+    return parse_parameters(read_text(path), path)
+
+
+def parse_parameters(text, path):
+    """The same from the text of parameters.prm, where the description before an entry ends in its unit; `path` is named
+    where it is none."""
     values, sections, description = {}, [], []
-    for number, line in enumerate(read_text(path).split("\n"), 1):
+    for number, line in enumerate(text.split("\n"), 1):
         line = line.strip()
         if line.startswith("#"):
             description.append(line[1:].strip())

@@ -24,6 +24,9 @@ class Scene:
             self.gear_centre, self.gear_axis = find_axis(fields.body(self.gear).points)
 
     def when(self):
+        """Times of kinds without motion are parts of the load."""
+        if self.run.summary.get("study") in ("static", "linear static"):
+            return "in equilibrium"
         return "at rest" if self.fields.time is None else f"time {1e3 * self.fields.time:.3f} ms"
 
 

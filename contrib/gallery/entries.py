@@ -1,0 +1,123 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The entries of doc/gallery.md: a case, its picture, three numbers, and what is learned of it."""
+from dataclasses import dataclass
+
+import numpy as np
+from vfife import Quantity
+
+
+@dataclass(frozen=True)
+class Entry:
+    name: str      # of the picture, doc/pictures/gallery/NAME.svg or .png
+    title: str
+    case: str      # below prm/
+    picture: str   # as the report has it
+    numbers: tuple  # of (what it is, figure of the summary or a function of the result, digits)
+    learned: str
+
+
+def of_column(table, column, what, **where):
+    """what() of a column, of the rows that have the given values in other columns."""
+    def find(result):
+        found = result.table(table)
+        rows = np.ones(found.n_rows, dtype=bool)
+        for name, text in where.items():
+            rows &= found[name.replace("_", " ")] == text
+        return Quantity(float(what(found[column][rows])), found.units[column])
+    return find
+
+
+def value_at(place):
+    """Of a row: the first, 0, the last, -1."""
+    return lambda column: column[place]
+
+
+def least_positive(column):
+    return np.min(column[column > 0])
+
+
+def first_contact(result):
+    """Times of the history with a contact force [s], and the force [N] at all times."""
+    time, force = result.history["time"], result.history["contact force total"]
+    return time[force > 0], force
+
+
+def force_in_contact(result):
+    """Mean from a quarter to three quarters of the contact."""
+    touched, force = first_contact(result)
+    middle = np.abs(result.history["time"] - touched.mean()) < np.ptp(touched) / 4
+    return Quantity(float(force[middle].mean()), "N")
+
+
+def time_in_contact(result):
+    return Quantity(float(np.ptp(first_contact(result)[0])) * 1e6, "us")
+
+
+ENTRIES = (
+    Entry("proposed_pair", "A pair from tooth numbers and module", "gear/proposed_17_43.prm", "tca.svg",
+          (("contact ratio of the drive side", "drive side, contact ratio", 3),
+           ("unloaded transmission error, peak to peak", "drive side, peak to peak", 3),
+           ("play of the gear", "teeth/play of the gear", 4)),
+          "Blanks and machine settings are proposed by local synthesis; the parabola of each tooth pair's lag is the crowning, where "
+          "two of them cross the load goes over to the next pair. [Gears](gear.md)"),
+    Entry("measured_flank", "Flanks as measured", "errors/topography.prm", "tca.svg",
+          (("transmission error of the drive side, peak to peak", "drive side, peak to peak", 3),
+           ("of the coast side, whose flanks have no errors", "coast side, peak to peak", 3),
+           ("contact ratio of the drive side", "drive side, contact ratio", 3)),
+          "A gear flank from a measuring machine and a pinion flank with five terms of an ease-off: errors of some micrometres more than "
+          "treble the 1.8 arcsec of the flanks as designed. [Errors](errors.md)"),
+    Entry("running_pair", "The coarse pair at 20,000 rpm", "spiral_bevel_quick.prm", "teeth_in_mesh.png",
+          (("mean transmission error", "dte mean", 3), ("its peak to peak", "dte peak to peak", 2),
+           ("mean contact force", "contact force total mean", 3)),
+          "Explicit dynamics of 19,380 elements over 14 tooth meshes: two to three tooth pairs carry, which is seen in the section and as "
+          "pressure on the flanks. [Study](study.md)"),
+    Entry("reduced_pair", "The same pair with reduced bodies", "reduced/spiral_bevel_quick.prm", "rim_waves.svg",
+          (("mean transmission error", "dte mean", 3),
+           ("its peak to peak in the second half",
+            "steady part/ripple/columns/dte/peak to peak of the second half", 2),
+           ("mean contact force", "contact force total mean", 3)),
+          "143 modes and the residual flexibility of four teeth give the mean of the run in seconds, so that 60 tooth meshes are "
+          "affordable; the waves of the rim show in both directions of travel. [Reduced bodies](reduced.md)"),
+    Entry("driven_wave", "A travelling wave of the web, driven", "waves/one_wave.prm", "driven_waves.svg",
+          (("speed of the wave, predicted", of_column("waves_lines", "speed in contact", value_at(0)), 4),
+           ("speed of its peak", of_column("waves_lines", "peak speed", value_at(0)), 4),
+           ("amplitude of the rim", of_column("waves_lines", "amplitude", value_at(0)), 3)),
+          "Four nodal diameters run with the spin where the first order of the tooth mesh meets them: the reduced pair is driven there, and "
+          "the fitted peak stands where it was predicted. [Waves](waves.md)"),
+    Entry("root_stress", "Root stress of a tooth through the mesh", "stress/root_stress_quick.prm", "root_stress.svg",
+          (("tension in the pinion's root", "pinion root tension", 3), ("tension in the gear's root", "gear root tension", 3),
+           ("range of the gear's root", "gear root stress range", 3)),
+          "A tooth is pressed before and after it is bent: the range is more than the tension. [Root stress](stress.md)"),
+    Entry("ball_passage", "Balls that pass the load", "supports/ball_passage.prm", "bearings.svg",
+          (("least displacement of a seat", of_column("bearings", "displacement x", np.min, bearing="left"), 3),
+           ("largest", of_column("bearings", "displacement x", np.max, bearing="left"), 3),
+           ("largest force of a bearing", of_column("bearings", "radial force", np.max), 4)),
+          "With clearance the stiffness of a ball bearing varies as its cage rolls: most displacement where one ball lies under the "
+          "load. [Bearings](bearing.md)"),
+    Entry("whirl", "A rotor in bearings over its speed", "supports/two_discs.prm", "campbell_rotor.svg",
+          (("first bending mode at rest", of_column("modes", "fixed frequency", least_positive, speed=0), 4),
+           ("backward at 4000 rpm", of_column("modes", "fixed frequency", np.min, speed=4000, whirl="backward"), 4),
+           ("forward", of_column("modes", "fixed frequency", np.min, speed=4000, whirl="forward"), 4)),
+          "Gyroscopic moments of the discs part forward from backward whirl. [Bearings](bearing.md)"),
+    Entry("loaded_pair", "Load without dynamics", "fem/loaded_spiral_bevel_quick.prm", "loaded_contact.svg",
+          (("mean transmission error", "transmission error mean", 3),
+           ("tangent stiffness of the mesh", "tangent stiffness mean", 3),
+           ("mean contact force", "contact force total mean", 3)),
+          "The static equilibrium over one tooth mesh, on the same mesh by conventional finite elements: the run and the reduced pair "
+          "swing about it. [Conventional finite elements](fem.md)"),
+    Entry("jumps", "Flanks that part: jumps over speed", "lumped/torsional_pair.prm", "lumped_response.svg",
+          (("largest peak to peak of the transmission error", "sweep/largest peak to peak dte", 3),
+           ("at the speed", "sweep/at the speed", 4),
+           ("largest difference of both directions", "sweep/largest difference of both directions", 3)),
+          "Backlash bends the resonance: run up and run down follow other branches. [Lumped models](lumped.md)"),
+    Entry("plate", "A mesh of one's own: plate with a hole", "verification/plate_with_hole.prm", "bodies.png",
+          (("stress beside the hole, of 10 MPa far away", of_column("history", "beside stress x", value_at(-1)), 3),
+           ("stress ahead of it", of_column("history", "ahead stress y", value_at(-1)), 3),
+           ("strain energy", "energy/strain", 4)),
+          "Meshes of Gmsh, Abaqus and VTK are bodies as well; their named groups carry supports and loads. [Model](model.md)"),
+    Entry("impact", "Two bars exchange their velocities", "verification/two_bars.prm", "energies.svg",
+          (("force between them (1005.3 N by the theory of waves)", force_in_contact, 5),
+           ("they touch for (39.04 us)", time_in_contact, 3),
+           ("largest strain energy, half of all there is", of_column("history", "strain energy", np.max), 3)),
+          "Implicit contact in an explicit run takes no energy and brings none. [Contact](contact.md)"),
+)

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cases, results and failures of the package vfife."""
+import importlib.util
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from python_test import PROGRAM, ROOT  # first: makes the package importable
+
+import numpy as np
+
+import vfife
+
+BARS = vfife.Case(ROOT / "prm/verification/two_bars.prm").set("Output/pictures", False)
+PAIR = vfife.Case(ROOT / "prm/gear/proposed_17_43.prm")
+PLATE = vfife.Case(ROOT / "prm/verification/plate_with_hole.prm").set("Output/pictures", False)
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+
+class Runs(Folder):
+    def test_run(self):
+        """Two bars exchange their velocities: the force is A rho c v/2 = 1005.3 N, the contact 2 L/c = 39.04 us long."""
+        result = BARS.run(output=self.folder / "bars")
+        self.assertEqual(result.status, "finished")
+        self.assertEqual(result.history.units["time"], "s")
+        time, force = result.history["time"], result.history["contact force total"]
+        self.assertIsInstance(force, np.ndarray)
+        middle = (time > 10e-6) & (time < 30e-6)
+        self.assertAlmostEqual(force[middle].mean(), 1005.3, delta=10)
+        steps = result.json("summary")["run"]["steps"]
+        self.assertEqual(len(time), steps + 1)
+        self.assertEqual(result.summary["energy/start"].unit, "mJ")
+        self.assertAlmostEqual(result.summary["energy/start"].value, 39.25, places=6)
+        self.assertEqual(result.parameters["Dynamics/end time"], "80 us")
+
+    def test_loop(self):
+        """A larger pressure angle makes the path of contact shorter; the base stays what it was."""
+        ratios = []
+        for angle in (25, np.float64(17.5)):
+            result = PAIR.set("Gear pair/Proposal/pressure angle", angle).run(output=self.folder / f"{angle:g}")
+            ratios.append(result.summary["drive side, contact ratio"])
+        self.assertEqual(ratios[0].unit, "-")
+        self.assertLess(ratios[0].value + 0.05, ratios[1].value)
+        self.assertEqual(PAIR.settings, {})
+        self.assertIn("path", result.tables)
+        self.assertEqual(set(result.table("path")["side"]), {"drive", "coast"})
+
+    def test_ranks_and_fields(self):
+        result = PLATE.run(output=self.folder / "plate", ranks=2)
+        if importlib.util.find_spec("meshio"):
+            fields = result.fields()
+            self.assertEqual(fields.points.shape, (480, 8, 3))
+            # at the hole 3 to 4 times the nominal stress of 10 MPa
+            self.assertTrue(30 < fields["von mises"].max() < 40)
+
+    def test_own_folder(self):
+        """Without `output` results go where the file says."""
+        result = PAIR.set("Study/output folder", self.folder / "own").run()
+        self.assertEqual(result.path, self.folder / "own")
+
+    def test_frame(self):
+        result = PAIR.run(output=self.folder / "pair")
+        if importlib.util.find_spec("pandas"):
+            frame = result.frame("transmission")
+            self.assertEqual(frame.attrs["units"]["transmission error"], "arcsec")
+        else:
+            self.assertRaises(ImportError, result.frame, "transmission")
+
+    def test_restart(self):
+        short = BARS.set("Dynamics/largest number of steps", 100)
+        self.assertEqual(short.run(output=self.folder).json("summary")["run"]["steps"], 100)
+        longer = BARS.set("Dynamics/largest number of steps", 150).run(output=self.folder, restart=True)
+        self.assertEqual(longer.json("summary")["run"]["steps"], 150)
+
+
+class Questions(unittest.TestCase):
+    def test_parameters(self):
+        parameters = PAIR.set("Gear pair/Proposal/module", 4.5).set("Gear pair/Proposal/face width", "0.025 m").parameters()
+        self.assertEqual(parameters["Gear pair/Proposal/module"], "4.5 mm")
+        self.assertEqual(parameters["Gear pair/Proposal/face width"], "0.025 m")
+        self.assertEqual(parameters["Gear pair/Proposal/spiral angle"], "35 deg")
+
+    def test_check(self):
+        found = BARS.check()
+        self.assertIn("400 elements", found.text)
+        self.assertEqual(found.contradictions, ())
+
+
+class Failures(Folder):
+    def test_input(self):
+        with self.assertRaises(vfife.InputError) as caught:
+            PAIR.set("Gear pair/Proposal/modul", 4).run(output=self.folder / "none")
+        self.assertRegex(str(caught.exception), '^--set "Gear pair/Proposal/modul=4": .* did you mean "module"[?]$')
+        self.assertFalse((self.folder / "none").exists())
+        with self.assertRaisesRegex(vfife.InputError, "no_such_file"):
+            vfife.Case("no_such_file.prm").check()
+
+    def test_input_on_ranks(self):
+        """The message is the program's alone, without what mpirun adds."""
+        with self.assertRaises(vfife.InputError) as caught:
+            PAIR.set("Gear pair/Proposal/modul", 4).run(output=self.folder / "none", ranks=2)
+        self.assertRegex(str(caught.exception), '^--set "Gear pair/Proposal/modul=4": .* did you mean "module"[?]$')
+
+    def test_computation(self):
+        with self.assertRaisesRegex(vfife.ComputationFailed, "not reached in 50 relaxation steps") as caught:
+            PLATE.set("Dynamics/Relaxation/largest number of steps", 50).run(output=self.folder / "plate")
+        self.assertEqual(caught.exception.result.status, "failed")
+        self.assertIn("history", caught.exception.result.tables)
+        self.assertNotIsInstance(caught.exception, vfife.Stopped)
+
+    def test_missing_file(self):
+        (self.folder / "path.csv").write_text("a [mm]\n1\n", encoding="utf-8")
+        result = vfife.Result(self.folder)
+        with self.assertRaisesRegex(FileNotFoundError, "has no history.csv; of these files there are: path.csv"):
+            _ = result.history
+        self.assertRaises(FileNotFoundError, vfife.Result, self.folder / "nowhere")
+
+    def test_damaged(self):
+        (self.folder / "summary.json").write_text("{", encoding="utf-8")
+        with self.assertRaisesRegex(vfife.DamagedFile, "summary.json:1:2"):
+            _ = vfife.Result(self.folder).summary
+
+
+class Programs(Folder):
+    def test_order(self):
+        """The argument, the environment, the tree; what is named and is none is said."""
+        self.assertEqual(vfife.find_program("/bin/true"), Path("/bin/true"))
+        self.assertEqual(vfife.find_program(), Path(PROGRAM))
+        self.assertRaisesRegex(vfife.ProgramNotFound, "/nowhere/vfife", vfife.find_program, "/nowhere/vfife")
+        with mock.patch.dict(os.environ, VFIFE_PROGRAM="/nowhere/vfife"):
+            self.assertRaisesRegex(vfife.ProgramNotFound, "VFIFE_PROGRAM names /nowhere/vfife", vfife.find_program)
+
+    def test_path(self):
+        own = self.folder / "vfife"
+        own.symlink_to("/bin/true")
+        with mock.patch.dict(os.environ, PATH=str(self.folder)), mock.patch("vfife.program.TREE", self.folder / "a"), \
+                mock.patch("vfife.program.PREFIX", self.folder / "b"):
+            del os.environ["VFIFE_PROGRAM"]
+            self.assertEqual(vfife.find_program(), own)
+            own.unlink()
+            self.assertRaisesRegex(vfife.ProgramNotFound, "built in the tree.*installed with.*PATH", vfife.find_program)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
