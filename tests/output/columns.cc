@@ -180,6 +180,9 @@ namespace
     for (const char *of_histories : {"FIGURE", "FIGURE error", "FIGURE order"})
       figures.push_back({of_histories, {0., "-"}});
     add("sweep.csv", "sweep", make_sweep_table({"PARAMETER"}, figures));
+    const ErrorTables errors = make_error_tables({"PARAMETER"});
+    add("error_bars.csv", "sweep", errors.bars);
+    add("differences.csv", "sweep", errors.differences);
     return tables;
   }
 

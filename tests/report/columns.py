@@ -15,6 +15,7 @@ RUN_TABLES = {"history": "history.csv", "teeth": "teeth.csv", "probes": "probes.
 # Tables of other studies by the names under which a file has them.
 TABLES = {
     "data/beside.py": {"table": "coupled_modes.csv"},
+    "data/error_bars.py": {"bars": "error_bars.csv", "pairs": "differences.csv", "runs": "sweep.csv"},
     "page/sweep_chapter.py": {"table": "resonance.csv"},
     "plots/campbell.py": {"branches": "campbell.csv", "resonances": "resonances.csv"},
     "plots/lumped.py": {"motion": "lumped.csv"},

@@ -23,6 +23,7 @@ from vfife_report.measures.run_lines import describe_resolution, list_other_line
 from vfife_report.measures.sidebands import list_sidebands
 from vfife_report.page.sweep_chapter import list_sentences
 from vfife_report.plots.curves import draw_curves
+from vfife_report.plots.error_bars import draw_error_bars
 from vfife_report.plots.resonance import draw_resonance
 from vfife_report.plots.spectra import draw_sidebands
 from vfife_report.plots.waterfalls import draw_waterfall
@@ -166,6 +167,65 @@ class Axes(unittest.TestCase):
             (panel,) = draw_curves(Study(Path(name))).axes
             self.assertEqual(panel.get_title(loc="left"), "tip displacement, largest x")
             self.assertEqual(list(panel.lines[0].get_ydata()), [1, 2, 3])
+
+
+class Errors(unittest.TestCase):
+    def setUp(self):
+        """Two webs, each on two meshes; the second one's coarse mesh has failed."""
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = Path(self.folder.name)
+        for count, thickness in enumerate(("5 mm", "5 mm", "3.5 mm", "3.5 mm"), 1):
+            (self.path / f"run_0{count}").mkdir()
+            write_run(self.path / f"run_0{count}", thickness, fields=False)
+        (self.path / "sweep.csv").write_text(
+            "run,thickness,cells,status\nrun_01,5 mm,4,finished\nrun_02,5 mm,8,finished\n"
+            "run_03,3.5 mm,4,failed\nrun_04,3.5 mm,8,finished\n")
+        (self.path / "error_bars.csv").write_text(
+            "quantity,variant,run,unit,value [unit],error [unit],error by cells [unit],method\n"
+            "dte mean,thickness = 5 mm,run_02,arcsec,-80.25,2.14,2.14,cells: spread of 2 values\n"
+            'dte mean,thickness = 3.5 mm,run_04,arcsec,-79.125,nan,nan,"cells: not known, 1 of 2 values, without run_03"\n'
+            "ripple,thickness = 5 mm,run_02,-,3,0.012,0.012,cells: spread of 2 values\n"
+            "ripple,thickness = 3.5 mm,run_04,-,3.5,0.6,0.6,cells: spread of 2 values\n"
+            "lost,thickness = 5 mm,run_02,-,0,0,0,cells: spread of 2 values\n"
+            "lost,thickness = 3.5 mm,run_04,-,0,0,0,cells: spread of 2 values\n")
+        (self.path / "differences.csv").write_text(
+            "quantity,variant,other variant,unit,difference [unit],error of the difference [unit],"
+            "sum of both errors [unit],verdict\n"
+            "dte mean,thickness = 5 mm,thickness = 3.5 mm,arcsec,-1.125,nan,nan,not known\n"
+            "ripple,thickness = 5 mm,thickness = 3.5 mm,-,-0.5,0.588,0.612,not told apart\n"
+            "lost,thickness = 5 mm,thickness = 3.5 mm,-,0,0,0,not told apart\n")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_variants(self):
+        """Runs that differ by the mesh alone are no variants."""
+        study = Study(self.path)
+        self.assertEqual([v.run.path.name for v in study.variants], ["run_02", "run_04"])
+        self.assertEqual(study.error_bars.unfinished, [("run_03", "failed")])
+
+    def test_plot(self):
+        """A panel for what differs, an error bar for each known error, a cross for the others."""
+        panels = draw_error_bars(Study(self.path)).axes
+        self.assertEqual([axes.get_title(loc="left") for axes in panels], ["dte mean [arcsec]", "ripple"])
+        (bars,) = panels[0].containers
+        (segment,) = bars[2][0].get_segments()
+        for value, known in zip(segment[:, 0], (-82.39, -78.11)):
+            self.assertAlmostEqual(value, known)
+        self.assertEqual([list(line.get_xdata()) for line in panels[0].lines if line.get_marker() == "x"], [[-79.125]])
+
+    def test_report(self):
+        main([str(self.path)])
+        text = (self.path / "report.html").read_text()
+        for words in ("Error bars", "run_03 (failed)", "\u221280.2 ± 2.1", "\u221279.125 ± ?", "3.000 ± 0.012", "3.50 ± 0.60",
+                      "without run_03"):
+            self.assertIn(words, text)
+        self.assertNotIn("Lost.", text)
+
+    def test_verdicts(self):
+        ripple = Study(self.path).error_bars.quantities[1]
+        self.assertEqual(ripple.list_others("thickness = 5 mm", "not told apart"), ["thickness = 3.5 mm"])
+        self.assertEqual(ripple.list_others("thickness = 5 mm", "order told"), [])
 
 
 class Sidebands(unittest.TestCase):

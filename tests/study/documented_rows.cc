@@ -275,12 +275,6 @@ namespace
     compare("tilt and shift of the rim [arcsec]", row[5], 0, part("rim tilt and shift"));
     compare("centrifugal [arcsec]", row[6], 0, part("centrifugal shift"));
 
-    row = row_of(paper, "## What is not known", "base ");
-    compare("teeth [arcsec]", row[4], 0, part("teeth and rest"));
-    compare("windup [arcsec]", row[4], 1, part("web windup"));
-    compare("tilt [arcsec]", row[4], 2, part("rim tilt and shift"));
-    compare("centrifugal [arcsec]", row[4], 3, part("centrifugal shift"));
-
     // A line search by the potential alone finds no end there (doc/fem.md, Static with contact).
     start("none");
     row = row_of(paper, "## Where the transmission error", "none |");

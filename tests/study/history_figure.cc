@@ -86,6 +86,7 @@ namespace
     taken(FigureValue::largest, "mJ", 9);
     taken(FigureValue::smallest, "mJ", -10);
     taken(FigureValue::largest_size, "mJ", 10);
+    taken(FigureValue::peak_to_peak, "mJ", 19);
     taken(FigureValue::change, "-", -1. / 8 - 1);
     // 8 and 9 lie above 4.5.
     taken(FigureValue::mean_above_half, "mJ", 8.5);
@@ -95,6 +96,40 @@ namespace
     // Three crossings are two half periods: the first after 8/18 s, the last 0.9 of 0.5 s after 4
     // s.
     taken(FigureValue::zero_crossing_rate, "Hz", .5 * 2 / (4.45 - 8. / 18));
+  }
+
+  /** A mesh's vibration of amplitude 3 beside another one of 4, and a mean. */
+  void shares_of_meshes()
+  {
+    Table table;
+    table.add_column("time", "s");
+    table.add_column("mesh frequency", "Hz");
+    table.add_column("force", "N");
+    for (unsigned int i = 0; i <= 1000; ++i)
+      {
+        const double t = 0.01 * i;
+        // Until 2 s something else; ten meshes of 80 samples are left, which both fill.
+        table.add_row({t,
+                       1.25,
+                       t < 2 - 1e-9 ? 77. * i
+                                    : 9 + 3 * std::sin(2 * pi * 1.25 * t) +
+                                        4 * std::cos(2 * pi * .125 * 3 * t)});
+      }
+    HistoryFigure figure;
+    figure.column = "force";
+    figure.value  = FigureValue::periodic_share;
+    figure.from   = 2 - 1e-9;
+    check_close("periodic share", figure.compute(table).value, 9. / 25, 1e-9);
+    check("its unit", figure.compute(table).unit == "-");
+    figure.from = 8.5;
+    check("less than two meshes", std::isnan(figure.compute(table).value));
+    figure.value = FigureValue::first;
+    check_close("first from a time on",
+                figure.compute(table).value,
+                table.numbers("force")[850],
+                0);
+    figure.from = 11;
+    check("nothing behind the end", std::isnan(figure.compute(table).value));
   }
 
   /** As a section of a parameter file has it. */
@@ -153,6 +188,7 @@ int main()
 {
   values();
   single_values();
+  shares_of_meshes();
   words();
   orders();
   HistoryFigure figure;

@@ -5,7 +5,9 @@
 
 #include <vfife/base/text/table.h>
 #include <vfife/output/files/table_reader.h>
+#include <vfife/study/sweep/error_estimate.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -45,6 +47,26 @@ namespace
          "    set values = 0, 100 1/s, 200 1/s\n  end\nend\n";
   }
 
+  /** With the cells of both bars as numerical parameter; the second variant fails. */
+  void write_numerical_case()
+  {
+    std::ofstream("numerical.prm")
+      << "subsection Study\n  set kind = sweep\nend\n"
+         "subsection Sweep\n  set base = bars.prm\n  set pictures = no\n"
+         "  set entries = Output/verbosity=quiet\n"
+         "  set parameters = cells, limit\n"
+         "  set error by = cells\n"
+         "  set figures = way\n"
+         "  subsection Figure way\n    set column = behind displacement x\n"
+         "    set reference = 0.049\n  end\n"
+         "  subsection Parameter cells\n"
+         "    set entry  = Model/Body flying/cells x; Model/Body resting/cells x\n"
+         "    set values = 10 | 10, 20 | 20, 40 | 40\n  end\n"
+         "  subsection Parameter limit\n"
+         "    set entry  = Dynamics/energy limit\n"
+         "    set values = 2, 1e-9\n  end\nend\n";
+  }
+
   Ending sweep(const std::string &folder, const std::vector<std::string> &more = {})
   {
     std::vector<std::string> words = {VFIFE_PROGRAM, "sweep.prm", "-o", folder};
@@ -74,11 +96,61 @@ namespace
   {
     return read_text(folder + "/history.csv");
   }
+
+  void numerical()
+  {
+    write_numerical_case();
+    const auto run = [](const std::vector<std::string> &more) {
+      std::vector<std::string> words = {VFIFE_PROGRAM, "numerical.prm", "-o", "numerical"};
+      words.insert(words.end(), more.begin(), more.end());
+      return run_program(words);
+    };
+    check("numerical: a variant fails", run({}).exit_code == 2);
+    show_table("numerical");
+    const vfife::Table table = vfife::read_result_table("numerical/sweep.csv"),
+                       bars  = vfife::read_result_table("numerical/error_bars.csv"),
+                       pairs = vfife::read_result_table("numerical/differences.csv");
+    const auto       &way    = table.numbers("way");
+    const auto       &names  = bars.column("quantity").texts;
+    const std::size_t row    = std::find(names.begin(), names.end(), "way") - names.begin();
+    const auto        text   = [&bars, row](const char *name, const std::size_t next) {
+      return bars.column(name).texts[row + next];
+    };
+    check_close("value: of the finest", bars.numbers("value")[row], way[2], 0);
+    check_close("spread or limit of three",
+                bars.numbers("error")[row],
+                vfife::estimate_error({way[0], way[1], way[2]}, {4, 2, 1}).error,
+                1e-15);
+    check_close("of one parameter alone",
+                bars.numbers("error by cells")[row],
+                bars.numbers("error")[row],
+                0);
+    check("its run", text("run", 0) == "run_03" && text("variant", 0) == "limit = 2");
+    check("none of failed runs", std::isnan(bars.numbers("value")[row + 1]));
+    std::cout << text("method", 1) << std::endl;
+    check("errors and orders by references are no figures, nor are steps",
+          std::count(names.begin(), names.end(), "way error") +
+              std::count(names.begin(), names.end(), "steps") ==
+            0);
+    std::cout << pairs.csv_row(0).substr(0, pairs.csv_row(0).find(",nan")) << " "
+              << pairs.column("verdict").texts[0] << std::endl;
+    check("in sweep.json",
+          read_text("numerical/sweep.json").find("\"error bars\"") != std::string::npos);
+    show("not a parameter", run({"--set", "Sweep/error by=cell"}));
+    show("twice", run({"--set", "Sweep/error by=cells, cells"}));
+    show("one value", run({"--set", "Sweep/Parameter cells/values=10 | 10"}));
+    show("a value for one entry of two",
+         run({"--set", "Sweep/Parameter cells/values=10 | 10, 20"}));
+    show("two sizes", run({"--set", "Sweep/Parameter cells/sizes=2, 1"}));
+    show("sizes that grow", run({"--set", "Sweep/Parameter cells/sizes=1, 2, 4"}));
+    show("sizes of another parameter", run({"--set", "Sweep/Parameter limit/sizes=2, 1"}));
+    show("which runs", run({"--set", "Sweep/Parameter cells/sizes=3, 2, 1", "--check"}));
+  }
 } // namespace
 
 int main()
 {
-  for (const char *folder : {"all", "list", "two_ranks", "modes"})
+  for (const char *folder : {"all", "list", "two_ranks", "modes", "numerical"})
     fs::remove_all(folder);
   fs::create_directory("modes");
   std::ofstream("modes/coupled_modes.csv") << "axes,frequency [Hz]\nstanding,923\n";
@@ -191,5 +263,6 @@ int main()
         sweep("list", {"--set", "Sweep/beside=" + std::string(300, 'x')})
             .text.find("has neither coupled modes") != std::string::npos);
   show("nothing to vary", sweep("list", {"--set", "Sweep/parameters="}));
+  numerical();
   return 0;
 }

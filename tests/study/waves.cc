@@ -6,6 +6,8 @@
 #include "../tests.h"
 #include "quick_pair.h"
 
+#include <vfife/output/files/run_figures.h>
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -63,6 +65,16 @@ end
     check("not driven, not measured",
           std::isnan(lines.at("peak speed")[0]) &&
             !std::filesystem::exists("predicted/waves_response.csv"));
+    const NamedFigures         figures = read_own_figures({"predicted"})[0];
+    const std::vector<double> &contact = lines.at("speed in contact");
+    check("speeds of the lines are figures",
+          figures.size() == 3 && figures[0].second.value == contact[0] &&
+            figures[1].second.value == contact[1] && figures[2].second.unit == "%");
+    // Both lie below the case's 10,000 rpm.
+    check_close("distance to the nearest wave [%]",
+                figures[2].second.value,
+                100 * (1 - contact[1] / 10000),
+                1e-9);
     for (std::size_t k = 0; k < 2; ++k)
       {
         // Against the spin 79 + 4 times the gear's speed, with it 79 - 4 times.

@@ -18,19 +18,20 @@ namespace vfife
     struct Place
     {
       std::string name, unit, pointer;
+      bool        is_of_computation = false;
     };
 
     /** The columns of a table of runs. */
     std::vector<Place> list_places()
     {
       using namespace summary_place;
-      return {{"steps", "-", steps},
-              {column::time, "s", summary_place::time},
-              {"run time", "s", run_time},
-              {column::energy_error, "-", energy_error},
+      return {{"steps", "-", steps, true},
+              {column::time, "s", summary_place::time, true},
+              {"run time", "s", run_time, true},
+              {column::energy_error, "-", energy_error, true},
               {"contact losses", "-", n_contact_losses},
-              {"steady", "-", is_steady},
-              {"ripple steady", "-", is_ripple_steady},
+              {"steady", "-", is_steady, true},
+              {"ripple steady", "-", is_ripple_steady, true},
               {"contact force mean", "N", steady_mean(column::contact_force_total)},
               {"contact force peak to peak", "N", steady_peak_to_peak(column::contact_force_total)},
               {"dte mean", "arcsec", steady_mean(column::dte)},
@@ -79,6 +80,14 @@ namespace vfife
     const Json json = read_json(path);
     return json.is_structured() ? read_number(json, pointer)
                                 : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  bool tells_of_computation(const std::string &figure)
+  {
+    const std::vector<Place> places = list_places();
+    return std::any_of(places.begin(), places.end(), [&figure](const Place &place) {
+      return place.name == figure && place.is_of_computation;
+    });
   }
 
   RunFigures read_run_figures(const std::string &folder)

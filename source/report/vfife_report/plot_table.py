@@ -4,7 +4,7 @@ from functools import partial
 
 from .data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
 from .data.fields import read_fields_of_bodies, read_last_fields
-from .data.needs import (changes_speed, has_axis, has_bearings, has_file, has_history, has_misalignment,
+from .data.needs import (changes_speed, has_axis, has_bearings, has_error_bars, has_file, has_history, has_misalignment,
                          has_orders, has_pair, has_pairs, has_pairs_with, has_pattern, has_patterns, has_probes,
                          has_rim, has_rim_over_meshes, has_speeds, has_tooth_mesh, has_tooth_pressures)
 from .data.study import Study
@@ -15,6 +15,7 @@ from .pictures.teeth_in_mesh import draw_teeth_in_mesh
 from .plots import (bearings, campbell, comparisons, driven_waves, histories, lumped, rim, root_stress, run_up,
                     spectra, speed_response, tooth_contact)
 from .plots.curves import draw_curves
+from .plots.error_bars import draw_error_bars
 from .plots.loaded_contact import draw_loaded_contact
 from .plots.plot_row import PlotRow, draw_rows
 from .plots.resonance import draw_resonance
@@ -135,6 +136,9 @@ TABLE_PLOTS = (
 STUDY_PLOTS = (
     PlotRow("static_curve.svg", (has_static_curve,), draw_static_curve,
             "Transmission error of the run beside that of the static pair in the same positions.", "Comparison ledger"),
+    PlotRow("error_bars.svg", (has_error_bars,), draw_error_bars,
+            "Quantities of all variants with their numerical errors; crosses: without a known error.", "Error bars",
+            data="error_bars.csv, differences.csv"),
     PlotRow("resonance.svg", (has_speeds,), draw_resonance,
             "Ripple of transmission error and contact force over speed, beside those of other models. Circles: runs without steady part or "
             "with a ripple that is not steady. Vertical: speeds at which a mesh order meets a coupled mode.", "Over what is varied"),

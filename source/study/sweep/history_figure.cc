@@ -2,10 +2,10 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/nearest_name.h>
-#include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/text/table.h>
 #include <vfife/study/sweep/history_figure.h>
+#include <vfife/study/sweep/refinement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +73,44 @@ namespace vfife
                : 0.5 * (crossings.size() - 1) / (crossings.back() - crossings.front());
     }
 
+    /**
+     * Part of the variance of equally spaced samples that repeats with a mesh of @p
+     * meshes_per_sample: that of the mean mesh, of the whole meshes at the end. Not known for less
+     * than two meshes.
+     */
+    double compute_periodic_share(const Numbers &column, const double meshes_per_sample)
+    {
+      const double      samples  = 1 / meshes_per_sample; // in a mesh
+      const double      n_meshes = std::floor((column.size() - 1 + 1e-6) * meshes_per_sample);
+      const std::size_t n        = std::max(std::lround(samples), 2L); // positions in a mesh
+      if (!(n_meshes >= 2))
+        return not_known;
+      // Between samples linear, where a mesh is no whole number of them.
+      const double begin = column.size() - 1 - n_meshes * samples;
+      const auto   at    = [&](const double place) {
+        const std::size_t i =
+          std::min(static_cast<std::size_t>(std::max(place, 0.)), column.size() - 2);
+        return column[i] + (place - i) * (column[i + 1] - column[i]);
+      };
+      Numbers mean_mesh(n, 0.);
+      double  mean = 0, square = 0, square_of_mesh = 0;
+      for (std::size_t m = 0; m < n_meshes; ++m)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double value = at(begin + (m + double(j) / n) * samples);
+            mean_mesh[j] += value / n_meshes;
+            mean += value / (n_meshes * n);
+          }
+      for (std::size_t m = 0; m < n_meshes; ++m)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double value = at(begin + (m + double(j) / n) * samples);
+            square += (value - mean) * (value - mean);
+            square_of_mesh += (mean_mesh[j] - mean) * (mean_mesh[j] - mean);
+          }
+      return square > 0 ? square_of_mesh / square : 1;
+    }
+
     /** One number of a column, in its unit but for change [-], time above half [s] and zero
      * crossing rate [Hz]. */
     double compute_value(const FigureValue value, const Numbers &time, const Numbers &column)
@@ -92,6 +130,9 @@ namespace vfife
         case FigureValue::largest_size:
           return std::max(*std::max_element(column.begin(), column.end()),
                           -*std::min_element(column.begin(), column.end()));
+        case FigureValue::peak_to_peak:
+          return *std::max_element(column.begin(), column.end()) -
+                 *std::min_element(column.begin(), column.end());
         case FigureValue::change:
           return column.back() / column.front() - 1;
         case FigureValue::mean_above_half:
@@ -100,42 +141,26 @@ namespace vfife
           return compute_time_above_half(time, column);
         case FigureValue::zero_crossing_rate:
           return compute_zero_crossing_rate(time, column);
+        case FigureValue::periodic_share: // needs the mesh as well
+          break;
         }
       return not_known;
     }
-
-    /** A value of an entry: how large it is in internal units, and of what dimension. */
-    struct Size
+    /** @p own: that of the column. */
+    std::string unit_of(const FigureValue value, const std::string &own)
     {
-      double      value = not_known;
-      std::string dimension; ///< empty: a bare number, whose unit is the entry's
-    };
-
-    /** Not known of what is no number, or has a unit that is none. */
-    Size read_size(const std::string &text)
-    {
-      try
+      switch (value)
         {
-          std::string  name;
-          const double number = read_number(text, name);
-          if (name.empty())
-            return {number, ""};
-          const Unit &unit = find_unit(name);
-          return {number * unit.factor, unit.dimension};
+        case FigureValue::change:
+        case FigureValue::periodic_share:
+          return "-";
+        case FigureValue::time_above_half:
+          return "s";
+        case FigureValue::zero_crossing_rate:
+          return "Hz";
+        default:
+          return own;
         }
-      catch (const InputError &)
-        {
-          return {};
-        }
-    }
-
-    /** |log(a/b)| of two values of one entry; not known unless both have units or neither has. */
-    double compute_log_ratio(const std::string &a, const std::string &b)
-    {
-      // Which unit a bare number is in, the entry knows and this does not.
-      const Size first = read_size(a), second = read_size(b);
-      return first.dimension == second.dimension ? std::abs(std::log(first.value / second.value))
-                                                 : not_known;
     }
   } // namespace
 
@@ -147,6 +172,8 @@ namespace vfife
                                                  {"largest", FigureValue::largest},
                                                  {"smallest", FigureValue::smallest},
                                                  {"largest size", FigureValue::largest_size},
+                                                 {"peak to peak", FigureValue::peak_to_peak},
+                                                 {"periodic share", FigureValue::periodic_share},
                                                  {"change", FigureValue::change},
                                                  {"mean above half", FigureValue::mean_above_half},
                                                  {"time above half", FigureValue::time_above_half},
@@ -163,7 +190,14 @@ namespace vfife
                    value,
                    figure_value_choices(),
                    "What is taken of the column; change: last over first minus one; half: of the "
-                   "largest value; zero crossing rate: a vibration's frequency");
+                   "largest value; zero crossing rate: a vibration's frequency; periodic share: "
+                   "part of the variance that repeats with the tooth mesh");
+    declare_quantity(prm,
+                     "from",
+                     from,
+                     "s",
+                     "Samples from this time on, as when the start's swing has died out",
+                     Range::not_negative());
     declare_text(prm,
                  "reference",
                  reference,
@@ -192,17 +226,28 @@ namespace vfife
     for (const Table::Column &one : history.columns())
       names.push_back(one.name);
     // Which columns a history has depends on the case: only its file tells.
-    if (std::find(names.begin(), names.end(), column) == names.end())
-      throw InputError("\"" + column + "\" is not a column of history.csv" +
-                       did_you_mean(column, names));
-    const std::string unit = value == FigureValue::change            ? "-"
-                             : value == FigureValue::time_above_half ? "s"
-                             : value == FigureValue::zero_crossing_rate
-                               ? "Hz"
-                               : history.column(column).unit;
-    if (history.n_rows() == 0)
+    const auto find = [&names, &history](const std::string &name) -> const Numbers & {
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        throw InputError("\"" + name + "\" is not a column of history.csv" +
+                         did_you_mean(name, names));
+      return history.numbers(name);
+    };
+    const Numbers    &all = find(column), &all_times = find(column::time);
+    const std::string unit = unit_of(value, history.column(column).unit);
+    const auto        first =
+      std::lower_bound(all_times.begin(), all_times.end(), from) - all_times.begin();
+    const Numbers time(all_times.begin() + first, all_times.end()),
+      samples(all.begin() + first, all.end());
+    if (samples.empty())
       return {not_known, unit};
-    return {compute_value(value, history.numbers(column::time), history.numbers(column)), unit};
+    if (value != FigureValue::periodic_share)
+      return {compute_value(value, time, samples), unit};
+    if (samples.size() < 2)
+      return {not_known, unit};
+    const double frequency = find(column::mesh_frequency).back();
+    return {compute_periodic_share(samples,
+                                   frequency * (time.back() - time.front()) / (time.size() - 1)),
+            unit};
   }
 
   double HistoryFigure::compute_error(const double number) const
@@ -224,17 +269,8 @@ namespace vfife
                        const std::vector<std::string> &values_before,
                        const std::vector<std::string> &values)
   {
-    // p = log |e_before/e| / |log(h/h_before)|. All parameters that differ must do so by one ratio,
-    // up or down (a cell's number grows where its size falls); otherwise there is no h.
-    double ratio = 0; // logarithm
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] != values_before[i])
-        {
-          const double own = compute_log_ratio(values[i], values_before[i]);
-          if (!std::isfinite(own) || (ratio > 0 && std::abs(own - ratio) > 1e-6))
-            return not_known;
-          ratio = own;
-        }
+    // p = log |e_before/e| / |log(h/h_before)|
+    const double ratio = compute_common_ratio(values_before, values);
     // Where nothing differs, or an error is zero, this is not finite.
     const double order = std::log(std::abs(error_before / error)) / ratio;
     return std::isfinite(order) ? order : not_known;

@@ -27,6 +27,15 @@ namespace vfife
     {
       return is_there(folder + "/coupled_modes.csv") || is_there(folder + "/resonance.csv");
     }
+
+    std::vector<std::string> split(const std::string &text, const char separator)
+    {
+      std::vector<std::string> list;
+      std::istringstream       in(text);
+      for (std::string one; std::getline(in, one, separator);)
+        list.push_back(trimmed(one));
+      return list;
+    }
   } // namespace
 
   std::string SweepStudy::folder_of_run(const std::size_t i)
@@ -56,14 +65,27 @@ namespace vfife
     return std::numeric_limits<std::size_t>::max();
   }
 
+  std::vector<std::string> SweepStudy::Parameter::list_entries() const
+  {
+    return split(entry, ';');
+  }
+
   std::vector<std::string> SweepStudy::Parameter::list_values() const
   {
     // Vectors have commas of their own.
-    const char               separator = values.find(';') == std::string::npos ? ',' : ';';
-    std::vector<std::string> list;
-    std::istringstream       text(values);
-    for (std::string value; std::getline(text, value, separator);)
-      list.push_back(trimmed(value));
+    return split(values, values.find(';') == std::string::npos ? ',' : ';');
+  }
+
+  std::vector<std::string> SweepStudy::Parameter::list_parts(const std::string &value) const
+  {
+    return list_entries().size() > 1 ? split(value, '|') : std::vector<std::string>{value};
+  }
+
+  std::vector<double> SweepStudy::Parameter::list_sizes() const
+  {
+    std::vector<double> list;
+    for (const std::string &text : split(sizes, ','))
+      list.push_back(plain_number(text).value_or(0.)); // no size, as zero
     return list;
   }
 
@@ -91,6 +113,12 @@ namespace vfife
                   "Folders of results that the report draws beside the runs: of a loaded tooth "
                   "contact analysis with coupled modes, of a lumped model or a reduced pair with a "
                   "sweep of speeds");
+    declare_names(
+      prm,
+      "error by",
+      error_by_,
+      "Those of the parameters that are numerical, their values from the coarsest to the "
+      "finest: they are varied one by one, and figures get errors by them");
     declare_integer(prm,
                     "ranks per run",
                     ranks_per_run_,
@@ -127,43 +155,25 @@ namespace vfife
       {
         parameters_[i].name = names_[i];
         Subsection parameter(prm, "Parameter " + names_[i]);
-        declare_text(prm,
-                     "entry",
-                     parameters_[i].entry,
-                     "The entry with its sections, as Gear pair/Gear/Body/web thickness");
-        declare_text(prm,
-                     "values",
-                     parameters_[i].values,
-                     "Values separated by commas; by semicolons where a value has commas");
+        declare_text(
+          prm,
+          "entry",
+          parameters_[i].entry,
+          "The entry with its sections, as Gear pair/Gear/Body/web thickness; several of "
+          "them separated by semicolons");
+        declare_text(
+          prm,
+          "values",
+          parameters_[i].values,
+          "Values separated by commas; by semicolons where a value has commas; with several "
+          "entries a value is one for each of them, separated by |");
+        declare_text(
+          prm,
+          "sizes",
+          parameters_[i].sizes,
+          "Of a numerical parameter: relative size of each value, falling numbers separated "
+          "by commas; empty: by the values themselves, or by the cells of the runs");
       }
-  }
-
-  std::vector<SweepStudy::Values> SweepStudy::list_runs() const
-  {
-    // A product begins with one run without values; each parameter multiplies the runs so far by
-    // its values, so the last one changes fastest. A list has its length from the first parameter.
-    std::vector<Values> runs(1);
-    if (combination_ == Combination::list)
-      runs.resize(parameters_.front().list_values().size());
-    for (const Parameter &parameter : parameters_)
-      {
-        const std::vector<std::string> values = parameter.list_values();
-        if (combination_ == Combination::list)
-          {
-            for (std::size_t i = 0; i < runs.size(); ++i)
-              runs[i].push_back(values[i]);
-            continue;
-          }
-        std::vector<Values> more;
-        for (const Values &run : runs)
-          for (const std::string &value : values)
-            {
-              more.push_back(run);
-              more.back().push_back(value);
-            }
-        runs = std::move(more);
-      }
-    return runs;
   }
 
   CommandLine SweepStudy::command_line(const Values &values) const
@@ -173,7 +183,12 @@ namespace vfife
     line.overrides      = split_entries(entries_, "Sweep/entries");
     // The swept value comes last: it wins over the entries that all runs share.
     for (std::size_t i = 0; i < values.size(); ++i)
-      line.overrides.push_back(parameters_[i].entry + "=" + values[i]);
+      {
+        const std::vector<std::string> entries = parameters_[i].list_entries(),
+                                       parts   = parameters_[i].list_parts(values[i]);
+        for (std::size_t k = 0; k < entries.size(); ++k)
+          line.overrides.push_back(entries[k] + "=" + parts[k]);
+      }
     return line;
   }
 
@@ -191,19 +206,30 @@ namespace vfife
       throw InputError("Sweep/base", "the parameter file of the case is missing");
     if (parameters_.empty())
       throw InputError("Sweep/parameters", "there is nothing to vary");
+    check_numerical();
+    const Parameter *first = nullptr; // with which the others make a list
     for (const Parameter &parameter : parameters_)
       {
         const std::string section = "Sweep/Parameter " + parameter.name;
         const auto        values  = parameter.list_values();
-        if (parameter.entry.empty())
+        const auto        entries = parameter.list_entries();
+        if (entries.empty() || std::count(entries.begin(), entries.end(), "") > 0)
           throw InputError(section + "/entry", "the entry to vary is missing");
         if (values.empty() || std::count(values.begin(), values.end(), "") > 0)
           throw InputError(section + "/values", "a value is missing");
-        const std::size_t n = parameters_.front().list_values().size();
+        for (const std::string &value : values)
+          if (parameter.list_parts(value).size() != entries.size())
+            throw InputError(section + "/values",
+                             "\"" + value + "\" is not one value for each of the " +
+                               std::to_string(entries.size()) + " entries, separated by |");
+        if (is_numerical(parameter))
+          continue;
+        first               = first == nullptr ? &parameter : first;
+        const std::size_t n = first->list_values().size();
         if (combination_ == Combination::list && values.size() != n)
           throw InputError(section + "/values",
-                           std::to_string(values.size()) + " values, but \"" +
-                             parameters_.front().name + "\" has " + std::to_string(n) +
+                           std::to_string(values.size()) + " values, but \"" + first->name +
+                             "\" has " + std::to_string(n) +
                              ": with combination = list there must be as many");
       }
     check_columns();

@@ -179,7 +179,10 @@ namespace vfife
       }
     // Written anew after each round: what has been found stays when the sweep is stopped.
     write_csv(folder, "sweep.csv", table);
-    write_json(folder, "sweep.json", Json{{"base", base_}, {"runs", json}});
+    Json whole = {{"base", base_}, {"runs", json}};
+    if (!error_by_.empty())
+      whole.update(write_errors(folder, reports, all));
+    write_json(folder, "sweep.json", whole);
   }
 
   void SweepStudy::copy_beside(const OutputFolder &folder) const

@@ -87,6 +87,20 @@ namespace vfife
     table.add_row(row);
   }
 
+  NamedFigures list_line_figures(const std::vector<WaveLine> &lines, const double speed)
+  {
+    NamedFigures figures;
+    double       nearest = std::numeric_limits<double>::infinity();
+    for (const WaveLine &line : lines)
+      {
+        figures.push_back({"speed of the " + line.name(), {line.linear_curve.peak * rpm, "rpm"}});
+        nearest = std::min(nearest, std::abs(line.linear_curve.peak / speed - 1.));
+      }
+    if (!lines.empty())
+      figures.push_back({"distance to the nearest wave", {100. * nearest, "%"}});
+    return figures;
+  }
+
   Table make_wave_frequency_table()
   {
     Table table;

@@ -7,6 +7,7 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/observers/rim_writer.h>
@@ -348,6 +349,7 @@ namespace vfife
       for (const WaveLine &line : lines)
         add_wave_line(line, table);
       write_csv(folder, "waves_lines.csv", table);
+      write_own_figures(folder, list_line_figures(lines, gear_case_.operation().speed));
       summary.run_time = seconds_since(start);
       summary.figures  = {{"cut-off frequency", {find_kept_cutoff(bodies), "Hz"}},
                           {"damping", {dynamics_.mass_damping(), "1/s"}},

@@ -13,8 +13,9 @@ namespace vfife
 {
   namespace summary_place
   {
-    constexpr char status[]           = "/status";  ///< text: "finished", "failed"
-    constexpr char failure[]          = "/failure"; ///< text
+    constexpr char status[]           = "/status";     ///< text: "finished", "failed"
+    constexpr char failure[]          = "/failure";    ///< text
+    constexpr char n_cells[]          = "/mesh/cells"; ///< of all bodies
     constexpr char time[]             = "/run/time";
     constexpr char steps[]            = "/run/steps";
     constexpr char run_time[]         = "/run/run time";

@@ -23,6 +23,10 @@ namespace vfife
    * and transmission error over the steady part, parts of the transmission error. */
   RunFigures read_run_figures(const std::string &folder);
 
+  /** Whether a figure of read_run_figures() says how a run was computed, as its steps, and not what
+   * it has found. */
+  bool tells_of_computation(const std::string &figure);
+
   /** The number at a JSON pointer of a JSON file (result_places.h), which may be that of a figure
    * or a switch (0 or 1); NaN where there is none. */
   double read_figure(const std::string &path, const std::string &pointer);

@@ -21,6 +21,8 @@ namespace vfife
     largest,
     smallest,
     largest_size,      ///< of the absolute values
+    peak_to_peak,      ///< largest less smallest
+    periodic_share,    ///< part of the variance that repeats with the tooth mesh [-]
     change,            ///< last over first, minus one [-]
     mean_above_half,   ///< mean over the time in which the column is above half its largest value
     time_above_half,   ///< that time, its ends interpolated [s]
@@ -35,6 +37,7 @@ namespace vfife
     std::string name;
     std::string column;
     FigureValue value = FigureValue::last;
+    double      from  = 0; ///< samples from this time on [s]
     std::string reference; ///< number in the figure's unit; empty: not known
 
     void declare(dealii::ParameterHandler &prm);

@@ -4,6 +4,7 @@
 
 #include <vfife/study/case_runner.h>
 #include <vfife/study/study_kind.h>
+#include <vfife/study/sweep/error_bars.h>
 #include <vfife/study/sweep/history_figure.h>
 
 #include <memory>
@@ -22,6 +23,9 @@ namespace vfife
    *
    * Tables of folders that `beside` names are copied into the sweep's folder, for the report: the
    * coupled modes of a loaded tooth contact analysis, the sweep of speeds of a lumped model.
+   *
+   * Parameters that `error by` names are numerical: they are not combined with others but varied
+   * one by one, and figures get errors by them (error_bars.h).
    *
    * The ranks are dealt to groups of `ranks per run`, which do runs at the same time. A run that
    * fails stops no other. With --restart finished runs of the same parameters are kept, and others
@@ -45,9 +49,14 @@ namespace vfife
   private:
     struct Parameter
     {
-      std::string name, entry, values;
+      std::string name, entry, values, sizes;
 
+      std::vector<std::string> list_entries() const;
       std::vector<std::string> list_values() const;
+      /** What each of the entries is set to. */
+      std::vector<std::string> list_parts(const std::string &value) const;
+      /** Those that are stated; nothing where they are to be derived. */
+      std::vector<double> list_sizes() const;
     };
 
     /** One run: the values of all parameters. */
@@ -61,13 +70,20 @@ namespace vfife
 
     static std::string folder_of_run(std::size_t i);
 
-    void                declare_own(dealii::ParameterHandler &prm);
-    void                check_columns() const;
+    void declare_own(dealii::ParameterHandler &prm);
+    void check_columns() const;
+    void check_numerical() const;
+    bool is_numerical(const Parameter &parameter) const;
+    /** All combinations of the physical parameters, the numerical ones at their last values. */
+    std::vector<Values> list_combinations() const;
+    /** Each combination after the runs that differ from it in one numerical parameter. */
     std::vector<Values> list_runs() const;
-    CommandLine         command_line(const Values &values) const;
-    unsigned int        count_groups(const Communicator &communicator) const;
-    std::string         describe(const Values &values) const;
-    void                copy_beside(const OutputFolder &folder) const;
+    /** Of runs whose folders these are. */
+    std::vector<SweepVariant> list_variants(const std::vector<std::string> &folders) const;
+    CommandLine               command_line(const Values &values) const;
+    unsigned int              count_groups(const Communicator &communicator) const;
+    std::string               describe(const Values &values) const;
+    void                      copy_beside(const OutputFolder &folder) const;
     /** The key figures of each run; as many and with the same names for all. */
     std::vector<NamedFigures> read_figures(const OutputFolder            &folder,
                                            const std::vector<Values>     &runs,
@@ -77,11 +93,15 @@ namespace vfife
                                             const std::vector<Values>     &runs,
                                             const std::vector<CaseReport> &reports,
                                             Log                           &log) const;
+    /** error_bars.csv and differences.csv; what they have as JSON. */
+    Json write_errors(const OutputFolder              &folder,
+                      const std::vector<CaseReport>   &reports,
+                      const std::vector<NamedFigures> &all) const;
 
     const CaseRunner          &runner_;
     bool                       restart_ = false;
     std::string                base_, entries_;
-    std::vector<std::string>   names_, figure_names_, beside_;
+    std::vector<std::string>   names_, figure_names_, beside_, error_by_;
     std::vector<Parameter>     parameters_;
     std::vector<HistoryFigure> figures_;
     Combination                combination_   = Combination::product;

@@ -3,6 +3,7 @@
 #define vfife_study_waves_wave_line_h
 
 #include <vfife/base/text/table.h>
+#include <vfife/output/files/figures.h>
 #include <vfife/study/waves/driven_wave.h>
 #include <vfife/study/waves/wave_fits.h>
 
@@ -88,6 +89,10 @@ namespace vfife
   /** speeds_to_avoid.csv: ranges of the driver's speed with margins, ascending; those that touch
    * are one. @p margin: over the speed. */
   Table make_avoided_speed_table(const std::vector<WaveLine> &lines, double allowed, double margin);
+
+  /** For tables of cases: the speeds of the lines in contact, and how far from @p speed of the
+   * driver [rad/s], over it, the nearest one is. */
+  NamedFigures list_line_figures(const std::vector<WaveLine> &lines, double speed);
 
   /** Says what is predicted of a line. */
   void log_wave_line(const WaveLine &line, Log &log);

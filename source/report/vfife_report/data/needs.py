@@ -83,6 +83,11 @@ def has_axis(study):
     return study.axis is not None
 
 
+def has_error_bars(study):
+    """Numerical parameters are varied."""
+    return study.error_bars is not None
+
+
 def has_speeds(study):
     """The number that is varied is a speed."""
     return study.speeds is not None

@@ -4,6 +4,7 @@ from functools import cached_property
 
 from .beside import read_beside
 from .columns import TRANSMISSION_ERROR
+from .error_bars import read_error_bars
 from .run_folder import RunFolder
 from .swept import find_axis, find_speeds
 from .variants import find_variants
@@ -15,7 +16,9 @@ class Study:
     def __init__(self, path):
         self.folder = RunFolder(path)  # results of its own: what was compared, other studies' tables
         self.path = self.folder.path
-        self.variants = find_variants(self.path)
+        # Runs that differ by numerical parameters alone are no variants.
+        self.error_bars = read_error_bars(self.path)
+        self.variants = find_variants(self.path, self.error_bars.runs if self.error_bars else None)
 
     @cached_property
     def axis(self):

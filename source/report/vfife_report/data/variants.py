@@ -27,11 +27,11 @@ def list_sweep_order(folder):
     return list(dict.fromkeys(folder / cell for cell in cells if (folder / cell).is_dir()))
 
 
-def find_variants(folder):
-    """Empty where the folder is a run itself or has none below."""
+def find_variants(folder, chosen=None):
+    """Empty where the folder is a run itself or has none below; of the chosen folders alone, where there are any."""
     if (folder / "history.csv").is_file() or (folder / "figures.json").is_file():
         return []
     below = sorted(path for path in folder.iterdir() if path.is_dir())
-    folders = list(dict.fromkeys([path for path in list_sweep_order(folder) + below if is_run(path)]))
+    folders = list(dict.fromkeys([path for path in (chosen or list_sweep_order(folder) + below) if is_run(path)]))
     runs = [RunFolder(path) for path in folders]
     return [Variant(number, *pair) for number, pair in enumerate(zip(name_variants(runs), runs))]

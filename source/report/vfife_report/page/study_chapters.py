@@ -9,6 +9,7 @@ from ..measures.quantities import list_quantities
 from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
                                   list_other_lines)
 from .chapter import Chapter
+from .error_chapter import tell_error_bars
 from .parts import Cells, Paragraph
 from .sweep_chapter import tell_sweep, title_sweep
 from .words import list_geometry_rows
@@ -119,6 +120,7 @@ def tell_computations(study, plots):
 
 STUDY_CHAPTERS = (
     Chapter("The variants", tell_variants),
+    Chapter("Error bars", tell_error_bars),
     Chapter("Over what is varied", tell_sweep, title_sweep),
     Chapter("Means and ripple", tell_means),
     Chapter("Transmission error"),

@@ -1,0 +1,45 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""The chapter of a sweep with numerical parameters: values with errors, what is told apart."""
+import math
+
+from .parts import Cells, Paragraph, format_number
+
+NONE = "–"
+
+
+def format_with_error(value, error):
+    """Two digits of the error, the value to the same place: "-80.7 ± 2.2"."""
+    if not math.isfinite(value) or not math.isfinite(error):
+        return f"{format_number(value)} ± ?"
+    if error == 0:
+        return f"{format_number(value)} ± 0"
+    places = max(1 - math.floor(math.log10(error)), 0)
+    return f"{value:.{places}f} ± {error:.{places}f}".replace("-", "\u2212", 1)
+
+
+def tell_error_bars(study, plots):
+    bars = study.error_bars
+    if bars is None:
+        return
+    parameters = ", ".join(bars.quantities[0].parts) if bars.quantities else ""
+    yield Paragraph(f"Each value is that of the finest numerical parameters ({parameters}), its error the sum of those by each of them: "
+                    "Richardson's where three values are monotone with an order between 0.5 and 2.1, else their spread. Two variants are told "
+                    "apart where they differ by more than both errors together; their order is told where they differ by more than the error "
+                    "of the difference, in which what numerical parameters do to both alike cancels; else they are not told apart.")
+    if bars.unfinished:
+        yield Paragraph("Without results, and missing in the errors: " + ", ".join(
+            f"{run} ({status})" for run, status in bars.unfinished) + ".", "alarm")
+    yield from plots
+    for one in bars.quantities:
+        if one.is_constant():
+            continue
+        unit = "" if one.unit in ("", "-") else f" [{one.unit}]"
+        # Others by their numbers: names of variants are long.
+        number = {variant: str(k) for k, variant in enumerate(one.variants, 1)}
+        rows = [[number[variant], variant, format_with_error(one.values[k], one.errors[k])]
+                + [float(errors[k]) for errors in one.parts.values()]
+                + [", ".join(number[other] for other in one.list_others(variant, word)) or NONE
+                   for word in ("order told", "not told apart")]
+                + [one.methods[k]] for k, variant in enumerate(one.variants)]
+        yield Cells(["", "variant", f"{one.name}{unit}"] + [f"error by {name}" for name in one.parts]
+                    + ["order told from", "not told apart from", "method"], rows, f"{one.name[:1].upper()}{one.name[1:]}.")
