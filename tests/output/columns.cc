@@ -140,6 +140,8 @@ namespace
     add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0)).table());
     add("root_stress.csv", loaded, make_loaded_root_stress_table());
     add("gauges.csv", loaded, make_loaded_gauge_table());
+    add("pressure.csv", loaded, make_loaded_pressure_table());
+    add("pressure_field.csv", loaded, make_loaded_pressure_field_table());
     add("fillet_envelope.csv", loaded, make_fillet_envelope_table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());
     add("reactions.csv", "linear static", make_reaction_table());

@@ -111,6 +111,11 @@ namespace vfife
     return nodes;
   }
 
+  const std::vector<std::pair<unsigned int, unsigned int>> &PressedPair::candidate_teeth() const
+  {
+    return pairs_.front()->contact.candidate_pairs();
+  }
+
   void PressedPair::set_nodes(const std::vector<Node> &nodes)
   {
     nodes_ = nodes;

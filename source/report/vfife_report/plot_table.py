@@ -12,8 +12,8 @@ from .pictures.bodies import draw_bodies
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
 from .pictures.scene import Scene, is_in_mesh
 from .pictures.teeth_in_mesh import draw_teeth_in_mesh
-from .plots import (bearings, campbell, comparisons, driven_waves, histories, lumped, rim, root_stress, run_up,
-                    spectra, speed_response, tooth_contact)
+from .plots import (bearings, campbell, comparisons, driven_waves, grid_pressure, histories, lumped, rim, root_stress,
+                    run_up, spectra, speed_response, tooth_contact)
 from .plots.curves import draw_curves
 from .plots.error_bars import draw_error_bars
 from .plots.loaded_contact import draw_loaded_contact
@@ -98,6 +98,13 @@ TABLE_PLOTS = (
             "Contact pattern on the drive flanks over one tooth mesh, along and over the pitch cone; cross: its centre. Pressures of nodes "
             "are spread over their facets: they say where the flanks carry.",
             "Loaded tooth contact by finite elements", data="pattern.csv"),
+    PlotRow("grid_pressure.svg", (has_file("pressure.csv"),), grid_pressure.draw_pressure,
+            "Pressures on their own grid, which neither mesh nor penalty makes, and forces of a tooth pair along its engagement. At the "
+            "edges of the flanks the material goes on beyond the edge, and pressures there are too large.",
+            "Loaded tooth contact by finite elements", data="pressure.csv"),
+    PlotRow("grid_pressure_field.svg", (has_file("pressure_field.csv"),), grid_pressure.draw_pressure_field,
+            "Pressures on their own grid on the flanks of all teeth that carry, along and over the pitch cone.",
+            "Loaded tooth contact by finite elements", data="pressure_field.csv"),
     PlotRow("root_stress.svg", (has_file("root_stress.csv"),), root_stress.draw_root_stress,
             "Largest tension and compression in the fillets of both members while a tooth passes through the mesh; teeth at "
             "the same place count once, by their largest.", "Root stress"),

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
@@ -23,6 +24,7 @@
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_fillets.h>
 #include <vfife/study/conventional/loaded_pattern.h>
+#include <vfife/study/conventional/loaded_pressure.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/conventional/loaded_supports.h>
 #include <vfife/study/run/run_penalties.h>
@@ -80,12 +82,17 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
-      void add_position(const Model                 &model,
-                        const Compliance            &compliance,
-                        double                       position,
-                        const PairEquilibriumResult &result,
-                        const std::vector<Stress>   &stresses,
-                        Log                         &log);
+      /** Returns the transmission error [rad]. */
+      double add_position(const Model                 &model,
+                          const Compliance            &compliance,
+                          double                       position,
+                          const PairEquilibriumResult &result,
+                          const std::vector<Stress>   &stresses,
+                          Log                         &log);
+
+      /** None where it is not asked for. */
+      std::unique_ptr<LoadedPressure> make_pressure(const Model &model,
+                                                    Compliance  &compliance) const;
 
       void find_modes(const Model                 &model,
                       const Compliance            &compliance,
@@ -101,6 +108,20 @@ namespace vfife
       FilletOptions        fillets_;
       Table                positions_, teeth_;
     };
+
+    void log_largest(const Model &model, const LoadedProbes &probes, Log &log)
+    {
+      for (const Probe &probe : model.probes)
+        {
+          const std::size_t row = probes.find_largest(probe.name);
+          log.line(probe.name,
+                   ": largest von Mises stress of a turn ",
+                   probes.table().numbers(column::von_mises)[row],
+                   " MPa, ",
+                   probes.table().numbers(column::after_mesh)[row],
+                   " tooth meshes after the mesh");
+        }
+    }
   } // namespace
 
   void LoadedContactOptions::declare(dealii::ParameterHandler &prm)
@@ -123,6 +144,21 @@ namespace vfife
       "none",
       0,
       1000);
+    declare_integer(prm,
+                    "pressure cells",
+                    pressure_cells,
+                    "Cells of a grid of its own over the width of each contact, on which pressures "
+                    "that neither mesh nor penalty makes are found; 10 to 20 are enough, 0: none",
+                    0,
+                    64);
+    declare_quantity(
+      prm,
+      "pressure depth",
+      pressure_depth,
+      "mm",
+      "Least depth of the layers under the flanks whose flexibility is exact there; 0: "
+      "one and a half widths of Hertz's contact under the whole load",
+      Range::not_negative());
   }
 
   void LoadedContactStudy::run(OutputFolder &folder, Log &log)
@@ -154,6 +190,7 @@ namespace vfife
     LoadedSupports  supports(model);
     LoadedPattern   pattern(model);
     LoadedFillets   fillets(model, fillets_);
+    auto            pressure = make_pressure(model, compliance);
     for (const double turn : turns)
       {
         start                              = WallClock::now();
@@ -161,7 +198,7 @@ namespace vfife
         const PairEquilibriumResult result = equilibrium.solve(turn, 1.);
         const std::vector<Stress>   stresses =
           compute_node_stresses(compliance.discretization(), result.displacements);
-        add_position(model, compliance, turn / pitch, result, stresses, log);
+        const double error = add_position(model, compliance, turn / pitch, result, stresses, log);
         probes.add_position(turn / pitch, stresses);
         supports.add_position(compliance.discretization(), turn / pitch, result);
         pattern.add_position(result);
@@ -175,20 +212,13 @@ namespace vfife
                  " unit forces, ",
                  seconds_since(start),
                  " s");
+        if (pressure)
+          pressure->add_position(turn / pitch, error, equilibrium, result, log);
         // Modes are those of the pair tied together where it touches in the reference position.
         if (turn == turns.front() && options_.coupled_modes > 0)
           find_modes(model, compliance, result, folder, log);
       }
-    for (const Probe &probe : model.probes)
-      {
-        const std::size_t row = probes.find_largest(probe.name);
-        log.line(probe.name,
-                 ": largest von Mises stress of a turn ",
-                 probes.table().numbers(column::von_mises)[row],
-                 " MPa, ",
-                 probes.table().numbers(column::after_mesh)[row],
-                 " tooth meshes after the mesh");
-      }
+    log_largest(model, probes, log);
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
     write_edge_contact(gear_case_.edges_under_load(), teeth_, column::position, 1., folder, log);
@@ -198,10 +228,38 @@ namespace vfife
     for (const auto &figure : pattern.figures(gear_case_.make_pair(), model.contacts[0].side))
       figures.push_back(figure);
     fillets.write(folder, log);
+    if (pressure)
+      {
+        pressure->write(folder);
+        for (const auto &figure : pressure->list_figures())
+          figures.push_back(figure);
+      }
     const NamedFigures roots = fillets.list_figures();
     figures.insert(figures.end(), roots.begin(), roots.end());
     write_own_figures(folder, figures);
     write_tables(folder, "loaded_contact", positions_);
+  }
+
+  std::unique_ptr<LoadedPressure> LoadedContactStudy::make_pressure(const Model &model,
+                                                                    Compliance  &compliance) const
+  {
+    if (options_.pressure_cells == 0)
+      return nullptr;
+    // Their balance has the bodies' linear answers alone.
+    if (!model.bearings.empty())
+      throw InputError("Loaded contact/pressure cells",
+                       "pressures on their own grid are found of pairs on ideal bores; bearing \"" +
+                         model.bearings.front().name + "\" holds one that is not");
+    // doc/contact.md, Pressure on its own grid: below three half widths the mesh does not see what
+    // is left.
+    const double force = std::abs(load_torque(model)) / model.transmission->arm;
+    const double depth = options_.pressure_depth > 0
+                           ? options_.pressure_depth
+                           : 3. * gear_case_.hertz_contact().semi_axes(force)[1];
+    return std::make_unique<LoadedPressure>(gear_case_.make_pair(),
+                                            compliance,
+                                            depth,
+                                            options_.pressure_cells);
   }
 
   void LoadedContactStudy::find_modes(const Model                 &model,
@@ -257,12 +315,12 @@ namespace vfife
       }
   }
 
-  void LoadedContactStudy::add_position(const Model                 &model,
-                                        const Compliance            &compliance,
-                                        const double                 position,
-                                        const PairEquilibriumResult &result,
-                                        const std::vector<Stress>   &stresses,
-                                        Log                         &log)
+  double LoadedContactStudy::add_position(const Model                 &model,
+                                          const Compliance            &compliance,
+                                          const double                 position,
+                                          const PairEquilibriumResult &result,
+                                          const std::vector<Stress>   &stresses,
+                                          Log                         &log)
   {
     // Leads of the driven member in the drive direction: where flanks touch without load, and under
     // the torque. The secant leads from one to the other, the tangent is the slope under load.
@@ -333,6 +391,7 @@ namespace vfife
              " (tangent ",
              1e-3 * tangent,
              ") N m/rad");
+    return loaded;
   }
 
   std::unique_ptr<StudyKind> make_loaded_contact_study()

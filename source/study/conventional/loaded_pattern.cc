@@ -9,6 +9,15 @@
 
 namespace vfife
 {
+  Vector2 place_on_flank(const BlankOutline &blank, const Vector2 &r_z)
+  {
+    // Along and across the pitch cone from the apex, at which the axial section of a body has its
+    // origin.
+    const double sine = std::sin(blank.pitch_angle), cosine = std::cos(blank.pitch_angle);
+    return Vector2(r_z[1] * cosine + r_z[0] * sine - blank.mean_cone_distance,
+                   r_z[0] * cosine - r_z[1] * sine);
+  }
+
   LoadedPattern::LoadedPattern(const Model &model)
     : model_(model)
     , pattern_(model)
@@ -37,17 +46,12 @@ namespace vfife
     for (const ContactPattern::Flank &flank : pattern_.flanks())
       if (flank.side == side)
         {
-          // Body 0 of a gear pair is the pinion. Along and across the pitch cone from the apex, at
-          // which the axial section of a body has its origin.
-          const BlankOutline &blank = (flank.body == 0 ? pair.pinion() : pair.gear()).blank();
-          const double  sine = std::sin(blank.pitch_angle), cosine = std::cos(blank.pitch_angle);
-          const Vector2 centre  = flank.centre();
+          // Body 0 of a gear pair is the pinion.
+          const Vector2 centre =
+            place_on_flank((flank.body == 0 ? pair.pinion() : pair.gear()).blank(), flank.centre());
           const std::string &of = model_.bodies[flank.body].name();
-          figures.push_back(
-            {"pattern along the face, " + of,
-             {centre[1] * cosine + centre[0] * sine - blank.mean_cone_distance, "mm"}});
-          figures.push_back(
-            {"pattern along the profile, " + of, {centre[0] * cosine - centre[1] * sine, "mm"}});
+          figures.push_back({"pattern along the face, " + of, {centre[0], "mm"}});
+          figures.push_back({"pattern along the profile, " + of, {centre[1], "mm"}});
         }
     return figures;
   }

@@ -86,6 +86,17 @@ namespace vfife
       return pair_.place(body, x);
     }
 
+    /** Groups of the first contact pair (slave's, master's) that may touch at the last position. */
+    const std::vector<std::pair<unsigned int, unsigned int>> &candidate_teeth() const
+    {
+      return pair_.candidate_teeth();
+    }
+    /** Of the first contact pair: deepest penetration that is taken for contact [mm]. */
+    double depth_limit() const
+    {
+      return pair_.depth_limit();
+    }
+
   private:
     double       load(double load_factor) const;
     PressedState settle(const Eigen::VectorXd &base, double turn);

@@ -122,6 +122,9 @@ namespace vfife
     }
     /** Nodes of bodies that may touch since find_candidates(), (body, node) sorted. */
     std::vector<std::pair<unsigned int, unsigned int>> candidates() const;
+    /** Groups of the first contact pair that may touch since find_candidates(): (slave's,
+     * master's), sorted. */
+    const std::vector<std::pair<unsigned int, unsigned int>> &candidate_teeth() const;
     /** From now on rows 3 i + c are of these nodes. Candidates that are not among them move with
      * their bodies, displaced by hold(); where contact acts on one, evaluate() throws StrayContact.
      */
@@ -184,7 +187,8 @@ namespace vfife
     /** Forces of the contact on nodes where it was last evaluated, of those that may touch. */
     std::vector<NodalForce> contact_forces() const;
 
-    /** The farthest that contact is looked for [mm]. */
+    /** The deepest penetration that is taken for contact, the farthest that it is looked for [mm].
+     */
     double depth_limit() const;
 
     /** Of the nodes that may touch: distance between the bodies' mean displacements [mm], and the

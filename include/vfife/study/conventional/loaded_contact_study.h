@@ -11,10 +11,12 @@ namespace vfife
   /** Section Loaded contact. */
   struct LoadedContactOptions
   {
-    unsigned int positions     = 8; ///< over one tooth mesh
-    unsigned int first_mesh    = 0; ///< tooth meshes from the reference position to the first one
-    bool         centrifugal   = true; ///< both bodies spin
-    unsigned int coupled_modes = 0;    ///< of the pair in contact at the first position
+    unsigned int positions      = 8; ///< over one tooth mesh
+    unsigned int first_mesh     = 0; ///< tooth meshes from the reference position to the first one
+    bool         centrifugal    = true; ///< both bodies spin
+    unsigned int coupled_modes  = 0;    ///< of the pair in contact at the first position
+    unsigned int pressure_cells = 0;    ///< across a contact, of its own grid; 0: no such pressures
+    double pressure_depth = 0; ///< of the layers that are exact there [mm]; 0: of Hertz's width
 
     void declare(dealii::ParameterHandler &prm);
   };

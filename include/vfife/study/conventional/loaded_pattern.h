@@ -11,7 +11,13 @@
 namespace vfife
 {
   class GearPair;
+  struct BlankOutline;
   struct PairEquilibriumResult;
+
+  /** Where a point of a flank at radius and height @p r_z [mm] of its body frame is: along the face
+   * from the mean cone distance, > 0 to the heel, and along the profile from the pitch cone, > 0 to
+   * the tip [mm]. */
+  Vector2 place_on_flank(const BlankOutline &blank, const Vector2 &r_z);
 
   /** The contact pattern over the positions of a loaded tooth contact analysis. */
   class LoadedPattern
@@ -26,8 +32,7 @@ namespace vfife
     Table table() const;
 
     /** Of the flanks of @p side (ContactPair::side) of both members of the model's pair where the
-     * pattern's centre lies: along the face from the mean cone distance, > 0 to the heel, and along
-     * the profile from the pitch cone, > 0 to the tip [mm]. */
+     * pattern's centre lies, as place_on_flank(). */
     NamedFigures figures(const GearPair &pair, const std::string &side) const;
 
   private:

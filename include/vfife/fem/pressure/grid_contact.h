@@ -1,0 +1,80 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_pressure_grid_contact_h
+#define vfife_fem_pressure_grid_contact_h
+
+#include <vfife/fem/pressure/contact_cells.h>
+#include <vfife/fem/pressure/near_layer.h>
+
+#include <functional>
+
+namespace vfife
+{
+  /** What a surface in contact belongs to. */
+  struct ElasticFlank
+  {
+    const NearLayer *near = nullptr;
+    /** By surface node: the place among the points of the flexibility, and among near->points. */
+    std::vector<unsigned int> places, near_places;
+    Matrix3 rotation       = Matrix3::Identity();   ///< axes of the flexibility to the fixed frame
+    double  youngs_modulus = 0, poissons_ratio = 0; ///< [MPa], [-]
+
+    static constexpr unsigned int no_place = static_cast<unsigned int>(-1);
+  };
+
+  /** Two groups of facets that may touch; flanks of slave and master. */
+  struct ElasticContact
+  {
+    FacingSurfaces              surfaces;
+    std::array<ElasticFlank, 2> flanks;
+  };
+
+  /** What bodies in contact do and carry, in the state in which their surfaces are. */
+  struct ContactLoad
+  {
+    /** Displacements at rows (3 a point, as ElasticFlank::places) under unit forces there [mm/N].
+     */
+    std::function<Eigen::MatrixXd(const std::vector<unsigned int> &rows)> flexibility;
+    /** Forces of the contact at all rows with which the surfaces have come to their state [N]. */
+    Eigen::VectorXd forces;
+    /** At a point, for the normal out of the master there: how fast the gap closes, by what
+     * carries the load; 1: an approach [-], or of a turn [mm]. Positive. */
+    std::function<double(const Vector3 &position, const Vector3 &normal)> arm;
+    double                                                                load = 0; ///< [N], [N mm]
+  };
+
+  /** Pressures of two groups of facets on the contact's own grid. */
+  struct GridPressure
+  {
+    ContactPlane             plane;
+    std::vector<ContactCell> cells;     ///< those that carry
+    std::vector<double>      pressures; ///< of them [MPa]
+    std::vector<bool>        at_edge;   ///< of them: beside the border of one of the surfaces
+
+    double force   = 0; ///< sum of normal forces [N]
+    double moment  = 0; ///< with the arms [N], [N mm]
+    double area    = 0; ///< [mm^2]
+    double length  = 0; ///< of what carries, along the plane's axes [mm]
+    double width   = 0; ///< the widest place across [mm]
+    double closing = 0; ///< of all contacts of the load, over the arms
+
+    bool carries() const
+    {
+      return !cells.empty();
+    }
+    /** Of the cell with the largest pressure. */
+    std::size_t largest() const;
+  };
+
+  /**
+   * Pressures of contacts that carry a load together, on grids of their own with about @p
+   * cells_across the width of each: the finite elements' flexibility, less that of what lies near
+   * the surfaces, and in its place that of a held layer in closed form (doc/contact.md, Pressure on
+   * its own grid). Frictionless; beyond the border of a surface the layer goes on. Throws
+   * NumericalError where the pressures are not found.
+   */
+  std::vector<GridPressure> find_grid_pressures(const std::vector<ElasticContact> &contacts,
+                                                const ContactLoad                 &load,
+                                                unsigned int                       cells_across);
+} // namespace vfife
+
+#endif

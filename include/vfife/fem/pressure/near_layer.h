@@ -1,0 +1,37 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_pressure_near_layer_h
+#define vfife_fem_pressure_near_layer_h
+
+#include <vfife/fem/system/discretization.h>
+
+#include <vector>
+
+namespace vfife
+{
+  /**
+   * What lies near a patch of a body's surface, as the body's finite elements have it: the layers
+   * of elements under the patch, held where they join what lies deeper (doc/contact.md, Pressure
+   * on its own grid).
+   */
+  struct NearLayer
+  {
+    std::vector<unsigned int> points; ///< of the patch
+    std::vector<double>       depths; ///< from each of them to the nearest point that is held [mm]
+    Eigen::MatrixXd           flexibility;  ///< three rows a point, axes of time zero [mm/N]
+    unsigned int              n_layers = 0; ///< of elements
+
+    double mean_depth() const;
+  };
+
+  /**
+   * As many layers of elements as make the mean depth @p depth [mm], or as there are before they
+   * come to the points @p others (the other side of a tooth); at least one.
+   * Throws InputError where one layer comes to those, or is not held.
+   */
+  NearLayer find_near_layer(const Discretization            &discretization,
+                            std::vector<unsigned int>        patch,
+                            const std::vector<unsigned int> &others,
+                            double                           depth);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,51 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_conventional_loaded_pressure_h
+#define vfife_study_conventional_loaded_pressure_h
+
+#include <vfife/base/text/table.h>
+#include <vfife/fem/pressure/pair_pressure.h>
+#include <vfife/gear/blank_outline.h>
+#include <vfife/output/files/figures.h>
+
+#include <array>
+
+namespace vfife
+{
+  class GearPair;
+  class Log;
+  class OutputFolder;
+
+  /** Pressures on their own grid at the positions of a loaded tooth contact analysis. */
+  class LoadedPressure
+  {
+  public:
+    /** @p pair: that of the model; the compliance must outlive this. */
+    LoadedPressure(const GearPair &pair,
+                   Compliance     &compliance,
+                   double          depth,
+                   unsigned int    cells_across);
+
+    /** At the last position of @p equilibrium [tooth meshes]; @p error: its transmission error
+     * [rad]. */
+    void add_position(double                       position,
+                      double                       error,
+                      const PairEquilibrium       &equilibrium,
+                      const PairEquilibriumResult &result,
+                      Log                         &log);
+
+    /** pressure.csv and pressure_field.csv. */
+    void write(const OutputFolder &folder) const;
+
+    NamedFigures list_figures() const;
+
+  private:
+    void add_tooth(double position, double error, double torque, const ToothPressure &tooth);
+
+    std::array<BlankOutline, 2> blanks_; ///< pinion, gear
+    PairPressure                pressure_;
+    Table                       teeth_, cells_;
+    std::vector<double>         errors_; ///< transmission errors of the positions [arcsec]
+  };
+} // namespace vfife
+
+#endif
