@@ -192,8 +192,9 @@ namespace vfife
         now_.acting.torque = present_torque;
         return false;
       }
-    rows_           = base + now_.deflection;
-    damped_         = answers_->evaluate_bearings(rows_);
+    rows_ = base + now_.deflection;
+    if (springs_.has_dampers())
+      damped_ = answers_->evaluate_bearings(rows_);
     earlier_force_  = present;
     earlier_torque_ = present_torque;
     return true;

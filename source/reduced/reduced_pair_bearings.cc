@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <sstream>
 
 namespace vfife
 {
@@ -88,12 +87,8 @@ namespace vfife
 
   void ReducedPair::Answers::add_forces(const VectorXd &u, PressedForces &sum) const
   {
-    if (pair_.springs_.size() == 0)
-      return;
-    const BearingSprings::Response response = evaluate_bearings(u);
-    sum.force.tail(response.force.size()) += response.force;
-    sum.energy += response.energy;
-    sum.torque += response.torque;
+    if (const Eigen::Index n = 6 * pair_.springs_.size(); n > 0)
+      evaluate_bearings(u).add_to(sum, u.size() - n);
   }
 
   PressedSprings
@@ -103,15 +98,8 @@ namespace vfife
     const Eigen::Index n = 6 * pair_.springs_.size();
     springs.stiffness    = MatrixXd::Zero(n, n);
     springs.by_turn      = VectorXd::Zero(n);
-    if (n == 0 || !own)
-      return springs;
-    const BearingSprings::Response response = evaluate_bearings(u);
-    springs.stiffness                       = response.stiffness;
-    if (turning) // otherwise the turn is given
-      {
-        springs.by_turn    = response.by_turn;
-        springs.turn_twice = response.turn_twice;
-      }
+    if (n > 0 && own)
+      evaluate_bearings(u).add_to(springs, turning);
     return springs;
   }
 
@@ -130,6 +118,8 @@ namespace vfife
 
   void ReducedPair::set_bearings(const VectorXd &u)
   {
+    if (springs_.size() == 0)
+      return;
     springs_.set_dampers({}, 0.);
     bearings_                               = answers_->evaluate_bearings(u);
     now_.force.tail(bearings_.force.size()) = bearings_.force;
@@ -152,13 +142,9 @@ namespace vfife
     for (unsigned int b = 0; b < sums.size(); ++b)
       if (n[b] > 0)
         apart += (b == 0 ? 1. : -1.) / n[b] * sums[b];
-    if (apart.norm() <= pair_.depth_limit())
-      return;
-    std::ostringstream text;
-    text << "bearings let the flanks move by " << apart.norm()
-         << " mm against each other, farther than contact is looked for (" << pair_.depth_limit()
-         << " mm, Contact/depth limit); stiffer bearings or a smaller torque";
-    pair_.fail(text.str(), "");
+    const std::string excess = describe_excess(apart.norm(), pair_.depth_limit());
+    if (!excess.empty())
+      pair_.fail(excess, "");
   }
 
   MeanMotion::Motion ReducedPair::measure_ring(const unsigned int b, const std::string &name) const

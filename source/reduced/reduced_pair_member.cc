@@ -27,6 +27,12 @@ namespace vfife
       return body.axis.direction.dot(compute_sector_axis(body).direction) < 0 ? -1. : 1.;
     }
 
+    /** Body::axis in the axes of the body frame. */
+    Vector3 axis_in_frame(const Body &body)
+    {
+      return body.placement.rotation.transpose() * body.axis.direction;
+    }
+
     std::vector<MatrixXcd> gains_of(const ModalMotion &motion, const std::size_t n)
     {
       std::vector<MatrixXcd> gains;
@@ -49,8 +55,7 @@ namespace vfife
       std::vector<MatrixXcd> more;
       if (body.rings.size() == 0)
         return more;
-      const Vector3 axis =
-        model.bodies[b].placement.rotation.transpose() * model.bodies[b].axis.direction;
+      const Vector3      axis  = axis_in_frame(model.bodies[b]);
       const Eigen::Index whole = 6 * body.rings.find(ring::whole);
       for (const ReducedBody::Harmonic &harmonic : body.harmonics)
         {
@@ -103,7 +108,7 @@ namespace vfife
     , rows(body,
            gains_of(motion, body.harmonics.size()),
            {model.bodies[b].placement.rotation, model.transmission->arm})
-    , axis_(model.bodies[b].placement.rotation.transpose() * model.bodies[b].axis.direction)
+    , axis_(axis_in_frame(model.bodies[b]))
   {
     set_rate(rate);
     gain_rate = rate;
@@ -150,29 +155,25 @@ namespace vfife
 
   double ReducedPair::Member::modal_rate() const
   {
-    double rate_of_modes = 0;
-    if (in_bearings())
-      for (std::size_t i = 0; i < body.harmonics.size(); ++i)
-        if (body.harmonics[i].number == 0)
-          rate_of_modes +=
-            axis_.dot((body.harmonics[i].rings.middleRows<3>(6 * body.rings.find(ring::whole) + 3) *
-                       motion.velocities(i))
-                        .real());
-    return rate_of_modes;
+    return in_bearings() ? modal_rate_of(body.rings.find(ring::whole)) : 0.;
+  }
+
+  double ReducedPair::Member::modal_rate_of(const unsigned int ring) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < body.harmonics.size(); ++i)
+      if (body.harmonics[i].number == 0)
+        sum += axis_.dot(
+          (body.harmonics[i].rings.middleRows<3>(6 * ring + 3) * motion.velocities(i)).real());
+    return sum;
   }
 
   std::pair<double, double> ReducedPair::Member::twist(const Coupling        &coupling,
                                                        const Eigen::VectorXd &forces) const
   {
-    const unsigned int seat          = body.rings.find(ring::of_coupling(coupling.name));
-    double             rate_of_modes = 0;
-    for (std::size_t i = 0; i < body.harmonics.size(); ++i)
-      if (body.harmonics[i].number == 0)
-        rate_of_modes += axis_.dot(
-          (body.harmonics[i].rings.middleRows<3>(6 * seat + 3) * motion.velocities(i)).real());
-    const Eigen::Matrix<double, 6, 1> placed =
-      rows.read_ring(seat, spin, coordinates(), forces, axial);
-    return {(rows.placement() * axis_).dot(placed.tail<3>()), rate_of_modes};
+    const unsigned int seat   = body.rings.find(ring::of_coupling(coupling.name));
+    const auto         placed = rows.read_ring(seat, spin, coordinates(), forces, axial);
+    return {(rows.placement() * axis_).dot(placed.tail<3>()), modal_rate_of(seat)};
   }
 
   std::vector<MatrixXcd> ReducedPair::Member::standing_gains() const

@@ -50,6 +50,8 @@ namespace vfife
     std::vector<Eigen::MatrixXcd> standing_gains() const;
     /** What the modes beside the turn add to the rate about Body::axis [rad/s]. */
     double modal_rate() const;
+    /** The same of the mean turn of a ring. */
+    double modal_rate_of(unsigned int ring) const;
     /** Twist of the seat of a coupling about Body::axis [rad], and its rate. */
     std::pair<double, double> twist(const Coupling &coupling, const Eigen::VectorXd &forces) const;
     bool                      in_bearings() const

@@ -76,8 +76,9 @@ namespace vfife
         forces.add(1., contact[b]);
         member.motion.stand(forces, member.body.turns ? now_.turn : 0., member.sector_rate);
       }
-    now_.patience = PressedState().patience;
-    rows_         = base + now_.deflection;
+    now_.patience   = PressedState().patience;
+    rows_           = base + now_.deflection;
+    now_.deflection = answers_->answer(now_.force);
     set_bearings(rows_);
     check_reach(nodes_, displace_nodes(nodes_));
     restart_energy();

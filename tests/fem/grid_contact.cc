@@ -188,12 +188,7 @@ namespace
 
     Eigen::MatrixXd flexibility(const std::vector<unsigned int> &rows)
     {
-      compliance->prepare(rows);
-      Eigen::MatrixXd matrix(rows.size(), rows.size());
-      for (std::size_t k = 0; k < rows.size(); ++k)
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          matrix(i, k) = compliance->column(rows[k])[rows[i]];
-      return matrix;
+      return compliance->flexibility(rows);
     }
 
     /** Pressed by @p force, the bodies bent before by @p known forces along z at the slave's node

@@ -5,22 +5,18 @@
 #include "../study/gear_model.h"
 #include "../study/shaft_pair.h"
 #include "../tests.h"
+#include "pair_of_bodies.h"
 
-#include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/output/measures/pair_mounting.h>
-#include <vfife/reduced/body_reduction.h>
 #include <vfife/reduced/body_rings.h>
-#include <vfife/reduced/pair_readings.h>
-#include <vfife/reduced/reduced_pair.h>
 
 #include <cmath>
 
 using namespace vfife;
+using namespace pair_of_bodies;
 
 namespace
 {
-  constexpr double penalty = 3e5; // [N/mm^3]
-
   Model make_model(const std::string      &name,
                    const std::string      &speed,
                    const shaft_pair::Laws &laws,
@@ -31,42 +27,6 @@ namespace
                              "subsection Operation\nset speed = " + speed +
                              "\nset torque = 800 N m\nset end time = 1 ms\nend\n",
                            world);
-  }
-
-  std::vector<ReducedBody> reduce(const Model        &model,
-                                  const double        cutoff,
-                                  const unsigned int  reach,
-                                  const Communicator &world)
-  {
-    FemOptions fem;
-    fem.mass = MassKind::lumped;
-    std::vector<ReducedBody> bodies;
-    for (unsigned int b = 0; b < 2; ++b)
-      bodies.push_back(reduce_body(model,
-                                   b,
-                                   list_touch_nodes(model, b),
-                                   list_readings(model, b, StiffnessKind::incompatible_modes, 2),
-                                   fem,
-                                   {2. * pi * cutoff, reach},
-                                   model.bodies[b].rate,
-                                   world));
-    return bodies;
-  }
-
-  ReducedPair
-  make_pair(const Model &model, std::vector<ReducedBody> bodies, const ReducedPairOptions &options)
-  {
-    return ReducedPair(model,
-                       std::move(bodies),
-                       std::vector<double>(model.contacts.size(), penalty),
-                       options);
-  }
-
-  State measure(ReducedPair &pair)
-  {
-    State state;
-    pair.measure(state);
-    return state;
   }
 
   /** Turns of some 1e-4 that are displacements of whole bodies and turns of reduced ones, or the
@@ -86,9 +46,7 @@ namespace
                           std::vector<double>(model.contacts.size(), penalty),
                           {0.});
     const PairEquilibriumResult at = whole.solve(0., 1.);
-    const Transmission         &t  = *model.transmission;
-    const double                te = t.driven_start - t.ratio() * t.driver_start +
-                      lead_of_driven(compliance.discretization(), at.turn, at.displacements);
+    const double                te = error_of(model, compliance, at);
     for (const double cutoff : {15e3, 40e3})
       {
         ReducedPair pair = make_pair(model, reduce(model, cutoff, 39, world), {1e-6, 2000., 2000.});
@@ -155,14 +113,6 @@ namespace
         means.sum += sum / (10. * n_meshes);
       }
     return means;
-  }
-
-  double distance(const std::vector<double> &a, const std::vector<double> &b)
-  {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum / a.size());
   }
 
   /** Cages roll; dampers of this number [N s/mm]. */

@@ -4,21 +4,17 @@
 #include "../study/gear_model.h"
 #include "../study/quick_pair.h"
 #include "../tests.h"
+#include "pair_of_bodies.h"
 
 #include <vfife/base/errors.h>
-#include <vfife/fem/pair/pair_equilibrium.h>
-#include <vfife/reduced/body_reduction.h>
-#include <vfife/reduced/pair_readings.h>
-#include <vfife/reduced/reduced_pair.h>
 
 #include <cmath>
 
 using namespace vfife;
+using namespace pair_of_bodies;
 
 namespace
 {
-  constexpr double penalty = 3e5; // [N/mm^3]
-
   Model make_model(const std::string  &name,
                    const std::string  &speed,
                    const std::string  &torque,
@@ -33,50 +29,6 @@ namespace
   Model make_model(const std::string &name, const double rpm, const Communicator &world)
   {
     return make_model(name, std::to_string(rpm) + " rpm", "800 N m", world);
-  }
-
-  std::vector<ReducedBody> reduce(const Model        &model,
-                                  const double        cutoff,
-                                  const unsigned int  reach,
-                                  const Communicator &world)
-  {
-    FemOptions fem;
-    fem.mass = MassKind::lumped;
-    std::vector<ReducedBody> bodies;
-    for (unsigned int b = 0; b < 2; ++b)
-      bodies.push_back(reduce_body(model,
-                                   b,
-                                   list_touch_nodes(model, b),
-                                   list_readings(model, b, StiffnessKind::incompatible_modes, 2),
-                                   fem,
-                                   {2. * pi * cutoff, reach},
-                                   model.bodies[b].rate,
-                                   world));
-    return bodies;
-  }
-
-  ReducedPair
-  make_pair(const Model &model, std::vector<ReducedBody> bodies, const ReducedPairOptions &options)
-  {
-    return ReducedPair(model,
-                       std::move(bodies),
-                       std::vector<double>(model.contacts.size(), penalty),
-                       options);
-  }
-
-  /** Transmission error of whole bodies in an equilibrium [rad]. */
-  double error_of(const Model &model, const Compliance &compliance, const PairEquilibriumResult &at)
-  {
-    const Transmission &t = *model.transmission;
-    return t.driven_start - t.ratio() * t.driver_start +
-           lead_of_driven(compliance.discretization(), at.turn, at.displacements);
-  }
-
-  State measure(ReducedPair &pair)
-  {
-    State state;
-    pair.measure(state);
-    return state;
   }
 
   /** Where whole bodies turn by some 1e-4 on their hubs and reduced ones about their momentum, the
@@ -163,14 +115,6 @@ namespace
         energy_error = largest_of(energy_error, std::abs(state.measured.energy.error()));
       }
     return errors;
-  }
-
-  double distance(const std::vector<double> &a, const std::vector<double> &b)
-  {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum / a.size());
   }
 
   void in_motion(Communicator &world)

@@ -46,12 +46,12 @@ namespace vfife
     }
 
     void add_layer(const ElasticLayer &body,
+                   const BondedLayer  &layer,
                    const double        modulus,
                    const Places       &places,
                    const Vector2      &sides,
                    Eigen::MatrixXd    &flexibility)
     {
-      const BondedLayer layer(body.poissons_ratio);
       for (Eigen::Index j = 0; j < flexibility.cols(); ++j)
         for (Eigen::Index i = 0; i <= j; ++i)
           {
@@ -92,7 +92,13 @@ namespace vfife
         {
           if (bodies[side].depths.size() != places.size())
             throw InputError("a layer needs a depth for each cell of its surface");
-          add_layer(bodies[side], moduli[side], places, sides, flexibility);
+          const auto add = [&](const BondedLayer &layer) {
+            add_layer(bodies[side], layer, moduli[side], places, sides, flexibility);
+          };
+          if (bodies[side].held != nullptr)
+            add(*bodies[side].held);
+          else
+            add(BondedLayer(bodies[side].poissons_ratio));
         }
     return flexibility;
   }

@@ -58,6 +58,23 @@ namespace vfife
     linear_ = scales.asDiagonal() * linear * scales.asDiagonal();
   }
 
+  void BearingSprings::Response::add_to(PressedForces &sum, const Eigen::Index row) const
+  {
+    sum.force.segment(row, force.size()) += force;
+    sum.energy += energy;
+    sum.torque += torque;
+  }
+
+  void BearingSprings::Response::add_to(PressedSprings &springs, const bool turning) const
+  {
+    const Eigen::Index n = force.size();
+    springs.stiffness.topLeftCorner(n, n) += stiffness;
+    if (!turning)
+      return;
+    springs.by_turn.head(n) += by_turn;
+    springs.turn_twice += turn_twice;
+  }
+
   bool BearingSprings::has_dampers() const
   {
     return std::any_of(springs_.begin(), springs_.end(), [](const Spring &spring) {

@@ -98,26 +98,13 @@ namespace vfife
 
   Eigen::MatrixXd PairBodies::flexibility(const std::vector<unsigned int> &rows)
   {
-    compliance_.prepare(rows);
-    Eigen::MatrixXd flexibility(rows.size(), rows.size());
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      {
-        const Eigen::Ref<const Eigen::VectorXd> column = compliance_.column(rows[k]);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          flexibility(i, k) = column[rows[i]];
-      }
-    return flexibility;
+    return compliance_.flexibility(rows);
   }
 
   void PairBodies::add_forces(const Eigen::VectorXd &u, PressedForces &sum) const
   {
     if (has_bearings())
-      {
-        const auto response = evaluate_bearings(u);
-        sum.force.segment(bearing_row(0), response.force.size()) += response.force;
-        sum.energy += response.energy;
-        sum.torque += response.torque;
-      }
+      evaluate_bearings(u).add_to(sum, bearing_row(0));
     std::size_t row = bearing_row(bearings_.size()), i = 0;
     for (const StandingMotion &standing : compliance_.standing_motions())
       {
@@ -139,16 +126,7 @@ namespace vfife
     springs.stiffness = Eigen::MatrixXd::Zero(n, n);
     springs.by_turn   = Eigen::VectorXd::Zero(n);
     if (own && has_bearings())
-      {
-        const auto         bearings                 = evaluate_bearings(u);
-        const Eigen::Index size                     = bearings.force.size();
-        springs.stiffness.topLeftCorner(size, size) = bearings.stiffness;
-        if (turning) // otherwise the turn is given
-          {
-            springs.by_turn.head(size) = bearings.by_turn;
-            springs.turn_twice += bearings.turn_twice;
-          }
-      }
+      evaluate_bearings(u).add_to(springs, turning);
     Eigen::Index row = 6 * bearings_.size();
     for (const StandingMotion &standing : compliance_.standing_motions())
       {

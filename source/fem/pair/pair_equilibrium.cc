@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace vfife
 {
@@ -86,13 +85,7 @@ namespace vfife
     if (!bodies_->has_bearings())
       return "";
     const auto [apart, limit] = pair_.find_excursion(u);
-    if (apart <= limit)
-      return "";
-    std::ostringstream text;
-    text << "bearings let the flanks move by " << apart
-         << " mm against each other, farther than contact is looked for (" << limit
-         << " mm, Contact/depth limit); stiffer bearings or a smaller torque";
-    return text.str();
+    return describe_excess(apart, limit);
   }
 
   void PairEquilibrium::check_reach(const Eigen::VectorXd &u) const

@@ -380,4 +380,15 @@ namespace vfife
       text << "; residuals:" << history;
     throw NumericalError(text.str());
   }
+
+  std::string describe_excess(const double apart, const double limit)
+  {
+    if (apart <= limit)
+      return "";
+    std::ostringstream text;
+    text << "bearings let the flanks move by " << apart
+         << " mm against each other, farther than contact is looked for (" << limit
+         << " mm, Contact/depth limit); stiffer bearings or a smaller torque";
+    return text.str();
+  }
 } // namespace vfife

@@ -62,6 +62,7 @@ namespace vfife
         const ElasticFlank &flank   = contact->flanks[side];
         bodies[side].youngs_modulus = flank.youngs_modulus;
         bodies[side].poissons_ratio = flank.poissons_ratio;
+        bodies[side].held           = flank.held;
         for (std::size_t i = 0; i < n_taken; ++i)
           {
             const CellFoot &foot  = cells[i].feet[side];

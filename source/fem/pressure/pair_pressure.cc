@@ -11,16 +11,6 @@ namespace vfife
 {
   namespace
   {
-    /** How a body has turned since time zero. */
-    Matrix3 rotation_of(const PairEquilibrium &equilibrium, const unsigned int body)
-    {
-      const Vector3 origin = equilibrium.place(body, Vector3::Zero());
-      Matrix3       rotation;
-      for (unsigned int c = 0; c < 3; ++c)
-        rotation.col(c) = equilibrium.place(body, Vector3::Unit(c)) - origin;
-      return rotation;
-    }
-
     std::vector<unsigned int> nodes_of_group(const FacetSurface &surface, const unsigned int group)
     {
       std::set<unsigned int> nodes;
@@ -63,6 +53,8 @@ namespace vfife
     , places_(compliance.discretization().n_points(), ElasticFlank::no_place)
   {
     flanks_ = std::make_unique<Flanks>(model_, model_.contacts.front());
+    for (const unsigned int body : flanks_->bodies)
+      held_.emplace_back(model_.bodies[body].material().poissons_ratio);
     for (std::size_t i = 0; i < compliance.watched().size(); ++i)
       places_[compliance.watched()[i]] = i;
   }
@@ -104,6 +96,7 @@ namespace vfife
     flank.rotation       = flanks.rotations[side];
     flank.youngs_modulus = model_.bodies[body].material().youngs_modulus;
     flank.poissons_ratio = model_.bodies[body].material().poissons_ratio;
+    flank.held           = &held_[side];
     for (const unsigned int node : facets.nodes)
       {
         flank.places.push_back(places_[first + node]);
@@ -124,7 +117,7 @@ namespace vfife
         const unsigned int body  = flanks.bodies[side];
         const Body        &b     = model_.bodies[body];
         const std::size_t  first = compliance_.discretization().find_part(body)->first_point;
-        flanks.rotations[side]   = rotation_of(equilibrium, body);
+        flanks.rotations[side]   = equilibrium.rotation(body);
         std::vector<double> &x   = flanks.positions[side];
         x.clear();
         for (const unsigned int node : flanks.facets[side]->nodes)
@@ -149,12 +142,7 @@ namespace vfife
     const Transmission &t = *model_.transmission;
     ContactLoad         load;
     load.flexibility = [this](const std::vector<unsigned int> &rows) {
-      compliance_.prepare(rows);
-      Eigen::MatrixXd matrix(rows.size(), rows.size());
-      for (std::size_t k = 0; k < rows.size(); ++k)
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          matrix(i, k) = compliance_.column(rows[k])[rows[i]];
-      return matrix;
+      return compliance_.flexibility(rows);
     };
     load.forces = Eigen::VectorXd::Zero(3 * compliance_.watched().size());
     for (const NodalForce &nodal : result.contact_forces)
@@ -162,7 +150,7 @@ namespace vfife
         const unsigned int point =
           compliance_.discretization().find_part(nodal.body)->first_point + nodal.node;
         load.forces.segment<3>(3 * places_[point]) +=
-          rotation_of(equilibrium, nodal.body).transpose() * nodal.force;
+          equilibrium.rotation(nodal.body).transpose() * nodal.force;
       }
     // The load turns the driven body against its sense and so closes the gap, n . (x_s - y).
     const Axis  &axis = model_.bodies[t.driven].axis;

@@ -228,6 +228,16 @@ namespace vfife
     return all;
   }
 
+  Eigen::MatrixXd Compliance::flexibility(const std::vector<unsigned int> &rows)
+  {
+    prepare(rows);
+    Eigen::MatrixXd flexibility(rows.size(), rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        flexibility(i, k) = columns_[rows[k]][rows[i]];
+    return flexibility;
+  }
+
   void Compliance::prepare(const std::vector<unsigned int> &rows)
   {
     // Row 3 k + c is the component c at the watched point k, rows of motions follow. A column of

@@ -5,7 +5,6 @@
 #include <vfife/base/process/run_signals.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
-#include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/field_writer.h>
 #include <vfife/output/observers/progress_line.h>
@@ -33,11 +32,9 @@ namespace vfife
                      const OutputOptions &output,
                      const std::uint64_t  sample_steps)
     : folder_(folder)
-    , communicator_(folder.communicator())
     , log_(log)
     , model_(model)
     , solver_(solver)
-    , output_(output)
     , sample_steps_(sample_steps)
     , observers_(folder)
     , checkpoints_(folder,
@@ -147,8 +144,8 @@ namespace vfife
                      const std::function<void()> &prepared,
                      const std::function<void()> &complete)
   {
-    observers_.list().push_back(
-      std::make_unique<ProgressLine>(log_, communicator_, 0., end_time, whole_time, sample_steps_));
+    observers_.list().push_back(std::make_unique<ProgressLine>(
+      log_, folder_.communicator(), 0., end_time, whole_time, sample_steps_));
     // 1. The place of the first step: that of the checkpoint, or what the start finds.
     start_ = &start;
     checkpoints_.start_clocks();

@@ -16,6 +16,9 @@ namespace vfife
     double              youngs_modulus = 0.; ///< [MPa]
     double              poissons_ratio = 0.; ///< [-]
     std::vector<double> depths;              ///< of the layer, by cell [mm]; empty: a half-space
+    /** That of a layer with this Poisson's ratio, for who asks more than once: its table takes as
+     * long as thousands of cells; nullptr: it is made. */
+    const BondedLayer *held = nullptr;
   };
 
   /**

@@ -4,6 +4,7 @@
 
 #include <vfife/bearing/bearing_system.h>
 #include <vfife/bearing/shaft_seat.h>
+#include <vfife/fem/pair/pressed_bodies.h>
 
 #include <vector>
 
@@ -64,6 +65,12 @@ namespace vfife
       Eigen::VectorXd        by_turn;        ///< second derivative with d and psi [N]
       double                 turn_twice = 0; ///< second derivative with psi [N mm]
       std::vector<SeatState> states;         ///< of the bearings themselves
+
+      /** Adds forces, energy and torque; the springs' rows begin with @p row. */
+      void add_to(PressedForces &sum, Eigen::Index row) const;
+      /** Adds the springs, whose rows are the first; @p turning: with the turn, otherwise it is
+       * given. */
+      void add_to(PressedSprings &springs, bool turning) const;
     };
 
     /** At the motions @p d of the rings, six rows each, when the bodies have turned by @p

@@ -86,6 +86,12 @@ namespace vfife
       return pair_.place(body, x);
     }
 
+    /** How a body has turned there since time zero. */
+    const Matrix3 &rotation(unsigned int body) const
+    {
+      return pair_.rotations()[body];
+    }
+
     /** Groups of the first contact pair (slave's, master's) that may touch at the last position. */
     const std::vector<std::pair<unsigned int, unsigned int>> &candidate_teeth() const
     {

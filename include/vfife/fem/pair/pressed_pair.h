@@ -226,6 +226,10 @@ namespace vfife
     std::vector<Matrix3>               rotations_; ///< of the bodies since time zero
     double                             driver_turn_ = 0;
   };
+
+  /** What to say where bearings let flanks move by @p apart against each other, farther than
+   * contact is looked for, @p limit [mm]; empty: they do not. */
+  std::string describe_excess(double apart, double limit);
 } // namespace vfife
 
 #endif

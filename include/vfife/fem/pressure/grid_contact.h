@@ -2,6 +2,7 @@
 #ifndef vfife_fem_pressure_grid_contact_h
 #define vfife_fem_pressure_grid_contact_h
 
+#include <vfife/contact/half_space/bonded_layer.h>
 #include <vfife/fem/pressure/contact_cells.h>
 #include <vfife/fem/pressure/near_layer.h>
 
@@ -17,6 +18,7 @@ namespace vfife
     std::vector<unsigned int> places, near_places;
     Matrix3 rotation       = Matrix3::Identity();   ///< axes of the flexibility to the fixed frame
     double  youngs_modulus = 0, poissons_ratio = 0; ///< [MPa], [-]
+    const BondedLayer *held = nullptr;              ///< ElasticLayer::held
 
     static constexpr unsigned int no_place = static_cast<unsigned int>(-1);
   };

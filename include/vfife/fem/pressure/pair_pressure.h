@@ -62,6 +62,7 @@ namespace vfife
     double                    depth_;
     unsigned int              cells_across_;
     std::unique_ptr<Flanks>   flanks_; ///< of the first contact pair
+    std::vector<BondedLayer>  held_;   ///< by their sides
     std::vector<unsigned int> places_; ///< of points among the watched ones
     std::map<std::tuple<unsigned int, std::string, unsigned int>, NearLayer> near_;
   };

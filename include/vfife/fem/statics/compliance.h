@@ -99,6 +99,9 @@ namespace vfife
     /** Solves for unit forces at the @p rows that are not yet known. */
     void prepare(const std::vector<unsigned int> &rows);
 
+    /** Displacements at the @p rows under unit forces there, a column each; prepares them. */
+    Eigen::MatrixXd flexibility(const std::vector<unsigned int> &rows);
+
     /** Displacements at all rows under a unit force at @p row, which is prepared. */
     Eigen::Ref<const Eigen::VectorXd> column(unsigned int row) const
     {

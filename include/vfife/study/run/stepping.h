@@ -87,17 +87,15 @@ namespace vfife
     void before_step(RunSignals &signals, std::uint64_t last_step);
     void finish(const std::function<void()> &complete);
 
-    OutputFolder        &folder_;
-    const Communicator  &communicator_;
-    Log                 &log_;
-    Model               &model_;
-    ExplicitSolver      &solver_;
-    const OutputOptions &output_;
-    std::uint64_t        sample_steps_;
-    RunObservers         observers_;
-    FieldWriter         *fields_ = nullptr;
-    State                state_;
-    RunSummary           summary_;
+    OutputFolder   &folder_;
+    Log            &log_;
+    Model          &model_;
+    ExplicitSolver &solver_;
+    std::uint64_t   sample_steps_;
+    RunObservers    observers_;
+    FieldWriter    *fields_ = nullptr;
+    State           state_;
+    RunSummary      summary_;
 
     RunCheckpoints checkpoints_;
     RunStart      *start_ = nullptr;
