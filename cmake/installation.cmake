@@ -19,6 +19,11 @@ install(
   PATTERN *.html
   PATTERN *.css
   PATTERN __pycache__ EXCLUDE)
+# Whose words reports explain.
+install(
+  FILES doc/glossary.md
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife/report
+  COMPONENT report)
 # Python finds the packages beside the report by links: PREFIX/lib/python3/dist-packages, which Debian's Python knows for
 # PREFIX = /usr, others by PYTHONPATH.
 set(VFIFE_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Python's folder, below the prefix")
@@ -40,7 +45,8 @@ install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE
 install(
   DIRECTORY doc
   DESTINATION ${CMAKE_INSTALL_DOCDIR}
-  PATTERN Doxyfile EXCLUDE)
+  PATTERN Doxyfile EXCLUDE
+  PATTERN site EXCLUDE)
 install(
   FILES LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR}

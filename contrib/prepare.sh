@@ -207,6 +207,11 @@ export_environment() {
   # Two runs bound to the same cores would share them while others idle.
   export OMPI_MCA_hwloc_base_binding_policy=none
   export OMPI_MCA_rmaps_base_oversubscribe=1
+  # What the program has said is enough where it ends with another code than 0.
+  export OMPI_MCA_orte_execute_quiet=1
+  # The same for Open MPI 5, whose mpirun is PRRTE's.
+  export PRTE_MCA_hwloc_default_binding_policy=none
+  export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
   if [ "$(id -u)" -eq 0 ]; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   fi

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-/** The numbers of a .vtu file as deal.II writes it: points, eight a cell, and the data there. */
+/** The numbers of a .vtu file: points, hexahedra by their points, data of both. */
 class VtuFile
 {
 public:
@@ -30,7 +30,44 @@ public:
     for (const auto &array : piece.get_child("PointData"))
       if (array.first == "DataArray")
         arrays_[array.second.get<std::string>("<xmlattr>.Name")] = read_array(array.second);
-    points_ = read_array(piece.get_child("Points.DataArray"));
+    for (const auto &array : piece.get_child("CellData"))
+      if (array.first == "DataArray")
+        cell_arrays_[array.second.get<std::string>("<xmlattr>.Name")] = read_array(array.second);
+    points_  = read_array(piece.get_child("Points.DataArray"));
+    corners_ = read_array(piece.get_child("Cells.DataArray")); // the first: connectivity
+  }
+
+  std::size_t n_cells() const
+  {
+    return corners_.size() / 8;
+  }
+
+  /** A point of a cell, @p corner in the file's order. */
+  std::size_t corner(const std::size_t cell, const unsigned int corner) const
+  {
+    return static_cast<std::size_t>(corners_.at(8 * cell + corner));
+  }
+
+  double cell_number(const std::string &name, const std::size_t cell) const
+  {
+    return cell_arrays_.at(name).at(cell);
+  }
+
+  /** The first array of points whose name begins with this. */
+  std::string find(const std::string &start) const
+  {
+    const auto found = arrays_.lower_bound(start);
+    if (found == arrays_.end() || found->first.rfind(start, 0) != 0)
+      throw std::runtime_error("no array is called " + start);
+    return found->first;
+  }
+
+  /** All components at a point. */
+  std::vector<double> values(const std::string &name, const std::size_t point) const
+  {
+    const auto       &all  = arrays_.at(name);
+    const std::size_t size = all.size() / n_points();
+    return {all.begin() + point * size, all.begin() + (point + 1) * size};
   }
 
   std::size_t n_points() const
@@ -74,18 +111,27 @@ private:
     const auto    head = dealii::Utilities::decode_base64(text.substr(0, 24));
     std::uint32_t counts[4];
     std::memcpy(counts, head.data(), sizeof counts);
-    const auto         packed = dealii::Utilities::decode_base64(text.substr(24));
-    std::vector<float> numbers(counts[2] / sizeof(float));
-    uLongf             size = counts[2];
-    if (array.get<std::string>("<xmlattr>.type") != "Float32" || counts[0] != 1 ||
-        uncompress(reinterpret_cast<Bytef *>(numbers.data()), &size, packed.data(), counts[3]) !=
+    const auto        type   = array.get<std::string>("<xmlattr>.type");
+    const auto        packed = dealii::Utilities::decode_base64(text.substr(24));
+    std::vector<char> bytes(counts[2]);
+    uLongf            size = counts[2];
+    if ((type != "Float32" && type != "UInt32") || counts[0] != 1 ||
+        uncompress(reinterpret_cast<Bytef *>(bytes.data()), &size, packed.data(), counts[3]) !=
           Z_OK)
       throw std::runtime_error("an array of the .vtu file cannot be read");
+    return type == "Float32" ? numbers_of<float>(bytes) : numbers_of<std::uint32_t>(bytes);
+  }
+
+  template <typename Number>
+  static std::vector<double> numbers_of(const std::vector<char> &bytes)
+  {
+    std::vector<Number> numbers(bytes.size() / sizeof(Number));
+    std::memcpy(numbers.data(), bytes.data(), bytes.size());
     return {numbers.begin(), numbers.end()};
   }
 
-  std::vector<double>                        points_;
-  std::map<std::string, std::vector<double>> arrays_;
+  std::vector<double>                        points_, corners_;
+  std::map<std::string, std::vector<double>> arrays_, cell_arrays_;
 };
 
 #endif

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/element/stress.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 namespace vfife
@@ -62,6 +64,16 @@ namespace vfife
     return turned;
   }
 
+
+  Vector3 compute_principal_stresses(const Stress &stress)
+  {
+    Matrix3 tensor;
+    tensor << stress[0], stress[3], stress[5], stress[3], stress[1], stress[4], stress[5],
+      stress[4], stress[2];
+    return Eigen::SelfAdjointEigenSolver<Matrix3>(tensor, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .reverse();
+  }
 
   double von_mises(const Stress &stress)
   {

@@ -35,11 +35,13 @@ namespace vfife
                     "Samples of the histories in a tooth mesh; for models without a gear pair: "
                     "steps from sample to sample",
                     1);
-    declare_integer(prm,
-                    "fields every",
-                    fields_every,
-                    "Tooth meshes (for models without a gear pair: samples of the histories) from "
-                    "field file to field file, 0 for none");
+    declare_number(
+      prm,
+      "fields every",
+      fields_every,
+      "Tooth meshes, also parts of one (for models without a gear pair: samples of the "
+      "histories), from field file to field file, 0 for none",
+      Range::not_negative());
     declare_integer(
       prm,
       "tracked orders",
@@ -77,6 +79,9 @@ namespace vfife
   {
     if (history_every == 0)
       throw InputError(section + "/history every", "must be at least 1");
+    if (!(fields_every >= 0) || !std::isfinite(fields_every))
+      throw InputError(section + "/fields every",
+                       "must be a number of tooth meshes or samples, 0 for none");
     if (!(checkpoint_every >= 0) || !std::isfinite(checkpoint_every))
       throw InputError(section + "/checkpoint every", "must be a wall time in seconds, 0 for none");
   }
@@ -107,7 +112,12 @@ namespace vfife
     // Fields at samples: their multiples in steps nearest to the tooth meshes asked for.
     const std::uint64_t sample = compute_history_steps(transmission, dt);
     if (transmission == nullptr)
-      return fields_every * sample;
+      {
+        if (fields_every != std::floor(fields_every))
+          throw InputError("Output/fields every",
+                           "without a gear pair samples are counted, of which there are no parts");
+        return static_cast<std::uint64_t>(fields_every) * sample;
+      }
     const double samples = std::round(fields_every * steps_per_mesh(*transmission, dt) / sample);
     return sample * std::max<std::uint64_t>(1, static_cast<std::uint64_t>(samples));
   }

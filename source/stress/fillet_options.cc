@@ -1,9 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/tooth_number.h>
 #include <vfife/stress/fillet_options.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
 
 namespace vfife
 {
@@ -24,17 +29,57 @@ namespace vfife
     const Subsection             subsection(prm, section);
     const Choices<RecordedTeeth> words = {{"none", RecordedTeeth::none},
                                           {"in mesh", RecordedTeeth::in_mesh},
+                                          {"named", RecordedTeeth::named},
                                           {"all", RecordedTeeth::all}};
     declare_choice(prm,
                    "teeth",
                    teeth,
                    words,
                    "Of which teeth root stresses are recorded; in mesh: those in contact and one "
-                   "beside them on either side");
+                   "beside them on either side; named: those of named teeth");
+    declare_names(prm,
+                  "named teeth",
+                  named_teeth,
+                  "Teeth by member and number from 0, as \"pinion 0, gear 3\", for teeth = named");
     for (auto &[name, gauge] : gauges)
       {
         const Subsection own(prm, "Gauge " + name);
         gauge.declare(prm);
       }
+  }
+
+  void FilletOptions::check() const
+  {
+    const std::string entry = std::string(section) + "/named teeth";
+    if (teeth == RecordedTeeth::named && named_teeth.empty())
+      throw InputError(entry, "teeth = named, and no tooth is named, as \"pinion 0\"");
+    if (teeth != RecordedTeeth::named && !named_teeth.empty())
+      throw InputError(entry, "teeth are named; they are recorded with teeth = named");
+    const std::vector<std::string> members = {"pinion", "gear"};
+    for (const std::string &name : named_teeth)
+      {
+        const std::string member = name.substr(0, name.find(' '));
+        if (std::count(members.begin(), members.end(), member) == 0 || name == member)
+          throw InputError(entry,
+                           "\"" + name + "\" is no tooth of the pinion or the gear, as \"gear 3\"" +
+                             did_you_mean(member, members));
+      }
+  }
+
+  std::set<unsigned int> FilletOptions::read_named_teeth(const std::string &body,
+                                                         const unsigned int n_teeth) const
+  {
+    std::set<unsigned int> numbers;
+    for (const std::string &name : named_teeth)
+      if (name.rfind(body + " ", 0) == 0)
+        try
+          {
+            numbers.insert(read_tooth_number(name.substr(body.size() + 1), n_teeth));
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(std::string(section) + "/named teeth", body + ": " + error.what());
+          }
+    return numbers;
   }
 } // namespace vfife

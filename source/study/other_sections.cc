@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/study/other_sections.h>
 #include <vfife/study/study_kinds.h>
 
@@ -57,6 +58,40 @@ namespace vfife
       return kinds;
     }
 
+    /** Refuses a file whose case the kind that has declared @p present does not take, and names
+     * those that do. */
+    void
+    check_case(const ParameterFile &file, const DeclaredSection &present, const CaseRunner &runner)
+    {
+      const auto is_taken = [&](const std::string &name) {
+        return file.contains(name) && present.find_section(name) != nullptr;
+      };
+      if (std::any_of(case_sections.begin(), case_sections.end(), is_taken))
+        return; // a second case beside it is another matter
+      for (const std::string &name : case_sections)
+        {
+          if (!file.contains(name))
+            continue;
+          std::vector<std::string> takers;
+          for (const auto &kind : study_kinds())
+            try
+              {
+                dealii::ParameterHandler prm;
+                const auto               study = kind.second.make(runner);
+                study->declare(prm, file);
+                if (find_declared(prm).find_section(name) != nullptr)
+                  takers.push_back(kind.first);
+              }
+            catch (const InputError &)
+              {
+                // as in find_kinds()
+              }
+          if (!takers.empty())
+            throw InputError(file.locate(name) + ": this kind of study takes no section \"" + name +
+                             "\"; kinds that do (Study/kind): " + list_of(takers));
+        }
+    }
+
     /** Whether a section or an entry of this path is declared. */
     bool is_declared(const std::string &path, const DeclaredSection &top)
     {
@@ -107,6 +142,7 @@ namespace vfife
     if (undeclared.empty())
       return others;
 
+    check_case(file, present, runner);
     const std::vector<OtherKind> kinds = find_kinds(file, present, runner);
     for (const OtherKind &kind : kinds)
       for (const std::string &name : kind.top.section_names())

@@ -84,6 +84,7 @@ void check_definitions()
   const std::vector<Definition> definitions   = {{"-", 1., 0, 0, 0},
                                                  {"%", 1e-2, 0, 0, 0},
                                                  {"mm", 1e-3, 1, 0, 0},
+                                                 {"cm", 1e-2, 1, 0, 0},
                                                  {"m", 1., 1, 0, 0},
                                                  {"um", 1e-6, 1, 0, 0},
                                                  {"s", 1., 0, 0, 1},

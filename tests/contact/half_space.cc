@@ -248,6 +248,38 @@ namespace
     check("arms, the third does not touch",
           found.forces[2] == 0. && std::abs(found.gaps[2] - (9e-3 - 4. * closing)) < 1e-9);
   }
+
+  /** Made-up flexibilities that couple all cells: those that were let go on the way come back where
+   * they belong. */
+  void check_return()
+  {
+    double     seed = .5, worst = 0.;
+    const auto number = [&seed] {
+      seed = std::fmod(997. * seed + .1234567, 1.);
+      return seed;
+    };
+    for (unsigned int i = 0; i < 40; ++i)
+      {
+        const Eigen::Index    n = 12;
+        const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return number() - .5; });
+        const Eigen::MatrixXd flexibility =
+          B * B.transpose() + .2 * Eigen::MatrixXd::Identity(n, n);
+        const Eigen::VectorXd gaps  = Eigen::VectorXd::NullaryExpr(n, number);
+        const CellForces      found = find_cell_forces(
+          [&](const Eigen::VectorXd &f) -> Eigen::VectorXd { return flexibility * f; },
+          gaps,
+          Eigen::VectorXd::Ones(n),
+          1.);
+        const Eigen::VectorXd h =
+          gaps + flexibility * found.forces - Eigen::VectorXd::Constant(n, found.closing);
+        worst = largest_of(worst, std::abs(found.forces.sum() - 1.));
+        for (Eigen::Index k = 0; k < n; ++k)
+          worst = largest_of(worst, found.forces[k] > 0. ? std::abs(h[k]) : -h[k]);
+      }
+    check_below("cells of made-up flexibilities: gap of one that carries, penetration",
+                worst,
+                1e-6);
+  }
 } // namespace
 
 int main()
@@ -258,4 +290,5 @@ int main()
   check_punch();
   check_line();
   check_arms();
+  check_return();
 }

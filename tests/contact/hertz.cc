@@ -59,7 +59,7 @@ namespace
     {
       Eigen::VectorXd f(u.size());
       Eigen::Index    first = 0;
-      for (auto side : {std::make_pair(&slave, &upper), std::make_pair(&master, &lower)})
+      for (auto side : {std::pair(&slave, &upper), std::pair(&master, &lower)})
         {
           side.first->clear_forces();
           side.first->place(side.first->body);
@@ -69,7 +69,7 @@ namespace
         }
       add_forces(contact, slave, master);
       first = 0;
-      for (auto side : {std::make_pair(&slave, &upper), std::make_pair(&master, &lower)})
+      for (auto side : {std::pair(&slave, &upper), std::pair(&master, &lower)})
         {
           for (unsigned int i = 0; i < side.second->columns.size(); ++i)
             f[first + i] = side.first->forces[side.second->columns[i]];

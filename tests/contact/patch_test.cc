@@ -173,7 +173,7 @@ namespace
     const auto contact_forces = [&](const Eigen::VectorXd &u) {
       Eigen::VectorXd f = Eigen::VectorXd::Zero(n);
       for (auto [surface, dofs] :
-           {std::make_pair(&slave, &slave_dofs), std::make_pair(&master, &master_dofs)})
+           {std::pair(&slave, &slave_dofs), std::pair(&master, &master_dofs)})
         {
           surface->clear_forces();
           for (unsigned int m = 0; m < dofs->size(); ++m)
@@ -182,7 +182,7 @@ namespace
         }
       add_forces(contact, slave, master);
       for (auto [surface, dofs] :
-           {std::make_pair(&slave, &slave_dofs), std::make_pair(&master, &master_dofs)})
+           {std::pair(&slave, &slave_dofs), std::pair(&master, &master_dofs)})
         for (unsigned int m = 0; m < dofs->size(); ++m)
           for (unsigned int d = 0; d < 3; ++d)
             f[(*dofs)[m] + d] += surface->forces[3 * m + d];

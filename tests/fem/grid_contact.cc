@@ -7,6 +7,7 @@
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/contact/half_space/cell_flexibility.h>
 #include <vfife/contact/law/hertz.h>
+#include <vfife/contact/surface/edge_sides.h>
 #include <vfife/contact/surface/facet_quadrature.h>
 #include <vfife/fem/pressure/grid_contact.h>
 #include <vfife/fem/statics/compliance.h>
@@ -176,7 +177,12 @@ namespace
                                   model.bodies[b].node_positions()[node].data(),
                                   model.bodies[b].node_positions()[node].data() + 3);
             }
-          near[b]             = find_near_layer(d, patch, {}, depth);
+          PointPairs edges;
+          for (unsigned int f = 0; f < flank.facets.size(); ++f)
+            for (unsigned int k = 0; k < 4; ++k)
+              if (edge_number(flank, f, k) != 0)
+                edges.push_back({{patch[flank.facets[f][k]], patch[flank.facets[f][(k + 1) % 4]]}});
+          near[b]             = find_near_layer(d, patch, {}, depth, edges);
           side.near           = &near[b];
           side.youngs_modulus = model.bodies[b].material().youngs_modulus;
           side.poissons_ratio = model.bodies[b].material().poissons_ratio;
@@ -314,6 +320,31 @@ namespace
       }
   }
 
+  /** Spheres at an edge of both blocks, @p distance half axes from it: pressure and approach over
+   * Hertz's, whatever the depth of the layers. Layers that end there, or that go on in closed form
+   * alone, give another one for each depth. */
+  void check_edge(const double        distance,
+                  const double        closing,
+                  const double        most_pressure,
+                  const Communicator &communicator)
+  {
+    const HertzContact          hertz(Vector2(.03, .03), modulus());
+    const double                a = hertz.semi_axes(force)[0], width = 12. * a;
+    const Vector2               at(.5 * width - distance * a, -.17);
+    const std::array<Curved, 2> spheres{
+      {{Vector2(.01, .01), at, 1.}, {Vector2(.02, .02), at, -1.}}};
+    for (const double depth : {0., 3.})
+      {
+        Blocks             blocks(spheres, {{8, 8}}, width, depth * a, communicator);
+        const GridPressure found = blocks.press(force, 16);
+        const double       over  = found.pressures[found.largest()] / hertz.largest_pressure(force);
+        std::ostringstream name;
+        name << distance << " a from an edge, layers " << depth << " a deep or more, ";
+        check_close(name.str() + "closing", found.closing / hertz.approach(force), closing, .025);
+        check_below(name.str() + "largest pressure", over, most_pressure);
+      }
+  }
+
   /** The cells converge; forces that have bent the bodies before, as springs of a contact by
    * penalties would, leave no trace. */
   void check_one_pair(const std::array<Curved, 2> &shapes, const Communicator &communicator)
@@ -326,9 +357,6 @@ namespace
       {
         const GridPressure found = blocks.press(force, n);
         pressures.push_back(found.pressures[found.largest()]);
-        if (verbose)
-          std::cerr << n << " cells across: " << pressures.back() / hertz.largest_pressure(force)
-                    << std::endl;
       }
     check("pressures converge with the cells",
           std::abs(pressures[2] - pressures[1]) < .6 * std::abs(pressures[1] - pressures[0]));
@@ -341,10 +369,6 @@ namespace
                     1.,
                     2e-3);
         check_close("bent before, closing", bent.closing / plain.closing, 1., 2e-3);
-        if (verbose)
-          std::cerr << "bent before: "
-                    << bent.pressures[bent.largest()] / plain.pressures[plain.largest()] << " "
-                    << bent.closing / plain.closing << std::endl;
       }
   }
 } // namespace
@@ -362,6 +386,9 @@ int main(int argc, char **argv)
   std::vector<Elements> meshes = {{{{4, 4}}, 24., 0.}, {{{8, 8}}, 24., 0.}, {{{12, 8}}, 24., 3.}};
   check_pair("spheres", spheres, Vector2(.03, .03), meshes, world);
   check_one_pair(spheres, world);
+  // What blocks of finer elements come to, 0.75 half axes wide: 1.423 and 1.227.
+  check_edge(.5, 1.423, 1.1, world);
+  check_edge(1., 1.227, 1.1, world);
   meshes.push_back({{{12, 12}}, 12., 3.});
   check_pair("crossed cylinders",
              {{{Vector2(.01, 0.), off, 1.}, {Vector2(0., .04), off, -1.}}},

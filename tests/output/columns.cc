@@ -50,6 +50,7 @@
 #include <vfife/study/gear/lumped_study.h>
 #include <vfife/study/reduced/speed_response.h>
 #include <vfife/study/sweep/sweep_study.h>
+#include <vfife/study/waves/contact_meetings.h>
 #include <vfife/study/waves/wave_line.h>
 
 #include <nlohmann/json.hpp>
@@ -108,6 +109,7 @@ namespace
     tables.push_back({"probes.csv", "gear pair", ProbeWriter(folder, 1).table()});
     tables.push_back({"rim.csv", "gear pair", RimWriter(folder, pair, 1).table()});
     tables.push_back({"orders.csv", "gear pair", make_order_table()});
+    tables.push_back({"rim_orders.csv", "gear pair", make_rim_order_table()});
     const auto over_time = [](const auto &columns) {
       Table table;
       table.add_column(column::time, "s");
@@ -143,6 +145,7 @@ namespace
     add("pressure.csv", loaded, make_loaded_pressure_table());
     add("pressure_field.csv", loaded, make_loaded_pressure_field_table());
     add("fillet_envelope.csv", loaded, make_fillet_envelope_table());
+    add("root_sections.csv", loaded, make_root_section_table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());
     add("reactions.csv", "linear static", make_reaction_table());
     add("modes.csv", modal, make_mode_table());
@@ -154,6 +157,7 @@ namespace
     add("wave_response.csv", "reduced", make_wave_response_table());
     add("waves_lines.csv", "waves", make_wave_line_table());
     add("waves_frequencies.csv", "waves", make_wave_frequency_table());
+    add("waves_in_contact.csv", "waves", make_contact_meeting_table({}, {}, {}, 1.));
     add("waves_response.csv", "waves", make_wave_motion_table());
     add("waves_build_up.csv", "waves", make_build_up_table());
     add("waves_stress.csv", "waves", make_wave_stress_table());

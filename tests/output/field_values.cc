@@ -11,6 +11,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/observers/field_writer.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <filesystem>
@@ -121,10 +122,11 @@ namespace
     std::array<double, 6> stresses = {};
     bool                  teeth    = true;
     unsigned int          carry    = 0;
-    const std::size_t     n_points = fields.n_points();
-    for (std::size_t p = 0; p < n_points; ++p)
+    double                tensor = 0, principal = 0;
+    for (std::size_t i = 0; i < 8 * fields.n_cells(); ++i)
       {
-        const unsigned int b    = fields.number("body", p) < .5 ? 0 : 1;
+        const std::size_t  p    = fields.corner(i / 8, i % 8);
+        const unsigned int b    = fields.cell_number("body", i / 8) < .5 ? 0 : 1;
         const Body        &body = model.bodies[b];
         const Vector3     &a    = body.axis.direction;
         const Matrix3      R = turn(model, b), H = gradient(b);
@@ -154,6 +156,18 @@ namespace
             stresses[c] =
               largest_of(stresses[c],
                          std::abs(fields.number(stress_names[c], p) - s(row[c], column[c])) / 10.);
+        // In the fixed frame, turned with the body.
+        const Matrix3             now  = R * stress(b) * R.transpose();
+        const std::vector<double> here = fields.values("stress", p);
+        for (unsigned int c = 0; c < 6; ++c)
+          tensor = largest_of(tensor, std::abs(here[c] - now(row[c], column[c])) / 10.);
+        const Vector3 exact = Eigen::SelfAdjointEigenSolver<Matrix3>(stress(b)).eigenvalues();
+        for (unsigned int c = 0; c < 3; ++c)
+          principal =
+            largest_of(principal,
+                       std::abs(fields.number("principal stress " + std::to_string(c + 1), p) -
+                                exact[2 - c]) /
+                         10.);
         const Matrix3 deviator =
           stress(b) - stress(b).trace() / 3 * Matrix3::Identity(); // whatever the axes
         mises = largest_of(
@@ -163,12 +177,13 @@ namespace
           largest_of(pressure, std::abs(fields.number("contact pressure", p) - expected) / 10.);
         carry += area > 0;
         // A point of the ring lies at the border of its sector of 15 degrees.
-        const double tooth = fields.number("tooth", p);
+        const double tooth = fields.cell_number("tooth", i / 8);
         const double from  = std::remainder(std::atan2(X[1], X[0]) - tooth * pi / 12, 2 * pi);
         teeth              = teeth &&
                 (b == 1 ? tooth == 0. : std::min(std::abs(from), std::abs(from - pi / 12)) < 1e-5);
       }
-    check("points of all cells", n_points == 8 * model.n_elements());
+    check("all cells, which share their points",
+          fields.n_cells() == model.n_elements() && fields.n_points() == model.n_nodes());
     check("those of both surfaces", carry == 24 * 2 * 4 + 3 * 2 * 4);
     // Single precision: 6e-8 of coordinates of some 40 mm, and of the values.
     check_below("places [mm]", place, 2e-5);
@@ -176,6 +191,8 @@ namespace
     check_below("relative velocity, over 10 m/s", velocity, 1e-6);
     for (unsigned int c = 0; c < 6; ++c)
       check_below(std::string(stress_names[c]) + ", over 10 MPa", stresses[c], 1e-6);
+    check_below("stress in the fixed frame, over 10 MPa", tensor, 1e-6);
+    check_below("principal stresses, over 10 MPa", principal, 1e-6);
     check_below("von mises, over 10 MPa", mises, 1e-6);
     check_below("contact pressure, over 10 MPa", pressure, 1e-6);
     check("teeth", teeth);

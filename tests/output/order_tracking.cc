@@ -75,6 +75,43 @@ namespace
     check_below("middles of the windows [tooth meshes]", of_place, 1e-9);
   }
 
+  /** A wave against the spin and one with it at orders 1 and 2, and what stands in space, whichever
+   * way the sectors are counted. */
+  void rim_waves(const double sense)
+  {
+    const Transmission pair     = make_pair();
+    constexpr double   end      = .03;
+    const double       interval = 1. / (20 * pair.mesh_frequency(end));
+    Table              rim;
+    for (const char *name : {column::time, "z cos 1", "z sin 1", "z cos 2", "z sin 2"})
+      rim.add_column(name, "-");
+    for (double t = 0; t < end; t += interval)
+      {
+        // In turning axes: frequencies (k z + n) and (k z - n) times the rate of the body.
+        const double turn = sense * 2 * pi * pair.meshes(t) / 30;
+        const auto   wave = [&](const double size, const int orders) {
+          return std::polar(size, orders * turn + .3);
+        };
+        const std::complex<double> one = wave(3., 1),
+                                   two = wave(.5, 2) + wave(4., 30 + 2) + wave(2., -60 + 2);
+        rim.add_row({t, one.real(), -one.imag(), two.real(), -two.imag()});
+      }
+    const Table orders = track_rim_waves(rim, pair, sense, 4, 2);
+    double      wrong  = 0;
+    for (std::size_t i = 0; i < orders.n_rows(); ++i)
+      {
+        const double n = orders.numbers("nodal diameter")[i], k = orders.numbers("mesh order")[i];
+        const std::string direction = orders.column("wave").texts[i];
+        const double      expected  = n == 2 && k == 1 && direction == "backward"  ? 4.
+                                      : n == 2 && k == 2 && direction == "forward" ? 2.
+                                                                                   : 0.;
+        wrong = largest_of(wrong, std::abs(orders.numbers("amplitude")[i] - expected));
+      }
+    check("rim: two orders, diameters and directions a window",
+          orders.n_rows() > 0 && orders.n_rows() % 8 == 0);
+    check_below("rim: amplitudes of waves", wrong, .01);
+  }
+
   constexpr double omega = 2 * pi * 1000, ratio = .01; // of the oscillator
 
   /** Response to exp(i w t), of the unit static one. */
@@ -157,6 +194,8 @@ namespace
 int main()
 {
   given_amplitudes();
+  rim_waves(1.);
+  rim_waves(-1.);
   oscillator();
   refusals();
 }

@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 using namespace vfife;
@@ -45,15 +46,22 @@ namespace
   RunSummary make_summary()
   {
     RunSummary summary;
-    summary.study              = "run";
-    summary.bodies             = {{"pinion", 1000, 1200, 1e-3, 2., 10 * pi / 3, 2e-4},
-                                  {"gear", 3000, 4000, 5e-3, 40., -5 * pi, 0.}};
-    summary.dt                 = 5e-8;
-    summary.time               = .0125;
-    summary.steps              = 250000;
-    summary.run_time           = 80;
-    summary.figures            = {{"swing frequency, estimated", {1412, "Hz"}},
-                                  {"torque over effective arm", {8911, "N"}}};
+    summary.study    = "run";
+    summary.bodies   = {{"pinion", 1000, 1200, 1e-3, 2., 10 * pi / 3, 2e-4},
+                        {"gear", 3000, 4000, 5e-3, 40., -5 * pi, 0.}};
+    summary.dt       = 5e-8;
+    summary.time     = .0125;
+    summary.steps    = 250000;
+    summary.run_time = 80;
+    summary.figures  = {{"swing frequency, estimated", {1412, "Hz"}},
+                        {"torque over effective arm", {8911, "N"}},
+                        {"pinion root tension", {236, "MPa"}},
+                        {"pinion root compression", {-302, "MPa"}},
+                        {"gear root stress range", {392, "MPa"}}};
+    summary.probes.resize(1);
+    summary.probes[0].name     = "node A";
+    summary.probes[0].largest  = 63;
+    summary.probes[0].median   = 46;
     summary.transmission_error = {{"total at the start", {-88.5, "arcsec"}},
                                   {"teeth and rest", {-40.25, "arcsec"}},
                                   {"web windup", {-20.5, "arcsec"}},
@@ -174,6 +182,32 @@ namespace
       }
   }
 
+  /** By names that depend on the case, beside a case that has none of them and one of its own. */
+  void figures_of_cases(const OutputFolder &folder)
+  {
+    const OutputFolder other(folder_name + "/other", folder.communicator());
+    write_own_figures(other, {{"pinion root tension", {240, "MPa"}}, {"lag", {-3, "arcsec"}}});
+    const std::map<std::string, std::array<double, 2>> expected = {
+      {"pinion root tension", {{236, 240}}},
+      {"pinion root compression", {{-302, std::nan("")}}},
+      {"gear root stress range", {{392, std::nan("")}}},
+      {"node A largest of a turn", {{63, std::nan("")}}},
+      {"node A median of a turn", {{46, std::nan("")}}},
+      {"lag", {{std::nan(""), -3}}}};
+    const auto all = read_own_figures({folder.path(), other.path(), "nowhere"});
+    check("figures of cases: as many", all.size() == 3 && all[0].size() == expected.size());
+    for (const auto &[name, values] : expected)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const auto   found = std::find_if(all[i].begin(), all[i].end(), [&](const auto &figure) {
+            return figure.first == name;
+          });
+          const double value = found == all[i].end() ? 0. : found->second.value;
+          check("case " + std::to_string(i) + ", " + name,
+                i < 2 && std::isfinite(values[i]) ? value == values[i] : std::isnan(value));
+        }
+  }
+
   void failed(const OutputFolder &folder)
   {
     RunSummary summary    = make_summary();
@@ -203,5 +237,6 @@ int main(int argc, char **argv)
   write_summary(folder, make_summary());
   places(folder);
   table_of_runs(folder);
+  figures_of_cases(folder);
   failed(folder);
 }

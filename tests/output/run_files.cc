@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The text files of a run: folder, histories, log, summary.
+#include "../refusal.h"
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
@@ -218,6 +219,9 @@ namespace
     check("exact multiple", options.compute_history_steps(&pair, 1. / 9000 / 50) == 1);
     check("long steps", options.compute_history_steps(&pair, 1. / 9000 / 7) == 1);
     check("without a gear pair", options.compute_history_steps(nullptr, dt) == 50);
+    options.fields_every = .1;
+    check("ten fields a tooth mesh", options.compute_field_steps(&pair, dt) == 200);
+    print_refusal([&] { options.compute_field_steps(nullptr, dt); });
     options.fields_every = 0;
     check("no fields", options.compute_field_steps(&pair, dt) == 0);
   }

@@ -14,6 +14,7 @@ from python_test import PROGRAM, ROOT  # first: makes the package importable
 import numpy as np
 
 import vfife
+from vfife.program import find_message
 
 BARS = vfife.Case(ROOT / "prm/verification/two_bars.prm").set("Output/pictures", False)
 PAIR = vfife.Case(ROOT / "prm/gear/proposed_17_43.prm")
@@ -110,6 +111,12 @@ class Failures(Folder):
         with self.assertRaises(vfife.InputError) as caught:
             PAIR.set("Gear pair/Proposal/modul", 4).run(output=self.folder / "none", ranks=2)
         self.assertRegex(str(caught.exception), '^--set "Gear pair/Proposal/modul=4": .* did you mean "module"[?]$')
+
+    def test_message(self):
+        """What mpirun adds, Open MPI 5 always, is no part of it."""
+        said = "a word\nvfife: file.prm:3: wrong\n  and more\n"
+        for note in ("", 74 * "-" + "\nprterun detected that one or more processes exited with non-zero status\n"):
+            self.assertEqual(find_message(said + note), "file.prm:3: wrong\n  and more")
 
     def test_computation(self):
         with self.assertRaisesRegex(vfife.ComputationFailed, "not reached in 50 relaxation steps") as caught:

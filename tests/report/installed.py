@@ -22,7 +22,9 @@ class Installed(unittest.TestCase):
             write_run(run, fields=False)
             (script,) = prefix.rglob("make_report.py")
             subprocess.run([sys.executable, "-B", script, run], check=True)
-            self.assertIn("Key figures", (run / "report.html").read_text(encoding="utf-8"))
+            text = (run / "report.html").read_text(encoding="utf-8")
+            for chapter in ("Key figures", "Words"):
+                self.assertIn(f">{chapter}</h2>", text)
             self.assertEqual(list(prefix.rglob("__pycache__")), [])
 
 

@@ -33,11 +33,11 @@ def make_ring(inner, outer, length, teeth):
 
 
 def write_vtu(path, fields):
-    """Each cell with its own eight points, as the program does."""
+    """Bodies are data of cells, as the program writes them; each cell has its own eight points."""
     n = len(fields)
-    data = {name: values.reshape((8 * n,) + values.shape[2:]) for name, values in fields.data.items()}
+    data = {name: values.reshape((8 * n,) + values.shape[2:]) for name, values in fields.data.items() if name != "body"}
     meshio.Mesh(fields.points.reshape(-1, 3), [("hexahedron", np.arange(8 * n).reshape(n, 8))],
-                data).write(path)
+                data, {"body": [fields["body"][:, 0]]}).write(path)
 
 
 def make_pair():
@@ -120,7 +120,7 @@ def write_run(folder, web_thickness="5", fields=True):
     names = ["time [s]", "dte [arcsec]", "rim dte [arcsec]", "contact force total [N]",
              "energy error [-]", "strain energy [mJ]"]
     rows = [[t, -80 + np.sin(5e4 * t), -70, 9000, 1e-3, 1200 + t] for t in time]
-    text = "\n".join([",".join(names)] + [",".join(map(repr, row)) for row in rows])
+    text = "\n".join([",".join(names)] + [",".join(map(str, row)) for row in rows])
     (folder / "history.csv").write_text(text + "\n0.001,3")  # the last line is cut off
     (folder / "teeth.csv").write_text(
         "time [s],side,pinion tooth [-],gear tooth [-],force [N],largest pressure [MPa],"

@@ -17,6 +17,7 @@ from made_up_run import (  # first: ends the test without the libraries
 
 import vfife_report
 from vfife_report.command import main
+from vfife_report.page.glossary import read_glossary
 from vfife_report.page.page import Page
 from vfife_report.page.parts import Cells, Paragraph, format_number
 
@@ -118,7 +119,7 @@ class Pages(unittest.TestCase):
             chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(name))
             self.assertEqual(chapters, ["The case", "Key figures", "Transmission error", "Contact",
                                         "Stress at the probes", "Motion of the rim",
-                                        "Energy and damping", "Checks"])
+                                        "Energy and damping", "Checks", "Words"])
 
     def test_missing_library(self):
         """One line, and the exit code that asks for another Python."""
@@ -170,6 +171,25 @@ class Pages(unittest.TestCase):
                             (1234567.8, "1234568"), (1.5e-7, "1.5e-07"), (None, "–"),
                             (float("nan"), "–"), (-1e-6, "\u22121e-06")):
             self.assertEqual(format_number(value), text)
+
+    def test_digits(self):
+        """Figures have three significant digits, tables to be compared or taken over five."""
+        row = [["dte", -78.4104, "arcsec"], ["force", 8909.31, "N"], ["energy", 0.0123456, "J"]]
+        few, all_of_them = Cells(["", "value", "unit"], row), Cells(["", "value", "unit"], row, digits=5)
+        self.assertEqual([few.show(value)[1] for _, value, _ in row], ["\u221278.4", "8909", "0.0123"])
+        self.assertEqual([all_of_them.show(value)[1] for _, value, _ in row], ["\u221278.41", "8909.3", "0.012346"])
+
+    def test_words(self):
+        """What the report says in words of its own it explains, and nothing else."""
+        self.assertTrue(all(names and "](" not in text for names, text in read_glossary()))
+        with tempfile.TemporaryDirectory() as name:
+            write_run(Path(name), fields=False)
+            main([name])
+            words = self.read(name).partition(">Words</h2>")[2]
+            for word in ("ripple", "contradiction", "energy error"):
+                self.assertIn(f">{word}</td>", words)
+            for word in ("regularity", "share of the static turn", "]("):
+                self.assertNotIn(word, words)
 
     def test_escape(self):
         page = Page("a < b", "c & d")

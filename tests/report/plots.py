@@ -22,7 +22,9 @@ from vfife_report.pictures.canvas import Camera, Canvas
 from vfife_report.pictures.hexahedra import Section, find_axis, find_outer_faces
 from vfife_report.plots.bearings import draw_bearing_curves, draw_bearings, draw_misalignment
 from vfife_report.plots.driven_waves import draw_driven_waves, draw_growth, draw_waves_met
+from vfife_report.plots.histories import draw_energies, draw_transmission_error
 from vfife_report.plots.meridian import draw_meridians, read_parts
+from vfife_report.plots.root_stress import draw_sections
 from vfife_report.plots.run_up import compute_window_spectra, draw_orders
 
 
@@ -141,6 +143,24 @@ class Meridians(unittest.TestCase):
             colours = [patch.get_facecolor() for patch in axes.patches]
             self.assertEqual(colours[1], colours[2])
             self.assertNotEqual(colours[0], colours[1])
+
+
+class RootSections(unittest.TestCase):
+    def test_steps(self):
+        """A step as long as its section; tension of one member's fillets, then of the other's."""
+        lines = ["body,fillet,face from [mm],face to [mm],tension [MPa],compression [MPa]"]
+        for body, fillet, size in (("pinion", "concave", 200), ("pinion", "convex", 50), ("gear", "convex", 100)):
+            lines += [f"{body},{fillet},0,10,{size},{-2 * size}", f"{body},{fillet},10,30,{size + 1},{-2 * size - 1}"]
+        with tempfile.TemporaryDirectory() as name:
+            (Path(name) / "root_sections.csv").write_text("\n".join([*lines, ""]))
+            pinion, gear = draw_sections(RunFolder(name)).axes
+            steps = pinion.patches[0].get_data()
+            self.assertEqual(list(steps.values), [200, 201])
+            self.assertEqual(list(steps.edges), [0, 10, 30])
+            self.assertEqual([list(p.get_data().values) for p in gear.patches], [[100, 101], [-200, -201]])
+            self.assertEqual([p.get_label() for p in pinion.patches][2:], ["convex fillet, tension", "convex fillet, compression"])
+            main([name])
+            self.assertIn("root_sections", (Path(name) / "report.html").read_text())
 
 
 class Bearings(unittest.TestCase):
@@ -302,6 +322,20 @@ class WholeRun(unittest.TestCase):
             self.assertEqual(np.count_nonzero(total), 101)
             self.assertTrue(np.all(table["y"][total] == 9000))
             self.assertFalse((folder / "pictures" / "contact_pattern.csv").exists())
+
+    def test_legends(self):
+        """They stand beside the axes, where no curve is."""
+        with tempfile.TemporaryDirectory() as name:
+            write_run(Path(name), fields=False)
+            run = RunFolder(Path(name))
+            for draw in (draw_transmission_error, draw_energies):
+                plot = draw(run)
+                plot.canvas.draw()
+                legends = [(axes, axes.get_legend()) for axes in plot.axes if axes.get_legend()]
+                self.assertTrue(legends)
+                for axes, legend in legends:
+                    self.assertGreaterEqual(legend.get_window_extent().x0, axes.get_window_extent().x1)
+                    self.assertLessEqual(legend.get_window_extent().x1, plot.bbox.x1 + 1)
 
     def test_no_run(self):
         with tempfile.TemporaryDirectory() as name:

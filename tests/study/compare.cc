@@ -65,7 +65,7 @@ namespace
     const std::string folder = "compare_results";
     std::filesystem::remove_all(folder);
     write_pair_cases();
-    run_pair("compare.prm", folder, world);
+    run_case("compare.prm", folder, world);
     const Table table = read_result_table(folder + "/comparison.csv");
     show(table);
     const std::size_t row = find_row(table, "mean dte", "FEM");
@@ -93,7 +93,7 @@ namespace
 
     // The same once more: all cases are read.
     const auto time = std::filesystem::last_write_time(folder + "/run/history.csv");
-    run_pair("compare.prm", folder, world);
+    run_case("compare.prm", folder, world);
     check("finished cases are read",
           std::filesystem::last_write_time(folder + "/run/history.csv") == time);
     const Table again = read_result_table(folder + "/comparison.csv");
@@ -120,7 +120,7 @@ namespace
       file << "end\n";
     };
     write("run, pair", "Operation/tooth meshes = 4; Dynamics/mesh damping = 8000 1/s");
-    run_pair("compare_reduced.prm", "compare_reduced", world);
+    run_case("compare_reduced.prm", "compare_reduced", world);
     const Table table = read_result_table("compare_reduced/comparison.csv");
     show(table);
     const auto close = [&](const std::string &quantity, const double part) {
@@ -144,7 +144,7 @@ namespace
 
     std::filesystem::remove_all("compare_slow");
     write("pair, loaded", "Operation/tooth meshes = 1; Operation/speed = 600 rpm");
-    run_pair("compare_reduced.prm", "compare_slow", world);
+    run_case("compare_reduced.prm", "compare_slow", world);
     const Table slow = read_result_table("compare_slow/comparison.csv");
     show(slow);
     check("a reduced pair at rest in the first position",
@@ -166,7 +166,7 @@ namespace
       << "  set entries = Output/pictures = no\n end\n"
       << " subsection Case modes\n  set base = " << SOURCE_DIR
       << "/../../prm/fem/cantilever_modes.prm\n end\nend\n";
-    run_pair("compare_beam.prm", "compare_beam", world);
+    run_case("compare_beam.prm", "compare_beam", world);
     const Table table = read_result_table("compare_beam/comparison.csv");
     show(table);
     // 8 periods under Hann's window: the line of the negative frequency is 16 bins away.
@@ -188,7 +188,7 @@ namespace
       << " subsection Case linear\n  set base = " << SOURCE_DIR
       << "/../../prm/verification/plate_with_hole.prm\n"
       << "  set entries = Study/kind = linear static\n end\nend\n";
-    run_pair("compare_plate.prm", "compare_plate", world);
+    run_case("compare_plate.prm", "compare_plate", world);
     const Table table = read_result_table("compare_plate/comparison.csv");
     show(table);
     double largest = 0;
@@ -205,7 +205,7 @@ namespace
       << "include compare_plate.prm\nsubsection Compare\n"
       << " subsection Case rest\n  set results = compare_plate/rest\n end\n"
       << " subsection Case linear\n  set results = compare_plate/linear\n end\nend\n";
-    run_pair("compare_read.prm", "compare_read", world);
+    run_case("compare_read.prm", "compare_read", world);
     const Table again = read_result_table("compare_read/comparison.csv");
     check("results: the same rows without a case done",
           again.numbers("value") == table.numbers("value") &&
@@ -269,7 +269,7 @@ namespace
                                        << "subsection Compare\n set cases = a, b\n"
                                        << " subsection Case a\n  set base = compare_run.prm\n"
                                        << "  set entries = Operation/sped = 1 rpm\n end\nend\n";
-    print_refusal([&] { run_pair("compare_wrong.prm", "unused", world); });
+    print_refusal([&] { run_case("compare_wrong.prm", "unused", world); });
   }
 } // namespace
 

@@ -37,7 +37,8 @@ int main(int argc, char **argv)
                            "pattern.csv",
                            "root_stress.csv",
                            "gauges.csv",
-                           "fillet_envelope.csv"})
+                           "fillet_envelope.csv",
+                           "root_sections.csv"})
     {
       const std::string whole = read_text("whole/" + std::string(name));
       check(std::string(name) + ": same digits",

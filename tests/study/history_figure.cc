@@ -132,6 +132,25 @@ namespace
     check("nothing behind the end", std::isnan(figure.compute(table).value));
   }
 
+  /** Half a newton more each mesh, of which a straight rise adds nothing within one, beside a
+   * vibration of the mesh. */
+  void trend()
+  {
+    Table table;
+    table.add_column("time", "s");
+    table.add_column("mesh frequency", "Hz");
+    table.add_column("force", "N");
+    for (unsigned int i = 0; i <= 800; ++i)
+      table.add_row({.01 * i, 1.25, 2. + .5 * .0125 * i + std::sin(2 * pi * .0125 * i)});
+    HistoryFigure figure;
+    figure.column = "force";
+    figure.value  = FigureValue::trend;
+    check_close("trend", figure.compute(table).value, .5, 1e-12);
+    check("trend: its unit", figure.compute(table).unit == "N/mesh");
+    figure.from = 7;
+    check("trend of less than two meshes", std::isnan(figure.compute(table).value));
+  }
+
   /** As a section of a parameter file has it. */
   double read_and_take(const std::string &value)
   {
@@ -189,11 +208,16 @@ int main()
   values();
   single_values();
   shares_of_meshes();
+  trend();
   words();
   orders();
   HistoryFigure figure;
   show_error(figure);
   figure.column = "end displacment x";
+  show_error(figure);
+  figure.table = FigureTable::teeth;
+  show_error(figure);
+  figure.value = FigureValue::largest;
   show_error(figure);
   figure.reference = "abc";
   show_error(figure);

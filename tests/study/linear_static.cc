@@ -97,13 +97,18 @@ end
    * through the middle. */
   void check_bent_fields(const VtuFile &fields, const double k)
   {
-    double displacement = 0, stress = 0, mises = 0;
+    double displacement = 0, stress = 0, mises = 0, principal = 0;
     for (std::size_t i = 0; i < fields.n_points(); ++i)
       {
         const Vector3 x  = fields.point(i), u(-k * x[0] * (x[2] - 5), 0., k * x[0] * x[0] / 2);
         displacement     = largest_of(displacement, (fields.vector("displacement", i) - u).norm());
         const double s   = -E * k * (x[2] - 5);
         mises            = largest_of(mises, std::abs(fields.number("von mises", i) - std::abs(s)));
+        principal        = largest_of({principal,
+                                       std::abs(fields.number("principal stress 1", i) - std::max(s, 0.)),
+                                       std::abs(fields.number("principal stress 2", i)),
+                                       std::abs(fields.number("principal stress 3", i) - std::min(s, 0.)),
+                                       std::abs(fields.values("stress", i)[0] - s)});
         const double phi = std::atan2(x[1] - side / 2, x[0] - length / 2), c = std::cos(phi),
                      d = std::sin(phi);
         if (std::hypot(x[0] - length / 2, x[1] - side / 2) < 1e-6)
@@ -116,12 +121,13 @@ end
                              std::abs(fields.number("stress theta z", i)),
                              std::abs(fields.number("stress z r", i))});
       }
-    check("fields: points of 40 cells, eight arrays",
-          fields.n_points() == 320 && fields.n_arrays() == 8);
+    check("fields: points that 40 cells share, twelve arrays",
+          fields.n_cells() == 40 && fields.n_points() == 99 && fields.n_arrays() == 12);
     // Single precision of 0.6 mm and 120 MPa.
     check_below("fields: displacement [mm]", displacement, 1e-7);
     check_below("fields: stresses [MPa]", stress, 2e-5);
     check_below("fields: von mises [MPa]", mises, 2e-5);
+    check_below("fields: principal stresses, stress along the bar [MPa]", principal, 2e-5);
   }
 
   void bent(Communicator &world)
@@ -225,16 +231,11 @@ end
     const Model   model = make_gear_model("linear_pair_case.prm", world);
     const Body   &gear  = model.bodies[model.transmission->driven];
     const VtuFile fields("linear_pair/fields/gear.vtu");
-    // Points of a file are eight a cell, in the cells' order: those of each node.
-    std::vector<std::size_t> point_of(gear.n_nodes());
-    double                   places = 0;
-    for (unsigned int e = 0; e < gear.n_elements(); ++e)
-      for (unsigned int v = 0; v < 8; ++v)
-        point_of[gear.elements()[e][v]] = 8 * std::size_t(e) + v;
+    // Points of a file are the nodes.
+    double places = 0;
     for (unsigned int n = 0; n < gear.n_nodes(); ++n)
       places =
-        largest_of(places,
-                   (fields.point(point_of[n]) - gear.placement(gear.node_positions()[n])).norm());
+        largest_of(places, (fields.point(n) - gear.placement(gear.node_positions()[n])).norm());
     check_below("pair: places of the nodes [mm]", places, 2e-5);
 
     // The load grows with the displacement: the energy is half of sum m Omega^2 r . u.
@@ -244,8 +245,7 @@ end
       {
         const Vector3 x = gear.placement(gear.node_positions()[n]) - gear.axis.point,
                       r = x - x.dot(gear.axis.direction) * gear.axis.direction;
-        work +=
-          gear.node_masses()[n] * rate * rate * r.dot(fields.vector("displacement", point_of[n]));
+        work += gear.node_masses()[n] * rate * rate * r.dot(fields.vector("displacement", n));
       }
     check_close("pair: strain energy over half the work of the spin",
                 read_figure("linear_pair/summary.json", "/figures/strain energy") / (work / 2),
@@ -275,7 +275,7 @@ end
     for (std::size_t p = 0; p < names.size(); ++p)
       {
         const Probe      &probe = model.probes[p];
-        const std::size_t i     = point_of[probe.node];
+        const std::size_t i     = probe.node;
         const Vector3     x = gear.placement(gear.node_positions()[probe.node]) - gear.axis.point,
                       z = gear.axis.direction, r = (x - x.dot(z) * z).normalized();
         const Vector3 axes[]  = {r, z.cross(r), z};

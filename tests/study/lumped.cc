@@ -99,7 +99,7 @@ namespace
                                << "subsection Operation\n set speed = 20000 rpm\n"
                                << " set torque = 800 N m\nend\nsubsection Lumped\n"
                                << lines << "end\n";
-    print_refusal([&] { run_pair("wrong.prm", "lumped_results", world); });
+    print_refusal([&] { run_case("wrong.prm", "lumped_results", world); });
   }
 } // namespace
 
@@ -112,7 +112,7 @@ int main(int argc, char **argv)
                               << "/../../prm/lumped/torsional_pair.prm\n"
                                  "subsection Lumped\n set speeds = 5\n set settling meshes = 300\n"
                                  " set measured meshes = 5\n set pictures = no\nend\n";
-  run_pair("values.prm", "lumped_results", session.world());
+  run_case("values.prm", "lumped_results", session.world());
   const nlohmann::json values = read_results("lumped_results");
   // sqrt(2.2e9/27.978)/(2 pi)
   check_close("frequency [Hz]",
@@ -135,7 +135,7 @@ int main(int argc, char **argv)
   const auto both = read_columns("lumped_results/resonance.csv");
   std::ofstream("up.prm") << "include values.prm\nsubsection Lumped\n set sweep = up\nend\n";
   std::filesystem::remove_all("lumped_results");
-  run_pair("up.prm", "lumped_results", session.world());
+  run_case("up.prm", "lumped_results", session.world());
   const auto up   = read_columns("lumped_results/resonance.csv");
   bool       same = up.at("speed").size() == 5;
   for (const auto &[name, numbers] : up)
@@ -159,7 +159,7 @@ int main(int argc, char **argv)
        " subsection Support tilt\n set motion = tilt\n"
        " set direction = 0, 1, 0\n set inertia = 9000\n"
        " set tilt stiffness = 1 MN m/rad\n end\nend\n";
-  run_pair("pair.prm", "lumped_results", session.world());
+  run_case("pair.prm", "lumped_results", session.world());
   const nlohmann::json pair = read_results("lumped_results");
   check("three modes", pair.at("modes").size() == 3);
   check_close("mean tangent stiffness of the table [N m/rad]",

@@ -91,11 +91,13 @@ subsection Fem
     for (std::size_t row = 0; row < modes.n_rows(); ++row)
       if (std::abs(modes.numbers("speed")[row] - speed) < 1e-6)
         {
-          const std::string name    = "mode " + std::to_string(++k);
-          double            largest = 0, axial = 0, all = 0;
-          for (std::size_t i = 0; i < shapes.n_points(); ++i)
+          char name[64];
+          std::snprintf(
+            name, sizeof name, "mode %u, %.1f Hz", ++k, modes.numbers("frequency")[row]);
+          double largest = 0, axial = 0, all = 0;
+          for (std::size_t i = 0; i < 8 * shapes.n_cells(); ++i)
             {
-              const Vector3 u = shapes.vector(name, i);
+              const Vector3 u = shapes.vector(name, shapes.corner(i / 8, i % 8));
               largest         = largest_of(largest, u.norm());
               axial += u[2] * u[2];
               all += u.squaredNorm();

@@ -102,6 +102,9 @@ int main(int argc, char **argv)
   refuse(of_kind("run", all_sections + "subsection Operation\n  set speed = 100 rpm\nend\n"),
          world);
   refuse(of_kind("run", all_sections + "subsection Gear pair\nend\n"), world);
+  // A case that the kind does not take: those that do are named.
+  refuse(of_kind("waves", all_sections), world);
+  refuse(of_kind("tooth contact analysis", all_sections), world);
 
   // A gear pair at rest: no speed, no torque. A run needs them.
   const std::string pair  = R"(
@@ -133,6 +136,7 @@ end
   const std::string paper = std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n";
   std::cout << do_study(of_kind("modal", paper + pair), world, true) << std::endl;
   refuse(of_kind("run", paper + pair), world);
+  refuse(of_kind("static", pair), world);
 
   // Kinds without a mesh pass over what carries it and its load, within sections that they read.
   const std::string loaded = paper + pair + "subsection Operation\n  set speed  = 20000 rpm\n" +

@@ -104,7 +104,7 @@ namespace
     summary["steady part"]["found"] = true;
     summary["steady part"]["start"] = {{"value", 0.}, {"unit", "s"}};
     std::ofstream(of_run + "/summary.json") << summary;
-    run_pair(write(name + "_compare",
+    run_case(write(name + "_compare",
                    kind("compare") +
                      "subsection Compare\nset cases = run, loaded\nset pictures = no\n"
                      "subsection Case run\nset results = " +

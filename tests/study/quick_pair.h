@@ -60,7 +60,7 @@ end
 }
 
 /** Does the case of a parameter file without a word, with other entries, or goes on with it. */
-inline void run_pair(const std::string              &file,
+inline void run_case(const std::string              &file,
                      const std::string              &folder,
                      vfife::Communicator            &communicator,
                      const std::vector<std::string> &overrides = {},
@@ -74,6 +74,17 @@ inline void run_pair(const std::string              &file,
   std::ostringstream nothing;
   vfife::Log         log(nothing, communicator.is_root(), vfife::Verbosity::quiet);
   vfife::run_study(line, communicator, log);
+}
+
+/** The same of a kind that reads the section Output, without its report. */
+inline void run_pair(const std::string       &file,
+                     const std::string       &folder,
+                     vfife::Communicator     &communicator,
+                     std::vector<std::string> overrides = {},
+                     const bool               restart   = false)
+{
+  overrides.insert(overrides.begin(), "Output/pictures=no");
+  run_case(file, folder, communicator, overrides, restart);
 }
 
 /** Columns of a CSV file of numbers by name ("dte"), without the units of the header. */

@@ -323,6 +323,16 @@ namespace
     refuse("Reduced/sweep", "up");
     refuse("Operation/speed", "20000 - 1e9*t");
     refuse("Reduced/cutof frequency", "3 kHz");
+    for (const char *entry : {"Fillets/teeth=in mesh", "Fillets/gauges=G"})
+      print_refusal([&]() {
+        run_pair("refused.prm",
+                 "refused",
+                 world,
+                 {"Reduced/sweep=up",
+                  "Reduced/lowest speed=12000 rpm",
+                  "Reduced/highest speed=20000 rpm",
+                  entry});
+      });
   }
 } // namespace
 

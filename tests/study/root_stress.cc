@@ -44,7 +44,8 @@ end
     double tension_after = 0; ///< where the tension is
   };
 
-  Extremes find_extremes(const Table &table, const std::string &body)
+  Extremes
+  find_extremes(const Table &table, const std::string &body, const char *after = "after the mesh")
   {
     Extremes extremes;
     for (std::size_t i = 0; i < table.n_rows(); ++i)
@@ -53,7 +54,7 @@ end
           if (table.numbers("tension")[i] > extremes.tension)
             {
               extremes.tension       = table.numbers("tension")[i];
-              extremes.tension_after = table.numbers("after the mesh")[i];
+              extremes.tension_after = table.numbers(after)[i];
             }
           extremes.compression = std::min(extremes.compression, table.numbers("compression")[i]);
         }
@@ -104,6 +105,41 @@ end
           fillet == (body == "pinion" ? "concave" : "convex"));
   }
 
+  /** Sections along the face have the largest of the facets one above the other. */
+  void check_sections()
+  {
+    const std::string folder = "root_stress_results/";
+    const Table       stress = read_result_table(folder + "root_stress.csv"),
+                sections     = read_result_table(folder + "root_sections.csv"),
+                envelope     = read_result_table(folder + "fillet_envelope.csv");
+    check("a row a section of two facets", 2 * sections.n_rows() == envelope.n_rows());
+    bool as_facets = true, ends = true;
+    for (std::size_t i = 0; i < sections.n_rows(); ++i)
+      {
+        const auto largest = [&](const char *name, const double sign) {
+          const auto &of_facets = envelope.numbers(name);
+          return sign * std::max(sign * of_facets[2 * i], sign * of_facets[2 * i + 1]);
+        };
+        as_facets = as_facets &&
+                    sections.column("fillet").texts[i] == envelope.column("fillet").texts[2 * i] &&
+                    sections.numbers("tension")[i] == largest("tension", 1.) &&
+                    sections.numbers("compression")[i] == largest("compression", -1.) &&
+                    sections.numbers("range")[i] == largest("range", 1.);
+        ends = ends && sections.numbers("face to")[i] > sections.numbers("face from")[i] + 12. &&
+               sections.numbers("tension up the profile")[i] > 0. &&
+               sections.numbers("tension up the profile")[i] < 2.;
+      }
+    check("sections as facets", as_facets);
+    check("two sections are the face of 30 mm", ends);
+    for (const char *body : {"pinion", "gear"})
+      {
+        const Extremes of_sections = find_extremes(sections, body, "tension after the mesh");
+        check(std::string(body) + ": the largest of sections, and when, as rows",
+              of_sections.tension == find_extremes(stress, body).tension &&
+                of_sections.tension_after == find_extremes(stress, body).tension_after);
+      }
+  }
+
   void check_gauge()
   {
     const Table gauges = read_result_table("root_stress_results/gauges.csv");
@@ -140,6 +176,16 @@ end
                 find_extremes(few, "pinion").tension,
                 find_extremes(all, "pinion").tension,
                 0.);
+    run_pair("root_stress.prm",
+             "root_stress_named",
+             world,
+             {"Fillets/teeth=named", "Fillets/named teeth=pinion 3, gear 78"});
+    const Table named = read_result_table("root_stress_named/root_stress.csv");
+    known             = named.n_rows() == 2 * 2 * 2;
+    for (std::size_t i = 0; i < named.n_rows(); ++i)
+      known = known && rows.count(named.csv_row(i)) == 1 &&
+              named.numbers("tooth")[i] == (named.column("body").texts[i] == "gear" ? 78 : 3);
+    check("named teeth: their rows", known);
     run_pair("root_stress.prm", "root_stress_none", world, {"Fillets/teeth=none"});
     check("none: gauges alone",
           !std::ifstream("root_stress_none/root_stress.csv") &&
@@ -183,13 +229,42 @@ end
                 0.);
   }
 
+  /** Reduced pairs of a sweep: its table has their root stresses. */
+  void check_sweep(Communicator &world)
+  {
+    std::filesystem::remove_all("root_stress_sweep");
+    std::ofstream("root_stress_sweep.prm")
+      << "subsection Study\n set kind = sweep\nend\n"
+         "subsection Sweep\n set base = root_stress.prm\n set pictures = no\n"
+         " set parameters = torque\n"
+         " set entries = Study/kind = reduced; Fillets/teeth = in mesh; Output/history every = 50\n"
+         " subsection Parameter torque\n  set entry = Operation/torque\n"
+         "  set values = 800 N m\n end\nend\n";
+    run_case("root_stress_sweep.prm", "root_stress_sweep", world);
+    const Table table = read_result_table("root_stress_sweep/sweep.csv");
+    for (const char *figure : {"pinion root tension", "gear root stress range"})
+      check_close(std::string("sweep: ") + figure,
+                  table.numbers(figure)[0],
+                  read_figure("root_stress_sweep/run_01/summary.json",
+                              std::string("/figures/") + figure),
+                  0.);
+  }
+
   void check_refusals(Communicator &world)
   {
     for (const char *entry : {"Fillets/Gauge G/length=50 mm",
                               "Fillets/Gauge G/tooth=79",
                               "Fillets/Gauge G/height=1.2",
-                              "Fillets/Gauge H/length=1 mm"})
+                              "Fillets/Gauge H/length=1 mm",
+                              "Fillets/named teeth=gear 3"})
       print_refusal([&] { run_pair("root_stress.prm", "root_stress_refused", world, {entry}); });
+    for (const char *teeth : {"", "pinion 27", "gaer 0", "gear", "pinion 1.5"})
+      print_refusal([&] {
+        run_pair("root_stress.prm",
+                 "root_stress_refused",
+                 world,
+                 {"Fillets/teeth=named", std::string("Fillets/named teeth=") + teeth});
+      });
   }
 } // namespace
 
@@ -199,10 +274,12 @@ int main(int argc, char **argv)
   write_file(gauge_of_gear);
   run_pair("root_stress.prm", "root_stress_results", session.world());
   check_tables();
+  check_sections();
   check_gauge();
   check_choices(session.world());
   check_run({"Study/kind=run", "Fillets/teeth=in mesh", "Output/fields every=0"}, session.world());
   check_run({"Study/kind=reduced", "Fillets/teeth=in mesh", "Output/history every=50"},
             session.world());
+  check_sweep(session.world());
   check_refusals(session.world());
 }

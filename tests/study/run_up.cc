@@ -85,7 +85,7 @@ namespace
 
   void check_same(const std::string &name, const std::string &other)
   {
-    for (const char *file : {"history.csv", "teeth.csv", "orders.csv"})
+    for (const char *file : {"history.csv", "teeth.csv", "orders.csv", "rim_orders.csv"})
       check(name + ", " + file + ": same digits",
             read_text("whole/" + std::string(file)) == read_text(other + "/" + file));
   }

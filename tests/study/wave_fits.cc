@@ -43,10 +43,25 @@ namespace
       fit_resonance({speeds[0], speeds[2], speeds[4]}, {alone[0], alone[2], alone[4]});
     check_close("three speeds: width", three.width, width, 1e-8);
 
-    // What is not of this form is told by the residual: another resonance near by.
+    // What is not of this form is told by the residual: another resonance near by. With its pole
+    // known both are found.
+    const Complex other(818., 4.);
+    for (const double speed : {788., 821.})
+      {
+        speeds.push_back(speed);
+        waves.push_back(residue / (speed - Complex(peak, -.5 * width)) + background);
+      }
     for (std::size_t k = 0; k < waves.size(); ++k)
-      waves[k] += 10. / (speeds[k] - Complex(818., 4.));
+      waves[k] += 10. / (speeds[k] - other);
     check("two resonances leave a residual", fit_resonance(speeds, waves).residual > .02);
+    const ResonanceFit both = fit_resonance(speeds, waves, {other});
+    check_close("beside another: width", both.width, width, 1e-7);
+    check_close("beside another: amplitude", both.amplitude, 40. / (.5 * width), 1e-8);
+    check_below("beside another: residue of that",
+                both.others.size() == 1 ? std::abs(both.others[0].first - 10.) : 1.,
+                1e-7);
+    check_below("beside another: background", std::abs(both.background - background), 1e-8);
+    check_below("beside another: residual", both.residual, 1e-10);
   }
 
   /** A damped mode over the frequency of its force: half-power width 2 ratio, to its first order.
@@ -109,6 +124,7 @@ namespace
   void refusals()
   {
     print_failure([] { fit_resonance({1., 2.}, {1., 1.}); });
+    print_failure([] { fit_resonance({1., 2., 3., 4.}, {1., 1., 2., 1.}, {Complex(2., 1.)}); });
     print_failure([] { fit_build_up({1., 2., 3., 4., 5., 6., 7.}, 1.); });
     print_failure([] { fit_line({1.}, {1.}); });
   }

@@ -35,6 +35,9 @@ namespace vfife
   /** The stress in the axes that are the columns of @p axes. */
   Stress turn_stress(const Stress &stress, const Matrix3 &axes);
 
+  /** Principal stresses, the largest first [MPa]. */
+  Vector3 compute_principal_stresses(const Stress &stress);
+
   /** Von Mises' equivalent stress [MPa]. */
   double von_mises(const Stress &stress);
 } // namespace vfife

@@ -21,8 +21,9 @@ namespace vfife
   {
     /** Samples a tooth mesh; for models without a gear pair: steps between samples. */
     unsigned int history_every = 50;
-    /** Tooth meshes (for models without a gear pair: samples) between field files, 0: none. */
-    unsigned int fields_every = 5;
+    /** Tooth meshes, also parts of one (for models without a gear pair: samples), between field
+     * files, 0: none. */
+    double fields_every = 5;
     /** Orders of the tooth mesh that are tracked where the speed changes, 0: none; and tooth meshes
      * in a window. */
     unsigned int mesh_orders = 5, order_window = 8;

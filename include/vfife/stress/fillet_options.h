@@ -4,6 +4,7 @@
 
 #include <vfife/stress/gauge.h>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ namespace vfife
   {
     none,
     in_mesh, ///< those in contact and one beside them on either side
+    named,   ///< FilletOptions::read_named_teeth()
     all
   };
 
@@ -24,12 +26,19 @@ namespace vfife
   struct FilletOptions
   {
     RecordedTeeth                                     teeth = RecordedTeeth::none;
-    std::vector<std::pair<std::string, GaugeOptions>> gauges; ///< with their names
+    std::vector<std::string>                          named_teeth; ///< "pinion 0"
+    std::vector<std::pair<std::string, GaugeOptions>> gauges;      ///< with their names
 
     static constexpr char section[] = "Fillets";
 
     /** Declares the section, with a subsection for each gauge that @p file names. */
     void declare(dealii::ParameterHandler &prm, const ParameterFile &file);
+
+    /** Throws InputError for teeth that are named and not asked for, or the other way round. */
+    void check() const;
+
+    /** Those of the @p body, which has so many @p teeth. Throws InputError for others. */
+    std::set<unsigned int> read_named_teeth(const std::string &body, unsigned int teeth) const;
 
     bool records() const
     {

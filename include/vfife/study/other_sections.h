@@ -18,7 +18,8 @@ namespace vfife
    * @p prm does not read, but others of the same case do: one file serves for all of them. Those
    * that stand in @p file are read as these would read them, so that what is misspelt there is
    * found: throws InputError. What a case itself is of (Model, Gear pair) is never passed over as a
-   * whole, and studies without a case pass over nothing.
+   * whole: where the kind does not take it, an InputError names the kinds that do. Studies without
+   * a case pass over nothing.
    */
   OtherSections find_other_sections(const ParameterFile            &file,
                                     const dealii::ParameterHandler &prm,

@@ -37,7 +37,7 @@ namespace vfife
   }
 
   const std::vector<double> &
-  find_column(const Table &table, const std::string &path, const std::string &name)
+  find_column(const Table &table, const std::string &path, const std::string_view name)
   {
     std::vector<std::string> names;
     for (const Table::Column &column : table.columns())
@@ -46,7 +46,7 @@ namespace vfife
           return column.numbers;
         names.push_back(column.name);
       }
-    throw InputError("the table \"" + path + "\" has no column \"" + name +
+    throw InputError("the table \"" + path + "\" has no column \"" + std::string(name) +
                      "\"; it has: " + list_of(names));
   }
 } // namespace vfife

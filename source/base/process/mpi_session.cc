@@ -14,8 +14,8 @@ namespace vfife
 {
   struct MpiSession::Implementation
   {
-    Implementation(int &argc, char **&argv)
-      : mpi(argc, argv, 1)
+    explicit Implementation(char **&argv)
+      : mpi(n_arguments, argv, 1)
       , world(MPI_COMM_WORLD)
     {
       MPI_Comm_dup(MPI_COMM_WORLD, &farewell);
@@ -26,7 +26,10 @@ namespace vfife
       MPI_Comm_free(&farewell);
     }
 
-    // First of the members: MPI begins before all that uses it and ends after it.
+    // PETSc, which deal.II starts too, complains of options that it does not know: it sees the
+    // program's name alone.
+    int n_arguments = 1;
+    // Before all that uses it: MPI begins before it and ends after it.
     dealii::Utilities::MPI::MPI_InitFinalize mpi;
     Communicator                             world;
     MPI_Comm
@@ -57,8 +60,8 @@ namespace vfife
     }
   } // namespace
 
-  MpiSession::MpiSession(int &argc, char **&argv)
-    : implementation_(std::make_unique<Implementation>(argc, argv))
+  MpiSession::MpiSession(int &, char **&argv)
+    : implementation_(std::make_unique<Implementation>(argv))
   {
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
     dealii::deal_II_exceptions::disable_abort_on_exception();

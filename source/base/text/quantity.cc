@@ -74,6 +74,7 @@ namespace vfife
       {"-", "a pure number", 1.},
       {"%", "a pure number", 1e-2},
       {"mm", "a length", 1.},
+      {"cm", "a length", 10.},
       {"m", "a length", 1e3},
       {"um", "a length", 1e-3},
       {"s", "a time", 1.},

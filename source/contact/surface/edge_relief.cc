@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/contact/surface/edge_relief.h>
+#include <vfife/contact/surface/edge_sides.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,22 +27,6 @@ namespace vfife
 
     /** Group and number of an edge. */
     using EdgeKey = std::pair<unsigned int, unsigned int>;
-
-    unsigned int group_of(const FacetSurface &surface, const std::size_t facet)
-    {
-      return surface.group.empty() ? 0 : surface.group[facet];
-    }
-
-    unsigned int
-    edge_number(const FacetSurface &surface, const std::size_t facet, const unsigned int side)
-    {
-      if (!surface.edges.empty())
-        return surface.edges[facet][side];
-      // Not numbered: the whole border of a group is its edge 1.
-      const unsigned int other = surface.neighbours[facet][side];
-      return other == FacetSurface::no_facet ||
-             group_of(surface, other) != group_of(surface, facet);
-    }
 
     std::map<EdgeKey, std::vector<Segment>> collect_edges(const FacetSurface &surface)
     {

@@ -4,6 +4,8 @@
 #include <vfife/model/body.h>
 #include <vfife/model/state.h>
 
+#include <cmath>
+
 namespace vfife
 {
   RigidVelocity compute_mean_speed_rate(const Body         &body,
@@ -15,11 +17,12 @@ namespace vfife
     std::vector<double> sums(2, 0.);
     for (const std::uint32_t i : state.partition->owned_nodes(b))
       {
-        const double r = body.axis.direction.cross(state.node_position(i) - body.axis.point).norm();
-        if (!(r > 0))
+        const double square =
+          body.axis.direction.cross(state.node_position(i) - body.axis.point).squaredNorm();
+        if (!(square > 0))
           continue;
         const double mass = body.node_masses()[state.partition->global_node[i] - body.first_node];
-        sums[0] += mass * state.node_velocity(i).norm() / r;
+        sums[0] += mass * std::sqrt(state.node_velocity(i).squaredNorm() / square);
         sums[1] += mass;
       }
     communicator.sum(sums);

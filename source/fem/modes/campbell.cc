@@ -42,9 +42,12 @@ namespace vfife
              (sense == 0 ? 1. : sense) * 2. * pi * mode.frequency;
     }
 
-    std::string whirl_of(const double rate)
+    /** Of a wave that travels: what stands, as a mode without nodal diameters, has no sense. */
+    std::string whirl_of(const RotatingMode &mode, const double rate)
     {
-      return std::isnan(rate) ? "-" : rate < 0 ? "backward" : "forward";
+      return std::isnan(rate) || direction_of(mode.description) == "standing" ? "-"
+             : rate < 0                                                       ? "backward"
+                                                                              : "forward";
     }
   } // namespace
 
@@ -89,7 +92,7 @@ namespace vfife
                                          d.share,
                                          direction_of(d),
                                          std::abs(fixed_rate(mode, modes.rate)) / (2. * pi),
-                                         whirl_of(fixed_rate(mode, modes.rate)),
+                                         whirl_of(mode, fixed_rate(mode, modes.rate)),
                                          d.axial,
                                          d.radial,
                                          d.tangential};

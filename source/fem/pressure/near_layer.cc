@@ -3,8 +3,6 @@
 #include <vfife/fem/pressure/near_layer.h>
 #include <vfife/model/model.h>
 
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -13,6 +11,9 @@ namespace vfife
 {
   namespace
   {
+    /** How far a layer goes on beyond an edge, in depths: what it does there is gone then. */
+    constexpr double reach = 2.;
+
     /** Elements under a patch of points, layer by layer. */
     class LayeredElements
     {
@@ -63,9 +64,9 @@ namespace vfife
         return states;
       }
 
-      /** Displacements at @p patch under unit forces there. */
-      Eigen::MatrixXd find_flexibility(const std::vector<unsigned char> &states,
-                                       const std::vector<unsigned int>  &patch) const;
+      /** The elements by themselves; @p numbers: of their points, by point of the part. */
+      LayerElements make_elements(const std::vector<unsigned char> &states,
+                                  std::vector<unsigned int>        &numbers) const;
 
       const Discretization::Part &part() const
       {
@@ -92,51 +93,26 @@ namespace vfife
       std::vector<bool>           reached_, used_;
     };
 
-    Eigen::MatrixXd LayeredElements::find_flexibility(const std::vector<unsigned char> &states,
-                                                      const std::vector<unsigned int>  &patch) const
+    LayerElements LayeredElements::make_elements(const std::vector<unsigned char> &states,
+                                                 std::vector<unsigned int>        &numbers) const
     {
-      std::vector<int> first(states.size(), -1);
-      int              n = 0;
+      LayerElements layer;
+      numbers.assign(states.size(), 0);
       for (std::size_t p = 0; p < states.size(); ++p)
-        if (states[p] == 1)
+        if (states[p] != 0)
           {
-            first[p] = n;
-            n += 3;
+            numbers[p] = layer.points.size();
+            layer.points.push_back(discretization_.points()[part_.first_point + p]);
+            layer.held.push_back(states[p] == 2);
           }
-      std::vector<Eigen::Triplet<double>> entries;
       for (unsigned int e = 0; e < part_.n_elements; ++e)
-        {
-          if (!used_[e])
-            continue;
-          const unsigned int    element = part_.first_element + e;
-          const Eigen::MatrixXd K = compute_fem_stiffness(discretization_.element_nodes(element),
-                                                          discretization_.material(element),
-                                                          discretization_.element());
-          const unsigned int   *points = discretization_.element_points(element);
-          for (Eigen::Index r = 0; r < K.rows(); ++r)
-            for (Eigen::Index c = 0; c < K.cols(); ++c)
-              {
-                const int row    = first[points[r / 3] - part_.first_point],
-                          column = first[points[c / 3] - part_.first_point];
-                if (row >= 0 && column >= 0)
-                  entries.emplace_back(row + r % 3, column + c % 3, K(r, c));
-              }
-        }
-      Eigen::SparseMatrix<double> matrix(n, n);
-      matrix.setFromTriplets(entries.begin(), entries.end());
-      const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-
-      const Eigen::Index size = 3 * patch.size();
-      Eigen::MatrixXd    flexibility(size, size);
-      for (Eigen::Index k = 0; k < size; ++k)
-        {
-          const int             row = first[patch[k / 3] - part_.first_point];
-          const Eigen::VectorXd u   = solver.solve(Eigen::VectorXd::Unit(n, row + k % 3));
-          for (Eigen::Index i = 0; i < size; ++i)
-            flexibility(i, k) = u[first[patch[i / 3] - part_.first_point] + i % 3];
-        }
-      // Symmetric to the last digit, as conjugate gradients take it to be.
-      return .5 * (flexibility + flexibility.transpose());
+        if (used_[e])
+          {
+            layer.elements.emplace_back();
+            for_points(e,
+                       [&](const unsigned int p) { layer.elements.back().push_back(numbers[p]); });
+          }
+      return layer;
     }
 
     /** From each point of the patch to the nearest one that is held; none: infinite. */
@@ -171,7 +147,8 @@ namespace vfife
   NearLayer find_near_layer(const Discretization            &discretization,
                             std::vector<unsigned int>        patch,
                             const std::vector<unsigned int> &others,
-                            const double                     depth)
+                            const double                     depth,
+                            const PointPairs                &edges)
   {
     LayeredElements             elements(discretization, patch);
     const Discretization::Part &part = elements.part();
@@ -201,8 +178,22 @@ namespace vfife
                          "\": no layer of elements under the surface in contact leads to others "
                          "that would hold it; the pressure on its own grid needs two elements "
                          "across a tooth");
-    layer.flexibility = elements.find_flexibility(states, patch);
-    layer.points      = std::move(patch);
+    std::vector<unsigned int> numbers, own;
+    LayerElements             by_itself = elements.make_elements(states, numbers);
+    const auto                number_of = [&](const unsigned int point) {
+      return numbers[point - part.first_point];
+    };
+    for (const unsigned int point : patch)
+      own.push_back(number_of(point));
+    PointPairs own_edges;
+    for (const auto &edge : edges)
+      own_edges.push_back({{number_of(edge[0]), number_of(edge[1])}});
+    by_itself.continue_beyond(own_edges, own, reach * layer.mean_depth());
+    layer.flexibility =
+      by_itself.find_flexibility(own,
+                                 discretization.model().bodies[part.body].material(),
+                                 discretization.element());
+    layer.points = std::move(patch);
     return layer;
   }
 } // namespace vfife

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/contact/surface/edge_sides.h>
 #include <vfife/fem/pressure/pair_pressure.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/load_torque.h>
@@ -69,17 +70,28 @@ namespace vfife
     const auto known = near_.find(key);
     if (known != near_.end())
       return known->second;
-    const Discretization     &d     = compliance_.discretization();
-    const unsigned int        first = d.find_part(body)->first_point;
+    const Discretization     &d      = compliance_.discretization();
+    const unsigned int        first  = d.find_part(body)->first_point;
+    const FacetSurface       &facets = model_.bodies[body].mesh().surfaces.at(surface);
     std::vector<unsigned int> patch, others;
-    for (const unsigned int node :
-         nodes_of_group(model_.bodies[body].mesh().surfaces.at(surface), group))
+    for (const unsigned int node : nodes_of_group(facets, group))
       patch.push_back(first + node);
+    PointPairs edges; // tip, toe and heel
+    for (std::size_t f = 0; f < facets.facets.size(); ++f)
+      for (unsigned int side = 0; side < 4; ++side)
+        if (facets.group[f] == group && edge_number(facets, f, side) != 0)
+          {
+            const auto point = [&](const unsigned int corner) {
+              return first + facets.nodes[facets.facets[f][corner % 4]];
+            };
+            edges.push_back({{point(side), point(side + 1)}});
+          }
     for (const auto &[name, other] : model_.bodies[body].mesh().surfaces)
       if (name != surface)
         for (const unsigned int node : other.nodes)
           others.push_back(first + node);
-    return near_.emplace(key, find_near_layer(d, std::move(patch), others, depth_)).first->second;
+    return near_.emplace(key, find_near_layer(d, std::move(patch), others, depth_, edges))
+      .first->second;
   }
 
   ElasticFlank PairPressure::make_flank(const unsigned int side, const unsigned int group)

@@ -6,6 +6,7 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/text/number_text.h>
+#include <vfife/base/text/tooth_number.h>
 #include <vfife/gear/errors/member_error_options.h>
 
 #include <algorithm>
@@ -231,14 +232,8 @@ namespace vfife
   {
     std::vector<bool> chosen(teeth, topography_teeth.empty());
     for (const std::string &name : topography_teeth)
-      read_entry(section + "/topography teeth", [&]() {
-        std::string  rest;
-        const double number = read_number(name, rest);
-        if (!rest.empty() || number < 0. || number >= teeth || number != std::floor(number))
-          throw InputError("there is no tooth " + name + "; teeth are 0 to " +
-                           std::to_string(teeth - 1));
-        chosen[static_cast<unsigned int>(number)] = true;
-      });
+      read_entry(section + "/topography teeth",
+                 [&]() { chosen[read_tooth_number(name, teeth)] = true; });
     if (topography.empty() && !topography_teeth.empty())
       throw InputError(section + "/topography teeth",
                        "teeth are named, but there is no topography");

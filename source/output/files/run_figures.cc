@@ -67,11 +67,55 @@ namespace vfife
       return std::numeric_limits<double>::quiet_NaN();
     }
 
+    /** Names of the figures of root stresses behind that of a member. */
+    struct RootNames
+    {
+      const std::string tension     = " root " + std::string(column::tension),
+                        compression = " root " + std::string(column::compression),
+                        range       = " root stress range";
+
+      bool end(const std::string &figure) const
+      {
+        const auto ends = [&figure](const std::string &name) {
+          return figure.size() > name.size() &&
+                 figure.compare(figure.size() - name.size(), name.size(), name) == 0;
+        };
+        return ends(tension) || ends(compression) || ends(range);
+      }
+    };
+
     /** Null where there is no file, discarded where it is no JSON. */
     Json read_json(const std::string &path)
     {
       std::ifstream file(path);
       return file ? Json::parse(file, nullptr, false) : Json();
+    }
+
+    /** Figures by names that depend on the case: those of figures.json; of summary.json root
+     * stresses, and of each probe largest and median stress of its turn. */
+    Json read_figures_of_case(const std::string &folder)
+    {
+      Json       figures = read_json(folder + "/figures.json");
+      const Json summary = read_json(folder + "/summary.json");
+      if (!figures.is_object())
+        figures = Json::object();
+      const auto for_each = [&summary](const char *place, const auto &take) {
+        const Json::json_pointer pointer(place);
+        if (summary.is_structured() && summary.contains(pointer))
+          for (const auto &[name, value] : summary.at(pointer).items())
+            take(name, value);
+      };
+      const RootNames roots;
+      for_each(summary_place::figures, [&](const std::string &name, const Json &figure) {
+        if (roots.end(name))
+          figures[name] = figure;
+      });
+      for_each(summary_place::probes, [&](const std::string &name, const Json &probe) {
+        for (const char *of_turn : {summary_place::largest_of_turn, summary_place::median_of_turn})
+          if (probe.contains(of_turn))
+            figures[name + " " + of_turn] = probe.at(of_turn);
+      });
+      return figures;
     }
   } // namespace
 
@@ -107,13 +151,13 @@ namespace vfife
 
   NamedFigures list_root_figures(const RootStress &stress)
   {
-    NamedFigures figures;
+    const RootNames names;
+    NamedFigures    figures;
     for (const MemberRootStress &member : stress.list_members())
       {
-        const std::string name = member.body + " root ";
-        figures.push_back({name + column::tension, {member.tension, "MPa"}});
-        figures.push_back({name + column::compression, {member.compression, "MPa"}});
-        figures.push_back({name + "stress range", {member.range, "MPa"}});
+        figures.push_back({member.body + names.tension, {member.tension, "MPa"}});
+        figures.push_back({member.body + names.compression, {member.compression, "MPa"}});
+        figures.push_back({member.body + names.range, {member.range, "MPa"}});
       }
     return figures;
   }
@@ -130,9 +174,7 @@ namespace vfife
     NamedFigures      names;
     for (const std::string &folder : folders)
       {
-        files.push_back(read_json(folder + "/figures.json"));
-        if (!files.back().is_object())
-          files.back() = Json::object();
+        files.push_back(read_figures_of_case(folder));
         for (const auto &[name, figure] : files.back().items())
           if (figure.is_object() &&
               std::none_of(names.begin(), names.end(), [&name = name](const auto &known) {

@@ -106,16 +106,16 @@ namespace vfife
     Json probe(const ProbeRecord &record)
     {
       Json json;
-      json[summary_place::passes_mesh]  = figure_json(record.passes_mesh, "s");
-      json["largest of the record"]     = figure_json(record.peak, "MPa");
-      json["at"]                        = figure_json(record.peak_time, "s");
-      json["least of the record"]       = figure_json(record.least, "MPa");
-      json["largest of a turn"]         = figure_json(record.largest, "MPa");
-      json["after the mesh"]            = figure_json(record.largest_after_mesh, "tooth meshes");
-      json["median of a turn"]          = figure_json(record.median, "MPa");
-      json["the record has the peak"]   = record.has_peak;
-      json["the record has the median"] = record.has_median;
-      json["explanation"]               = record.explain();
+      json[summary_place::passes_mesh]     = figure_json(record.passes_mesh, "s");
+      json["largest of the record"]        = figure_json(record.peak, "MPa");
+      json["at"]                           = figure_json(record.peak_time, "s");
+      json["least of the record"]          = figure_json(record.least, "MPa");
+      json[summary_place::largest_of_turn] = figure_json(record.largest, "MPa");
+      json["after the mesh"]               = figure_json(record.largest_after_mesh, "tooth meshes");
+      json[summary_place::median_of_turn]  = figure_json(record.median, "MPa");
+      json["the record has the peak"]      = record.has_peak;
+      json["the record has the median"]    = record.has_median;
+      json["explanation"]                  = record.explain();
       return json;
     }
 

@@ -108,12 +108,16 @@ namespace vfife
   {
     const Transmission &t = *model.transmission;
     for (const unsigned int body : {t.driver, t.driven})
-      for (const char *side : {surface_name::concave, surface_name::convex})
-        {
-          fillets_.push_back({body, Fillet(model.bodies[body], side)});
-          const Fillet &fillet = fillets_.back().fillet;
-          ranges_.emplace_back(fillet.n_columns() * (fillet.end_row() - Fillet::first_row));
-        }
+      {
+        named_teeth_[body] = options.read_named_teeth(model.bodies[body].name(), count_teeth(body));
+        for (const char *side : {surface_name::concave, surface_name::convex})
+          {
+            fillets_.push_back({body, Fillet(model.bodies[body], side)});
+            const Fillet &fillet = fillets_.back().fillet;
+            ranges_.emplace_back(fillet.n_columns() * (fillet.end_row() - Fillet::first_row));
+            passages_.emplace_back(ranges_.back().size());
+          }
+      }
     for (const auto &[name, gauge] : options.gauges)
       for (const MemberFillet &member : fillets_)
         if (model.bodies[member.body].name() == gauge.body && member.fillet.side() == gauge.side)
@@ -126,12 +130,19 @@ namespace vfife
                                    std::string(FilletOptions::section) + "/Gauge " + name)});
   }
 
+  unsigned int RootStress::count_teeth(const unsigned int body) const
+  {
+    const Transmission &t = *model_.transmission;
+    return body == t.driver ? t.driver_teeth : t.driven_teeth;
+  }
+
   std::vector<unsigned int> RootStress::recorded_teeth(const unsigned int               body,
                                                        const std::vector<ToothContact> &teeth) const
   {
-    const Transmission    &t = *model_.transmission;
-    const unsigned int     z = body == t.driver ? t.driver_teeth : t.driven_teeth;
+    const unsigned int     z = count_teeth(body);
     std::set<unsigned int> recorded;
+    if (teeth_ == RecordedTeeth::named)
+      recorded = named_teeth_.at(body);
     if (teeth_ == RecordedTeeth::all)
       for (unsigned int tooth = 0; tooth < z; ++tooth)
         recorded.insert(tooth);
@@ -153,30 +164,44 @@ namespace vfife
                                 const double       meshes) const
   {
     // A tooth ahead in the sense of the body's rotation has been where tooth 0 is now.
-    const Transmission &t     = *model_.transmission;
-    const bool          first = body == t.driver;
-    const double        z     = first ? t.driver_teeth : t.driven_teeth,
-                 after        = meshes + (first ? t.driver_sense : t.driven_sense) * tooth;
+    const Transmission &t = *model_.transmission;
+    const double        z = count_teeth(body),
+                 after    = meshes + (body == t.driver ? t.driver_sense : t.driven_sense) * tooth;
     return after - z * std::floor(after / z + .5);
   }
 
   RootStressSample RootStress::measure_tooth(const std::size_t    i,
                                              const unsigned int   tooth,
+                                             const double         meshes,
                                              const FilletStrains &strains)
   {
     const MemberFillet &member = fillets_[i];
     const Fillet       &fillet = member.fillet;
-    RootStressSample    sample{model_.bodies[member.body].name(), fillet.side(), tooth, 0., {}, {}};
-    auto                range = ranges_[i].begin();
+    RootStressSample    sample{model_.bodies[member.body].name(),
+                            fillet.side(),
+                            tooth,
+                            after_mesh(member.body, tooth, meshes),
+                            {},
+                            {}};
+    auto                range   = ranges_[i].begin();
+    auto                passage = passages_[i].begin();
     for (unsigned int column = 0; column < fillet.n_columns(); ++column)
-      for (unsigned int row = Fillet::first_row; row < fillet.end_row(); ++row, ++range)
+      for (unsigned int row = Fillet::first_row; row < fillet.end_row(); ++row, ++range, ++passage)
         {
           const PrincipalStresses stress = compute_principal_stresses(
             compute_surface_stress(strains.facet(member, column, row, tooth),
                                    model_.bodies[member.body].material()));
-          range->tension      = std::max(range->tension, stress.first);
-          range->compression  = std::min(range->compression, stress.third);
           const Vector2 place = fillet.centre(column, row);
+          if (stress.first > range->tension)
+            {
+              range->tension   = stress.first;
+              passage->tension = sample.after_mesh;
+            }
+          if (stress.third < range->compression)
+            {
+              range->compression   = stress.third;
+              passage->compression = sample.after_mesh;
+            }
           if (stress.first > sample.tension.stress)
             sample.tension = {stress.first, place};
           if (stress.third < sample.compression.stress)
@@ -192,10 +217,7 @@ namespace vfife
     std::vector<RootStressSample> samples;
     for (std::size_t i = 0; i < fillets_.size(); ++i)
       for (const unsigned int tooth : recorded_teeth(fillets_[i].body, teeth))
-        {
-          samples.push_back(measure_tooth(i, tooth, strains));
-          samples.back().after_mesh = after_mesh(fillets_[i].body, tooth, meshes);
-        }
+        samples.push_back(measure_tooth(i, tooth, meshes, strains));
     return samples;
   }
 
@@ -203,11 +225,10 @@ namespace vfife
                                                    const bool           copies,
                                                    const FilletStrains &strains) const
   {
-    const Transmission      &t = *model_.transmission;
     std::vector<GaugeSample> samples;
     for (const MemberGauge &gauge : gauges_)
       {
-        const unsigned int z = gauge.body == t.driver ? t.driver_teeth : t.driven_teeth;
+        const unsigned int z = count_teeth(gauge.body);
         for (unsigned int k = 0; k < (copies ? z : 1u); ++k)
           {
             const unsigned int tooth = (gauge.tooth + k) % z;
@@ -261,6 +282,69 @@ namespace vfife
     return table;
   }
 
+  Table make_root_section_table()
+  {
+    Table table;
+    table.add_text_column("body");
+    table.add_text_column(column::fillet);
+    for (const char *name : {"face from", "face to"})
+      table.add_column(name, "mm");
+    for (const std::string name : {column::tension, column::compression})
+      {
+        table.add_column(name, "MPa");
+        table.add_column(name + " up the profile", "mm");
+        table.add_column(name + " after the mesh", "tooth meshes");
+      }
+    table.add_column("range", "MPa");
+    return table;
+  }
+
+  Table RootStress::sections() const
+  {
+    Table table = make_root_section_table();
+    for (std::size_t i = 0; i < fillets_.size(); ++i)
+      {
+        const Fillet      &fillet = fillets_[i].fillet;
+        const unsigned int n      = fillet.end_row() - Fillet::first_row;
+        for (unsigned int column = 0; column < fillet.n_columns(); ++column)
+          {
+            // Rows of the largest stresses, of one above the other.
+            const auto begin   = ranges_[i].begin() + column * n;
+            const auto largest = [&](const auto &value) -> unsigned int {
+              return std::max_element(begin,
+                                      begin + n,
+                                      [&](const Range &a, const Range &b) {
+                                        return value(a) < value(b);
+                                      }) -
+                     begin;
+            };
+            const unsigned int tension     = largest([](const Range &r) { return r.tension; }),
+                               compression = largest([](const Range &r) { return -r.compression; }),
+                               range       = largest([](const Range &r) { return r.range(); });
+            const auto profile             = [&](const unsigned int row) {
+              return fillet.centre(column, Fillet::first_row + row)[1];
+            };
+            const auto face = [&](const unsigned int c) {
+              return .5 * (fillet.face_length(c, Fillet::first_row) +
+                           fillet.face_length(c, fillet.end_row()));
+            };
+            const Passage *passages = passages_[i].data() + column * n;
+            table.add_row({model_.bodies[fillets_[i].body].name(),
+                           fillet.side(),
+                           face(column),
+                           face(column + 1),
+                           begin[tension].tension,
+                           profile(tension),
+                           passages[tension].tension,
+                           begin[compression].compression,
+                           profile(compression),
+                           passages[compression].compression,
+                           begin[range].range()});
+          }
+      }
+    return table;
+  }
+
   std::vector<MemberRootStress> RootStress::list_members() const
   {
     std::vector<MemberRootStress> members;
@@ -285,5 +369,11 @@ namespace vfife
   {
     for (std::vector<Range> &ranges : ranges_)
       stream.pass_known(ranges);
+  }
+
+  void RootStress::serialize_passages(ByteStream &stream)
+  {
+    for (std::vector<Passage> &passages : passages_)
+      stream.pass_known(passages);
   }
 } // namespace vfife

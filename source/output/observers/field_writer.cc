@@ -8,6 +8,7 @@
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/vtu_writer.h>
 #include <vfife/output/measures/body_motion.h>
 #include <vfife/output/measures/node_stresses.h>
 #include <vfife/output/observers/field_writer.h>
@@ -22,162 +23,135 @@ namespace vfife
 {
   namespace
   {
-    using Patch     = dealii::DataOutBase::Patch<3, 3>;
-    using VectorRow = std::tuple<unsigned int,
-                                 unsigned int,
-                                 std::string,
-                                 dealii::DataComponentInterpretation::DataComponentInterpretation>;
-
-    /** Rows of the data of a patch. */
-    enum Row
+    /** What a node shows: a row for each array of list_arrays(). */
+    struct NodeValues
     {
-      displacement = 0,
-      velocity     = 3,
-      stress       = 6,
-      equivalent   = 12,
-      pressure     = 13,
-      body_index   = 14,
-      tooth        = 15,
-      n_rows       = 16
+      Vector3 displacement, velocity;
+      Stress  cylindrical, fixed;
+      double  pressure = 0;
     };
 
-    /** In the order of Row; components of a vector share its name. */
-    const std::vector<std::string> &row_names()
+    /** The arrays of a field file, without values. */
+    VtuGrid make_grid()
     {
-      static const std::vector<std::string> names = {"displacement",
-                                                     "displacement",
-                                                     "displacement",
-                                                     "relative velocity",
-                                                     "relative velocity",
-                                                     "relative velocity",
-                                                     "stress r",
-                                                     "stress theta",
-                                                     "stress z",
-                                                     "stress r theta",
-                                                     "stress theta z",
-                                                     "stress z r",
-                                                     "von mises",
-                                                     "contact pressure",
-                                                     "body",
-                                                     "tooth"};
-      return names;
+      VtuGrid grid;
+      grid.point_data = {{"displacement", "mm", 3}, {"relative velocity", "m/s", 3}};
+      for (const char *name : {"stress r",
+                               "stress theta",
+                               "stress z",
+                               "stress r theta",
+                               "stress theta z",
+                               "stress z r"})
+        grid.point_data.push_back({name, "MPa"});
+      grid.point_data.push_back({"stress", "MPa", 6});
+      for (const char *name : {"principal stress 1",
+                               "principal stress 2",
+                               "principal stress 3",
+                               "von mises",
+                               "contact pressure"})
+        grid.point_data.push_back({name, "MPa"});
+      grid.cell_data = {{"body", ""}, {"tooth", ""}};
+      return grid;
     }
 
-    const std::vector<VectorRow> &vector_rows()
+    /** Appends what a node shows, in the order of make_grid(). */
+    void add_values(const NodeValues &values, std::vector<VtuArray> &arrays)
     {
-      constexpr auto vector = dealii::DataComponentInterpretation::component_is_part_of_vector;
-      static const std::vector<VectorRow> ranges = {
-        VectorRow(displacement, displacement + 2, "displacement", vector),
-        VectorRow(velocity, velocity + 2, "relative velocity", vector)};
-      return ranges;
+      auto       array = arrays.begin();
+      const auto add   = [&array](const auto &numbers) {
+        for (Eigen::Index i = 0; i < numbers.size(); ++i)
+          array->values.push_back(static_cast<float>(numbers[i]));
+        ++array;
+      };
+      const auto add_number = [&array](const double number) {
+        array->values.push_back(static_cast<float>(number));
+        ++array;
+      };
+      add(values.displacement);
+      add(values.velocity);
+      for (const double component : values.cylindrical)
+        add_number(component);
+      add(values.fixed);
+      for (const double principal : compute_principal_stresses(values.cylindrical))
+        add_number(principal);
+      add_number(von_mises(values.cylindrical));
+      add_number(values.pressure);
     }
 
-    dealii::DataOutBase::VtkFlags make_flags(const State &state)
-    {
-      dealii::DataOutBase::VtkFlags flags(state.time,
-                                          static_cast<unsigned int>(state.step),
-                                          false,
-                                          dealii::DataOutBase::VtkFlags::best_speed);
-      flags.physical_units["displacement"]      = "mm";
-      flags.physical_units["relative velocity"] = "m/s";
-      for (unsigned int row = stress; row <= pressure; ++row)
-        flags.physical_units[row_names()[row]] = "MPa";
-      return flags;
-    }
-
-    /** What is drawn at one node: the rows up to the pressure. */
-    using NodeRecord = std::array<float, body_index>;
-
-    NodeRecord compute_node_record(const Body                  &body,
+    NodeValues compute_node_values(const Body                  &body,
                                    const BodyMotion            &motion,
                                    const unsigned int           node,
                                    const Vector3               &x,
                                    const Vector3               &v,
                                    const std::array<double, 6> &node_stress)
     {
+      NodeValues    values;
+      const Vector3 now = x - body.axis.point;
       // Drawn along the turned axes, R times what is left in the body: the mesh is shown
       // where it is now.
-      NodeRecord    record;
-      const Vector3 now = x - body.axis.point;
-      const Vector3 u   = motion.rotation * compute_displacement(body, node, x, motion.rotation);
+      values.displacement = motion.rotation * compute_displacement(body, node, x, motion.rotation);
       // v - omega x (x - c): what is left when the body's turning is taken out.
-      const Vector3 w = 1e-3 * (v - motion.rate.cross(now)); // mm/s to m/s
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          record[displacement + c] = static_cast<float>(u[c]);
-          record[velocity + c]     = static_cast<float>(w[c]);
-        }
-      for (unsigned int c = 0; c < 6; ++c)
-        record[stress + c] = static_cast<float>(node_stress[c]);
-      record[equivalent] =
-        static_cast<float>(von_mises(Eigen::Map<const Stress>(node_stress.data())));
-      record[pressure] = 0;
-      return record;
+      values.velocity    = 1e-3 * (v - motion.rate.cross(now)); // mm/s to m/s
+      values.cylindrical = Eigen::Map<const Stress>(node_stress.data());
+      // The axes r, theta, z where they are now, as columns.
+      const Matrix3 axes = motion.rotation * body.placement.rotation *
+                           compute_cylindrical_axes(body, body.node_positions()[node]);
+      values.fixed = turn_stress(values.cylindrical, axes.transpose());
+      return values;
     }
 
-    /** Of all local nodes; @p stresses and @p contact_areas are those of the model's nodes. */
-    std::vector<NodeRecord> compute_node_records(const Model                              &model,
-                                                 const State                              &state,
-                                                 const std::vector<BodyMotion>            &motions,
-                                                 const std::vector<std::array<double, 6>> &stresses,
-                                                 const std::vector<double> &contact_areas)
+    /**
+     * This rank's elements, which share their points, with what nodes show; @p stresses and @p
+     * contact_areas are those of the model's nodes.
+     */
+    VtuGrid fill_grid(const Model                              &model,
+                      const State                              &state,
+                      const std::vector<BodyMotion>            &motions,
+                      const std::vector<std::array<double, 6>> &stresses,
+                      const std::vector<double>                &contact_areas)
     {
-      const Partition        &partition = *state.partition;
-      std::vector<NodeRecord> records(partition.n_local());
-      for (std::size_t b = 0; b < model.bodies.size(); ++b)
-        for (const std::uint32_t i : partition.nodes(b))
-          {
-            const std::uint32_t node = partition.global_node[i];
-            records[i]               = compute_node_record(model.bodies[b],
-                                             motions[b],
-                                             node - model.bodies[b].first_node,
-                                             state.node_position(i),
-                                             state.node_velocity(i),
-                                             stresses[node]);
-            // The nodal force over the node's area: a mean pressure, without regard to the normal.
-            if (contact_areas[node] > 0 && !state.contact_force.empty())
-              records[i][pressure] =
-                static_cast<float>(state.contact_force.value(i).norm() / contact_areas[node]);
-          }
-      return records;
-    }
-
-    /** This rank's elements with their fields. */
-    std::vector<Patch>
-    make_patches(const Model &model, const State &state, const std::vector<NodeRecord> &records)
-    {
-      const Partition   &partition = *state.partition;
-      std::vector<Patch> patches(partition.elements.size());
-      std::size_t        b = 0;
-      for (std::size_t p = 0; p < patches.size(); ++p)
+      const Partition           &partition = *state.partition;
+      VtuGrid                    grid      = make_grid();
+      constexpr std::uint32_t    none      = -1;
+      std::vector<std::uint32_t> point_of(partition.n_local(), none);
+      std::uint32_t              n_points = 0;
+      std::size_t                b        = 0;
+      const auto add_node = [&](const std::uint32_t global, const std::uint32_t local) {
+        grid.add_point(state.node_position(local));
+        NodeValues values = compute_node_values(model.bodies[b],
+                                                motions[b],
+                                                global - model.bodies[b].first_node,
+                                                state.node_position(local),
+                                                state.node_velocity(local),
+                                                stresses[global]);
+        // The nodal force over the node's area: a mean pressure, without regard to the normal.
+        if (contact_areas[global] > 0 && !state.contact_force.empty())
+          values.pressure = state.contact_force.value(local).norm() / contact_areas[global];
+        add_values(values, grid.point_data);
+        point_of[local] = n_points++;
+      };
+      for (const std::uint32_t number : partition.elements)
         {
-          while (partition.elements[p] >=
-                 model.bodies[b].first_element + model.bodies[b].n_elements())
+          while (number >= model.bodies[b].first_element + model.bodies[b].n_elements())
             ++b;
           const Body        &body    = model.bodies[b];
-          const unsigned int element = partition.elements[p] - body.first_element;
+          const unsigned int element = number - body.first_element;
           const auto        &sector  = body.mesh().sector;
-          // A patch is one element with its eight corners, in deal.II's order as the body's
-          // elements have them.
-          Patch &patch         = patches[p];
-          patch.patch_index    = p;
-          patch.reference_cell = dealii::ReferenceCells::Hexahedron;
-          patch.data.reinit(n_rows, 8);
-          // Corners where they are now, with what their nodes show.
+          CellNodes          cell;
           for (unsigned int i = 0; i < 8; ++i)
             {
-              const std::uint32_t local =
-                partition.local_node[body.first_node + body.elements()[element][i]];
-              const Vector3 x = state.node_position(local);
-              for (unsigned int c = 0; c < 3; ++c)
-                patch.vertices[i][c] = x[c];
-              for (unsigned int row = 0; row < body_index; ++row)
-                patch.data(row, i) = records[local][row];
-              patch.data(body_index, i) = static_cast<float>(b);
-              patch.data(tooth, i) = sector.empty() ? 0.F : static_cast<float>(sector[element]);
+              const std::uint32_t global = body.first_node + body.elements()[element][i],
+                                  local  = partition.local_node[global];
+              if (point_of[local] == none)
+                add_node(global, local);
+              cell[i] = point_of[local];
             }
+          grid.cells.push_back(cell);
+          grid.cell_data[0].values.push_back(static_cast<float>(b));
+          grid.cell_data[1].values.push_back(sector.empty() ? 0.F
+                                                            : static_cast<float>(sector[element]));
         }
-      return patches;
+      return grid;
     }
 
     /** By node of the model, zero off the surfaces of contact pairs [mm^2]. */
@@ -265,9 +239,7 @@ namespace vfife
     const Communicator &communicator = folder_.communicator();
     const auto          motions      = compute_body_motions(model, state, communicator);
     const auto          stresses = compute_node_stresses(model, state, kind_, frame_, communicator);
-    const auto records = compute_node_records(model, state, motions, stresses, contact_areas_);
-    const auto patches = make_patches(model, state, records);
-    const auto flags   = make_flags(state);
+    const VtuGrid       grid     = fill_grid(model, state, motions, stresses, contact_areas_);
 
     // One rank: 00003.vtu. Several: a piece a rank, 00003.0.vtu..., and 00003.pvtu over them.
     std::ostringstream instant;
@@ -278,9 +250,8 @@ namespace vfife
 
     // Every rank writes its own piece; the first joins them by a .pvtu and lists the
     // instant in fields.pvd.
-    folder_.write_file("fields/" + piece(communicator.rank()), [&](std::ostream &out) {
-      dealii::DataOutBase::write_vtu(patches, row_names(), vector_rows(), flags, out);
-    });
+    folder_.write_file("fields/" + piece(communicator.rank()),
+                       [&](std::ostream &out) { write_vtu(out, grid, state.time); });
     std::string file = piece(0);
     if (communicator.size() > 1)
       {
@@ -290,7 +261,7 @@ namespace vfife
             std::vector<std::string> pieces;
             for (unsigned int r = 0; r < communicator.size(); ++r)
               pieces.push_back(piece(r));
-            dealii::DataOutBase::write_pvtu_record(out, pieces, row_names(), vector_rows(), flags);
+            write_pvtu(out, grid, pieces);
           });
       }
     instants_.emplace_back(state.time, "fields/" + file);

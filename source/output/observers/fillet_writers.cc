@@ -70,12 +70,14 @@ namespace vfife
     SampledTable::serialize(stream);
     // Beside the columns of the table, which are parts too.
     stream.pass_required_part("envelope", [this](ByteStream &part) { stress_.serialize(part); });
+    stream.pass_part("passages", [this](ByteStream &part) { stress_.serialize_passages(part); });
   }
 
   void RootStressWriter::finish(const Model &model, const State &state)
   {
     SampledTable::finish(model, state);
     write_csv(folder_, "fillet_envelope.csv", stress_.envelope());
+    write_csv(folder_, "root_sections.csv", stress_.sections());
   }
 
   GaugeWriter::GaugeWriter(const OutputFolder &folder,

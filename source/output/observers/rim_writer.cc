@@ -58,7 +58,11 @@ namespace vfife
     for (const unsigned int i : model.transmission->driven_rim)
       {
         const Matrix3 axes = compute_cylindrical_axes(gear, gear.node_positions()[i]);
-        nodes_.push_back({i, gear.node_masses()[i] / mass, {axes(0, 0), axes(1, 0)}, axes});
+        nodes_.push_back({i,
+                          gear.node_masses()[i] / mass,
+                          axes(0, 0),
+                          axes(1, 0),
+                          gear.placement.rotation * axes});
       }
   }
 
@@ -71,7 +75,10 @@ namespace vfife
   {
     const unsigned int b    = model.transmission->driven;
     const Body        &gear = model.bodies[b];
-    const Matrix3 turn = compute_body_motions(model, state, folder_.communicator())[b].rotation;
+    // Sums over whole bodies only where the state does not tell.
+    const Matrix3      turn          = state.body_motion.size() == model.bodies.size()
+                                         ? compute_turn(gear, state.body_motion[b])
+                                         : compute_body_motions(model, state, folder_.communicator())[b].rotation;
     const unsigned int per_component = 2 * n_diameters_ + 1;
     // u = c_0 + sum_n (c_n cos n alpha + s_n sin n alpha),  c_0 = sum share u,
     // c_n = 2 sum share u cos n alpha,  s_n alike: means over the rim, weighted with its mass
@@ -83,20 +90,22 @@ namespace vfife
         if (local == Partition::absent)
           continue;
         const Vector3 u =
-          1e3 * node.share * node.axes.transpose() *
-          (gear.placement.rotation.transpose() *
+          1e3 * node.share *
+          (node.axes.transpose() *
            compute_displacement(gear, node.number, state.node_position(local), turn));
         for (unsigned int c = 0; c < 3; ++c)
+          sums[c * per_component] += u[c];
+        // 2 exp(i n alpha) for one n after the other.
+        double cosine = 2., sine = 0.;
+        for (unsigned int n = 1; n <= n_diameters_; ++n)
           {
-            double *sum = &sums[c * per_component];
-            sum[0] += u[c];
-            // 2 exp(i n alpha) for one n after the other.
-            std::complex<double> wave = 2;
-            for (unsigned int n = 1; n <= n_diameters_; ++n)
+            const double before = cosine;
+            cosine              = before * node.cosine - sine * node.sine;
+            sine                = before * node.sine + sine * node.cosine;
+            for (unsigned int c = 0; c < 3; ++c)
               {
-                wave *= node.direction;
-                sum[2 * n - 1] += u[c] * wave.real();
-                sum[2 * n] += u[c] * wave.imag();
+                sums[c * per_component + 2 * n - 1] += u[c] * cosine;
+                sums[c * per_component + 2 * n] += u[c] * sine;
               }
           }
       }

@@ -13,7 +13,9 @@ TREE, PREFIX = HERE.parents[2], HERE.parents[3]
 # One rank a process: without threads in BLAS, and on machines that are busy, as the script ./run has it.
 ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "OMPI_MCA_btl_base_warn_component_unused": "0",
                "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_hwloc_base_binding_policy": "none",
-               "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
+               "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_orte_execute_quiet": "1",
+               # of Open MPI 5
+               "PRTE_MCA_hwloc_default_binding_policy": "none", "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe"}
 AS_ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
@@ -57,7 +59,7 @@ def call(program, arguments, ranks=1, show=False):
     command = [str(program), *arguments]
     environment = {**ENVIRONMENT, **(AS_ROOT if os.geteuid() == 0 else {}), **os.environ}
     if ranks > 1:
-        command = ["mpirun", "--quiet", "-np", str(ranks), *command]
+        command = ["mpirun", "-np", str(ranks), *command]
     if not show:
         environment["VFIFE_TERMINAL"] = "no"
     done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, stdout=None if show else subprocess.PIPE,
@@ -66,6 +68,7 @@ def call(program, arguments, ranks=1, show=False):
 
 
 def find_message(text):
-    """The program's message from its first line on; all that was said where there is none."""
+    """The program's message from its first line on, without what mpirun adds; all that was said where there is none."""
     _, mark, message = f"\n{text}".partition("\nvfife: ")
+    message = message.partition("\n" + 40 * "-")[0]
     return (message if mark else text).strip()

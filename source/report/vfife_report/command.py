@@ -41,7 +41,7 @@ def write_report(asked):
     if not page.sections:
         sys.exit(f"report: {source.path} has neither results nor folders with results")
     path = write_page(page, source.path)
-    print(f"{page.n_pictures} pictures in {source.path / 'pictures'}, report {path}")
+    print(f"{page.n_pictures} picture{'s' * (page.n_pictures != 1)} in {source.path / 'pictures'}, report {path}")
 
 
 def draw_plots(asked):
@@ -50,7 +50,7 @@ def draw_plots(asked):
     if not drawn:
         sys.exit(f"plots: {source.path} has neither histories nor fields nor tables for "
                  f"{' '.join(asked.names) or 'any plot'}")
-    print(f"{len(drawn)} pictures in {source.path / 'pictures'}: "
+    print(f"{len(drawn)} picture{'s' * (len(drawn) != 1)} in {source.path / 'pictures'}: "
           f"{', '.join(plot.path.name for plot in drawn)}")
 
 

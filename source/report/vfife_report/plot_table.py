@@ -99,8 +99,8 @@ TABLE_PLOTS = (
             "are spread over their facets: they say where the flanks carry.",
             "Loaded tooth contact by finite elements", data="pattern.csv"),
     PlotRow("grid_pressure.svg", (has_file("pressure.csv"),), grid_pressure.draw_pressure,
-            "Pressures on their own grid, which neither mesh nor penalty makes, and forces of a tooth pair along its engagement. At the "
-            "edges of the flanks the material goes on beyond the edge, and pressures there are too large.",
+            "Pressures on their own grid, which neither mesh nor penalty makes, and forces of a tooth pair along its engagement. At a "
+            "sharp edge pressure has no bound: what stands there is one of cells and elements of this size.",
             "Loaded tooth contact by finite elements", data="pressure.csv"),
     PlotRow("grid_pressure_field.svg", (has_file("pressure_field.csv"),), grid_pressure.draw_pressure_field,
             "Pressures on their own grid on the flanks of all teeth that carry, along and over the pitch cone.",
@@ -111,6 +111,9 @@ TABLE_PLOTS = (
     PlotRow("fillet_envelope.svg", (has_file("fillet_envelope.csv"),), root_stress.draw_envelope,
             "The fillets unrolled: largest tension and compression that each facet has seen.", "Root stress",
             data="fillet_envelope.csv"),
+    PlotRow("root_sections.svg", (has_file("root_sections.csv"),), root_stress.draw_sections,
+            "Along the face: largest tension and compression that each section of the fillets has seen.", "Root stress",
+            data="root_sections.csv"),
     PlotRow("gauges.svg", (has_file("gauges.csv"),), root_stress.draw_gauges,
             "Strain gauges.", "Root stress"),
     PlotRow("campbell_{}.svg", (has_file("campbell.csv"),), campbell.draw_campbell,

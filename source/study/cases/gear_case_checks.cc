@@ -139,7 +139,7 @@ namespace vfife
 
     std::string check_fields(const GearCase &gear_case, const RunPlan &plan)
     {
-      const unsigned int every = plan.output.fields_every;
+      const double every = plan.output.fields_every;
       // [tooth meshes], as the length of the run.
       if (every <= gear_case.run_meshes())
         return "";

@@ -76,8 +76,9 @@ namespace vfife
   void OperationOptions::require_constant(const std::string &section,
                                           const std::string &study) const
   {
+    using NamedHistory = std::pair<const char *, const ParameterHistory *>;
     for (const auto &[entry, history] :
-         {std::make_pair("/speed", &speed_history), std::make_pair("/torque", &torque_history)})
+         {NamedHistory("/speed", &speed_history), NamedHistory("/torque", &torque_history)})
       if (!history->is_constant())
         throw InputError(section + entry,
                          "the " + study + " takes one value; what changes with time is for runs");

@@ -17,6 +17,7 @@
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/output/output_options.h>
+#include <vfife/output/pictures.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
@@ -51,14 +52,20 @@ namespace vfife
       folder.make_subfolder("fields");
       for (const Discretization::Part &part : discretization.parts())
         {
-          const Body               &body    = discretization.model().bodies[part.body];
-          std::vector<NamedScalars> scalars = {{"stress r", {}},
-                                               {"stress theta", {}},
-                                               {"stress z", {}},
-                                               {"stress r theta", {}},
-                                               {"stress theta z", {}},
-                                               {"stress z r", {}},
-                                               {"von mises", {}}};
+          const Body               &body = discretization.model().bodies[part.body];
+          std::vector<NamedNumbers> fields;
+          for (const char *name : {"stress r",
+                                   "stress theta",
+                                   "stress z",
+                                   "stress r theta",
+                                   "stress theta z",
+                                   "stress z r",
+                                   "principal stress 1",
+                                   "principal stress 2",
+                                   "principal stress 3",
+                                   "von mises"})
+            fields.push_back({name, "MPa"});
+          NamedNumbers tensor = {"stress", "MPa", 6};
           for (unsigned int i = 0; i < body.n_nodes(); ++i)
             {
               // Stresses of the solver are along the fixed axes; r, theta, z are those of the
@@ -68,15 +75,20 @@ namespace vfife
                 turn_stress(stress,
                             body.placement.rotation *
                               compute_cylindrical_axes(body, body.node_positions()[i]));
+              const Vector3 principal = compute_principal_stresses(stress);
               for (unsigned int c = 0; c < 6; ++c)
-                scalars[c].values.push_back(turned[c]);
-              scalars[6].values.push_back(von_mises(stress));
+                fields[c].values.push_back(turned[c]);
+              for (unsigned int c = 0; c < 3; ++c)
+                fields[6 + c].values.push_back(principal[c]);
+              fields[9].values.push_back(von_mises(stress));
+              tensor.values.insert(tensor.values.end(), stress.begin(), stress.end());
             }
+          fields.push_back(tensor);
           write_shapes(folder,
                        "fields/" + body.name() + ".vtu",
                        body,
                        {{"displacement", displacements_of(part, body, result)}},
-                       scalars);
+                       fields);
         }
     }
 
@@ -319,6 +331,8 @@ namespace vfife
     for (const Log::Warning &warning : log.warnings())
       summary.warnings.push_back(warning.text);
     write_summary(folder, summary);
+    if (output_.pictures)
+      draw_pictures(folder, log);
   }
 
   Table make_reaction_table()

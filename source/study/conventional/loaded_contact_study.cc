@@ -19,6 +19,7 @@
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/output_options.h>
+#include <vfife/output/pictures.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
@@ -65,6 +66,7 @@ namespace vfife
         gear_case_.operation().require_constant("Operation", "loaded tooth contact analysis");
         dynamics_.check("Dynamics");
         fem_.check("Fem");
+        fillets_.check();
       }
 
       void inspect(Communicator &communicator, Log &log) override
@@ -201,6 +203,8 @@ namespace vfife
     figures.insert(figures.end(), roots.begin(), roots.end());
     write_own_figures(folder, figures);
     write_tables(folder, "loaded_contact", positions_);
+    if (output_.pictures)
+      draw_pictures(folder, log);
   }
 
   std::unique_ptr<LoadedPressure> LoadedContactStudy::make_pressure(const Model &model,
@@ -272,7 +276,7 @@ namespace vfife
           {
             const auto first = list[k].shape.begin() + 3 * std::size_t(part.first_point);
             shapes.push_back(
-              {"mode " + std::to_string(k + 1), {first, first + 3 * std::size_t(body.n_nodes())}});
+              {shape_name(k, list[k].frequency), {first, first + 3 * std::size_t(body.n_nodes())}});
           }
         write_shapes(folder, "modes/coupled_" + body.name() + ".vtu", body, shapes);
       }

@@ -60,6 +60,7 @@ namespace vfife
       {
         write_csv(folder, "root_stress.csv", stresses_);
         write_csv(folder, "fillet_envelope.csv", stress_.envelope());
+        write_csv(folder, "root_sections.csv", stress_.sections());
         for (const auto &[name, figure] : list_figures())
           log.line(name, " ", figure.value, " ", figure.unit);
       }

@@ -13,6 +13,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/output_options.h>
+#include <vfife/output/pictures.h>
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
@@ -36,9 +37,9 @@ namespace vfife
         case_ = make_case(file);
         case_->declare(prm, file);
         // Of the section Dynamics the damping is of use: that of a run of the same file.
-        OutputOptions unused;
-        case_->set_defaults(dynamics_, unused);
+        case_->set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
+        output_.declare(prm);
         case_->declare_run(prm);
         declare_section(prm, "Fem", fem_);
       }
@@ -49,6 +50,7 @@ namespace vfife
         // bodies.
         case_->check_bodies();
         dynamics_.check("Dynamics");
+        output_.check("Output");
         fem_.check("Fem");
       }
 
@@ -73,6 +75,7 @@ namespace vfife
 
       std::unique_ptr<Case> case_;
       DynamicsOptions       dynamics_;
+      OutputOptions         output_;
       FemOptions            fem_;
       Table                 modes_      = make_mode_table();
       Table                 campbell_   = make_campbell_table();
@@ -83,6 +86,7 @@ namespace vfife
 
   void ModalStudy::run(OutputFolder &folder, Log &log)
   {
+    log.set_verbosity(output_.verbosity);
     const Model model = case_->make_model(log);
     folder.make_subfolder("modes");
     for (const unsigned int b : find_chosen_bodies(fem_, model))
@@ -94,6 +98,8 @@ namespace vfife
         write_tables(folder, "resonances", resonances_);
       }
     write_tables(folder, "modes", modes_);
+    if (output_.pictures)
+      draw_pictures(folder, log);
   }
 
   void ModalStudy::log_damping(const ModesAtSpeed &found, Log &log) const
@@ -160,7 +166,8 @@ namespace vfife
         // alone.
         std::vector<NamedShape> shapes;
         for (std::size_t k = 0; k < found.modes.size(); ++k)
-          shapes.push_back({"mode " + std::to_string(k + 1), std::move(found.modes[k].shape)});
+          shapes.push_back(
+            {shape_name(k, found.modes[k].frequency), std::move(found.modes[k].shape)});
         std::ostringstream name;
         name << "modes/" << body.name() << "_" << std::lround(rate * 30. / pi) << "_rpm.vtu";
         write_shapes(folder, name.str(), body, shapes);

@@ -11,7 +11,10 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/output_options.h>
+#include <vfife/output/pictures.h>
 #include <vfife/study/gear/tooth_contact_study.h>
+#include <vfife/study/gear/tooth_form_texts.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -200,52 +203,6 @@ namespace vfife
           "carries there");
     }
 
-    /** Figures of the teeth at some sections of both members. */
-    Json form_json(const ToothForms &forms)
-    {
-      Json json = figures_json({{"play of the gear", {forms.play / arcsecond, "arcsec"}},
-                                {"normal backlash", {forms.backlash, "mm"}}});
-      for (const auto *member : {&forms.pinion, &forms.gear})
-        for (const ToothSection &section : *member)
-          json[member == &forms.pinion ? "pinion" : "gear"][section.place] =
-            figures_json({{"cone distance", {section.cone_distance, "mm"}},
-                          {"transverse thickness", {section.thickness, "mm"}},
-                          {"tip land", {section.tip_land, "mm"}},
-                          {"root clearance", {section.root_clearance, "mm"}},
-                          {"mating tip over the fillet", {section.fillet_distance, "mm"}},
-                          {"regularity at the fillet", {section.regularity, "-"}}});
-      return json;
-    }
-
-    void log_forms(const ToothForms &forms, Log &log)
-    {
-      log.line(
-        "teeth (mm)            thickness  tip land  root clearance  tip over fillet  regularity");
-      for (const auto *member : {&forms.pinion, &forms.gear})
-        for (const ToothSection &section : *member)
-          {
-            char row[128];
-            std::snprintf(row,
-                          sizeof row,
-                          "  %-7s %-7s %14.3f %9.3f %15.3f %16.3f %11.2f",
-                          member == &forms.pinion ? "pinion" : "gear",
-                          section.place.c_str(),
-                          section.thickness,
-                          section.tip_land,
-                          section.root_clearance,
-                          section.fillet_distance,
-                          section.regularity);
-            log.line(row);
-          }
-      log.line("backlash              ",
-               fixed(forms.backlash, 4),
-               " mm normal at the mean point, ",
-               fixed(forms.play / arcsecond, 1),
-               " arcsec at the gear");
-      for (const std::string &message : forms.findings.warnings())
-        log.warning(message);
-    }
-
     /** What can be said of blanks and settings before flanks are generated. */
     void warn(const GearPairOptions &options, Log &log)
     {
@@ -337,11 +294,13 @@ namespace vfife
       {
         declare_section(prm, "Gear pair", pair_);
         options_.declare(prm);
+        output_.declare(prm);
       }
 
       void check() const override
       {
         pair_.check("Gear pair");
+        output_.check("Output");
       }
 
       void inspect(Communicator &, Log &log) override
@@ -355,11 +314,13 @@ namespace vfife
     private:
       GearPairOptions        pair_;
       ContactAnalysisOptions options_;
+      OutputOptions          output_;
     };
   } // namespace
 
   void ToothContactStudy::run(OutputFolder &folder, Log &log)
   {
+    log.set_verbosity(output_.verbosity);
     warn(pair_, log);
     const GearPair pair(pair_);
     log_derived(pair, log);
@@ -390,6 +351,8 @@ namespace vfife
     write_csv(folder, "tca.csv", lag_table(pair, sides, options_));
     write_csv(folder, "path.csv", path_table(pair, sides));
     write_json(folder, "tca.json", json);
+    if (output_.pictures)
+      draw_pictures(folder, log);
   }
 
   std::unique_ptr<StudyKind> make_tooth_contact_study()

@@ -93,9 +93,13 @@ namespace vfife
         sweep_.check("Reduced");
         if (dynamics_.start != Start::static_preload)
           throw InputError("Dynamics/start", "a reduced pair starts from its static preload");
-        if (sweep_.kind != SweepKind::none && fillets_.records())
-          throw InputError("Fillets/teeth",
-                           "a sweep over speeds records no fillets and has no gauges");
+        fillets_.check();
+        if (!is_motion() && fillets_.records())
+          throw InputError(fillets_.teeth != RecordedTeeth::none ? "Fillets/teeth"
+                                                                 : "Fillets/gauges",
+                           "a sweep over speeds (Reduced/sweep) records no fillets and has no "
+                           "gauges; a reduced pair at one speed does, also one of many runs that "
+                           "a study of the kind sweep makes");
         if (dynamics_.damping_rate != DampingRate::momentum)
           throw InputError("Dynamics/damping rate",
                            "modes are damped relative to the momentum's rate of the body");

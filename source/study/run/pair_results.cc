@@ -2,6 +2,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
+#include <vfife/model/body_frame.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
@@ -48,7 +49,7 @@ namespace vfife
     teeth_                    = &observers.add<TeethWriter>(model_, history_steps_, hertz_).table();
     observers.add<PatternWriter>(model_, std::max(0., start), history_steps_);
     probes_ = &observers.add<ProbeWriter>(history_steps_).table();
-    observers.add<RimWriter>(model_, history_steps_, std::move(measure_rim));
+    rim_    = &observers.add<RimWriter>(model_, history_steps_, std::move(measure_rim)).table();
     if (PairMounting::changes(model_))
       observers.add<MisalignmentWriter>(model_, history_steps_, std::move(motion_of));
   }
@@ -107,8 +108,18 @@ namespace vfife
   {
     const Transmission &t      = *model_.transmission;
     const unsigned int  orders = output_.count_tracked_orders();
-    if (!t.has_constant_rate() && orders > 0)
-      write_csv(folder, "orders.csv", track_mesh_orders(history, t, output_.order_window, orders));
+    if (t.has_constant_rate() || orders == 0)
+      return;
+    write_csv(folder, "orders.csv", track_mesh_orders(history, t, output_.order_window, orders));
+    const Body  &driven = model_.bodies[t.driven];
+    const double sense  = driven.axis.direction.dot(compute_sector_axis(driven).direction);
+    write_csv(folder,
+              "rim_orders.csv",
+              track_rim_waves(*rim_,
+                              t,
+                              sense < 0 ? -t.driven_sense : t.driven_sense,
+                              output_.order_window,
+                              orders));
   }
 
   bool PairResults::has_constant_torque() const

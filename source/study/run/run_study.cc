@@ -38,6 +38,9 @@ namespace vfife
 {
   namespace
   {
+    /** Beyond it --check names what makes a run short [s]. */
+    constexpr double long_wait = 300;
+
     /** Adds what follows from the equilibrium and the history of a run that has ended, or failed.
      */
     void complete_pair(const PairResults &pair,
@@ -123,6 +126,7 @@ namespace vfife
         dynamics_.check("Dynamics");
         output_.check("Output");
         case_->check_run(dynamics_);
+        fillets_.check();
       }
 
       void        inspect(Communicator &communicator, Log &log) override;
@@ -217,6 +221,10 @@ namespace vfife
              communicator.size(),
              communicator.size() == 1 ? " rank" : " ranks",
              dynamics_.start == Start::undeformed ? "" : ", and the equilibrium before it");
+    if (model.transmission && run_time > long_wait)
+      log.line(
+        "for a first look: an element size of about the module (Gear pair/Pinion/Mesh/element "
+        "size, Gear pair/Gear/Mesh/element size) and 14 tooth meshes (Operation/tooth meshes)");
     report_contradictions(model, stepped, run_time, log);
   }
 

@@ -74,41 +74,68 @@ namespace vfife
     }
 
     /**
-     * Part of the variance of equally spaced samples that repeats with a mesh of @p
-     * meshes_per_sample: that of the mean mesh, of the whole meshes at the end. Not known for less
-     * than two meshes.
+     * Tooth meshes of equally spaced samples, a mesh of @p meshes_per_sample: whole meshes at the
+     * end laid over each other. Empty for less than two.
      */
-    double compute_periodic_share(const Numbers &column, const double meshes_per_sample)
+    std::vector<Numbers> fold_meshes(const Numbers &column, const double meshes_per_sample)
     {
       const double      samples  = 1 / meshes_per_sample; // in a mesh
       const double      n_meshes = std::floor((column.size() - 1 + 1e-6) * meshes_per_sample);
       const std::size_t n        = std::max(std::lround(samples), 2L); // positions in a mesh
       if (!(n_meshes >= 2))
-        return not_known;
+        return {};
       // Between samples linear, where a mesh is no whole number of them.
-      const double begin = column.size() - 1 - n_meshes * samples;
-      const auto   at    = [&](const double place) {
-        const std::size_t i =
-          std::min(static_cast<std::size_t>(std::max(place, 0.)), column.size() - 2);
-        return column[i] + (place - i) * (column[i + 1] - column[i]);
-      };
-      Numbers mean_mesh(n, 0.);
-      double  mean = 0, square = 0, square_of_mesh = 0;
-      for (std::size_t m = 0; m < n_meshes; ++m)
+      const double         begin = column.size() - 1 - n_meshes * samples;
+      std::vector<Numbers> meshes(n_meshes, Numbers(n));
+      for (std::size_t m = 0; m < meshes.size(); ++m)
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double value = at(begin + (m + double(j) / n) * samples);
-            mean_mesh[j] += value / n_meshes;
-            mean += value / (n_meshes * n);
+            const double      place = begin + (m + double(j) / n) * samples;
+            const std::size_t i =
+              std::min(static_cast<std::size_t>(std::max(place, 0.)), column.size() - 2);
+            meshes[m][j] = column[i] + (place - i) * (column[i + 1] - column[i]);
           }
-      for (std::size_t m = 0; m < n_meshes; ++m)
-        for (std::size_t j = 0; j < n; ++j)
+      return meshes;
+    }
+
+    double mean_of(const Numbers &values)
+    {
+      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
+    }
+
+    /** Part of the variance that repeats with the mesh: that of the mean mesh. Not known without
+     * meshes. */
+    double compute_periodic_share(const std::vector<Numbers> &meshes)
+    {
+      if (meshes.empty())
+        return not_known;
+      Numbers mean_mesh(meshes.front().size(), 0.);
+      for (const Numbers &mesh : meshes)
+        for (std::size_t j = 0; j < mesh.size(); ++j)
+          mean_mesh[j] += mesh[j] / meshes.size();
+      const double mean   = mean_of(mean_mesh);
+      double       square = 0, square_of_mesh = 0;
+      for (const Numbers &mesh : meshes)
+        for (std::size_t j = 0; j < mesh.size(); ++j)
           {
-            const double value = at(begin + (m + double(j) / n) * samples);
-            square += (value - mean) * (value - mean);
+            square += (mesh[j] - mean) * (mesh[j] - mean);
             square_of_mesh += (mean_mesh[j] - mean) * (mean_mesh[j] - mean);
           }
       return square > 0 ? square_of_mesh / square : 1;
+    }
+
+    /** Slope of the meshes' means by least squares, a mesh. Not known without meshes. */
+    double compute_trend(const std::vector<Numbers> &meshes)
+    {
+      // About the middle number of a mesh the sum of the numbers is zero.
+      double sum = 0, square = 0;
+      for (std::size_t m = 0; m < meshes.size(); ++m)
+        {
+          const double number = m - .5 * (meshes.size() - 1.);
+          sum += number * mean_of(meshes[m]);
+          square += number * number;
+        }
+      return meshes.empty() ? not_known : sum / square;
     }
 
     /** One number of a column, in its unit but for change [-], time above half [s] and zero
@@ -122,7 +149,7 @@ namespace vfife
         case FigureValue::first:
           return column.front();
         case FigureValue::mean:
-          return std::accumulate(column.begin(), column.end(), 0.) / column.size();
+          return mean_of(column);
         case FigureValue::largest:
           return *std::max_element(column.begin(), column.end());
         case FigureValue::smallest:
@@ -141,7 +168,8 @@ namespace vfife
           return compute_time_above_half(time, column);
         case FigureValue::zero_crossing_rate:
           return compute_zero_crossing_rate(time, column);
-        case FigureValue::periodic_share: // needs the mesh as well
+        case FigureValue::periodic_share: // need the mesh as well
+        case FigureValue::trend:
           break;
         }
       return not_known;
@@ -158,6 +186,8 @@ namespace vfife
           return "s";
         case FigureValue::zero_crossing_rate:
           return "Hz";
+        case FigureValue::trend:
+          return own + "/mesh";
         default:
           return own;
         }
@@ -174,6 +204,7 @@ namespace vfife
                                                  {"largest size", FigureValue::largest_size},
                                                  {"peak to peak", FigureValue::peak_to_peak},
                                                  {"periodic share", FigureValue::periodic_share},
+                                                 {"trend", FigureValue::trend},
                                                  {"change", FigureValue::change},
                                                  {"mean above half", FigureValue::mean_above_half},
                                                  {"time above half", FigureValue::time_above_half},
@@ -184,14 +215,23 @@ namespace vfife
 
   void HistoryFigure::declare(dealii::ParameterHandler &prm)
   {
-    declare_text(prm, "column", column, "Column of history.csv, without its unit");
+    static const Choices<FigureTable> tables = {{"history", FigureTable::history},
+                                                {"teeth", FigureTable::teeth}};
+    declare_choice(prm,
+                   "table",
+                   table,
+                   tables,
+                   "Of which column is one; teeth: all rows of all tooth pairs, for mean, largest, "
+                   "smallest and largest size");
+    declare_text(prm, "column", column, "Column of the table, without its unit");
     declare_choice(prm,
                    "value",
                    value,
                    figure_value_choices(),
                    "What is taken of the column; change: last over first minus one; half: of the "
                    "largest value; zero crossing rate: a vibration's frequency; periodic share: "
-                   "part of the variance that repeats with the tooth mesh");
+                   "part of the variance that repeats with the tooth mesh; trend: slope of the "
+                   "meshes' means, a tooth mesh");
     declare_quantity(prm,
                      "from",
                      from,
@@ -208,7 +248,16 @@ namespace vfife
   void HistoryFigure::check(const std::string &section) const
   {
     if (column.empty())
-      throw InputError(section + "/column", "the column of history.csv is missing");
+      throw InputError(section + "/column", "the column of " + file() + " is missing");
+    const std::vector<FigureValue> of_rows = {FigureValue::mean,
+                                              FigureValue::largest,
+                                              FigureValue::smallest,
+                                              FigureValue::largest_size};
+    if (table == FigureTable::teeth && std::count(of_rows.begin(), of_rows.end(), value) == 0)
+      throw InputError(section + "/value",
+                       "\"" + word_of(value, figure_value_choices()) +
+                         "\" is of a history, and teeth.csv has rows of several tooth pairs at a "
+                         "time; of those there are mean, largest, smallest, largest size");
     if (!reference.empty())
       try
         {
@@ -220,15 +269,20 @@ namespace vfife
         }
   }
 
+  std::string HistoryFigure::file() const
+  {
+    return table == FigureTable::history ? "history.csv" : "teeth.csv";
+  }
+
   Figure HistoryFigure::compute(const Table &history) const
   {
     std::vector<std::string> names;
     for (const Table::Column &one : history.columns())
       names.push_back(one.name);
-    // Which columns a history has depends on the case: only its file tells.
-    const auto find = [&names, &history](const std::string &name) -> const Numbers & {
+    // Which columns there are depends on the case: only its file tells.
+    const auto find = [this, &names, &history](const std::string &name) -> const Numbers & {
       if (std::find(names.begin(), names.end(), name) == names.end())
-        throw InputError("\"" + name + "\" is not a column of history.csv" +
+        throw InputError("\"" + name + "\" is not a column of " + file() +
                          did_you_mean(name, names));
       return history.numbers(name);
     };
@@ -240,13 +294,14 @@ namespace vfife
       samples(all.begin() + first, all.end());
     if (samples.empty())
       return {not_known, unit};
-    if (value != FigureValue::periodic_share)
+    if (value != FigureValue::periodic_share && value != FigureValue::trend)
       return {compute_value(value, time, samples), unit};
     if (samples.size() < 2)
       return {not_known, unit};
     const double frequency = find(column::mesh_frequency).back();
-    return {compute_periodic_share(samples,
-                                   frequency * (time.back() - time.front()) / (time.size() - 1)),
+    const auto   meshes =
+      fold_meshes(samples, frequency * (time.back() - time.front()) / (time.size() - 1));
+    return {value == FigureValue::trend ? compute_trend(meshes) : compute_periodic_share(meshes),
             unit};
   }
 

@@ -64,7 +64,7 @@ namespace vfife
         if (!folders[i].empty())
           try
             {
-              numbers[i] = figure.compute(read_result_table(folders[i] + "/history.csv"));
+              numbers[i] = figure.compute(read_result_table(folders[i] + "/" + figure.file()));
               unit       = numbers[i].unit;
             }
           catch (const InputError &error)
@@ -105,7 +105,7 @@ namespace vfife
         paths.push_back(path);
         finished.push_back(reports[i].outcome == Outcome::finished ? path : "");
       }
-    // 2. What studies without a summary state.
+    // 2. What cases state by names of their own.
     const std::vector<NamedFigures> own = read_own_figures(paths);
     for (std::size_t i = 0; i < runs.size(); ++i)
       all[i].insert(all[i].end(), own[i].begin(), own[i].end());

@@ -3,6 +3,7 @@
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
 #include <vfife/study/cases/probe_copies.h>
+#include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/waves/driven_wave.h>
 
 #include <algorithm>
@@ -19,19 +20,27 @@ namespace vfife
     constexpr Complex      i(0., 1.);
 
     /** Parts of a wave's period at which its stress is looked at. */
-    constexpr unsigned int n_phases = 64;
+    constexpr unsigned int n_phases = 128;
 
-    double find_largest_von_mises(const std::array<Complex, 6> &amplitudes)
+    /** Of a measure of what stresses @p amplitudes are at the parts of a period. */
+    template <std::size_t n, typename Measure>
+    double find_largest_of(const std::array<Complex, n> &amplitudes, const Measure &measure)
     {
       double largest = 0;
       for (unsigned int k = 0; k < n_phases; ++k)
         {
-          Stress stress;
-          for (unsigned int c = 0; c < 6; ++c)
-            stress[c] = (amplitudes[c] * std::polar(1., pi * k / n_phases)).real();
-          largest = std::max(largest, von_mises(stress));
+          std::array<double, n> parts;
+          for (std::size_t c = 0; c < n; ++c)
+            parts[c] = (amplitudes[c] * std::polar(1., 2. * pi * k / n_phases)).real();
+          largest = std::max(largest, measure(parts));
         }
       return largest;
+    }
+
+    /** Tension at a facet with a strain [MPa]. */
+    double find_tension(const SurfaceTensor &strain, const Material &material)
+    {
+      return compute_principal_stresses(compute_surface_stress(strain, material)).first;
     }
 
     /** Frequency of the force in the turning axes at a driven rate [rad/s], signed as the wave's.
@@ -43,15 +52,24 @@ namespace vfife
     }
   } // namespace
 
-  WaveDriver::WaveDriver(const Model &model, ReducedPair &pair)
+  WaveDriver::WaveDriver(const Model &model, ReducedPair &pair, const RootStress *const roots)
     : model_(model)
     , pair_(pair)
   {
+    const unsigned int driven = model.transmission->driven;
     for (const Probe &probe : model.probes)
-      if (probe.body == model.transmission->driven)
+      if (probe.body == driven)
         {
-          probes_.push_back(probe);
+          places_.push_back(probe.name);
           copies_.push_back(list_copies(model, probe));
+        }
+    if (roots == nullptr)
+      return;
+    for (const MemberFillet &member : roots->fillets())
+      if (member.body == driven)
+        {
+          places_.push_back(member.fillet.side() + " fillet");
+          fillets_.push_back(&member);
         }
   }
 
@@ -87,36 +105,90 @@ namespace vfife
     return find_rim_wave(pair_.measure_rim(n), axial, n);
   }
 
+  void WaveDriver::read_fillets(const FacetStrains &take) const
+  {
+    if (fillets_.empty())
+      return;
+    const FilletStrains strains = measure_fillet_readings(pair_)(State());
+    for (std::size_t f = 0; f < fillets_.size(); ++f)
+      {
+        const Fillet &fillet = fillets_[f]->fillet;
+        std::size_t   facet  = 0;
+        for (unsigned int column = 0; column < fillet.n_columns(); ++column)
+          for (unsigned int row = Fillet::first_row; row < fillet.end_row(); ++row, ++facet)
+            for (unsigned int tooth = 0; tooth < fillet.n_teeth(); ++tooth)
+              take(f, facet, tooth, strains.facet(*fillets_[f], column, row, tooth));
+      }
+  }
+
   std::vector<double> WaveDriver::read_stresses() const
   {
-    std::vector<double> stresses;
-    for (const std::vector<Probe> &copies : copies_)
-      {
-        double largest = 0;
-        for (const ProbeValue &value : pair_.measure_probes(copies))
-          largest = std::max(largest, value.von_mises);
-        stresses.push_back(largest);
-      }
+    std::vector<double> stresses(places_.size(), 0.);
+    for (std::size_t p = 0; p < copies_.size(); ++p)
+      for (const ProbeValue &value : pair_.measure_probes(copies_[p]))
+        stresses[p] = std::max(stresses[p], value.von_mises);
+    const Material &material = model_.bodies[model_.transmission->driven].material();
+    read_fillets([&](const std::size_t f, std::size_t, unsigned int, const SurfaceTensor &strain) {
+      double &largest = stresses[copies_.size() + f];
+      largest         = std::max(largest, find_tension(strain, material));
+    });
     return stresses;
   }
 
-  void WaveDriver::add_wave_stresses(const unsigned int         n,
-                                     const Complex             &turned,
-                                     std::vector<WaveStresses> &sums) const
+  WaveDriver::WaveStresses WaveDriver::no_stresses() const
+  {
+    WaveStresses none;
+    none.probes.resize(copies_.size());
+    for (const MemberFillet *member : fillets_)
+      none.fillets.emplace_back(member->fillet.n_columns() *
+                                (member->fillet.end_row() - Fillet::first_row));
+    return none;
+  }
+
+  void WaveDriver::add_wave_stresses(const unsigned int n,
+                                     const Complex     &turned,
+                                     WaveStresses      &sums) const
   {
     const ReducedBody &reduced = body();
+    const auto         phase   = [&](const unsigned int sector) {
+      return turned * std::polar(2. / reduced.n_sectors, -(n * sector * reduced.sector_angle));
+    };
     for (std::size_t p = 0; p < copies_.size(); ++p)
       {
         const std::vector<ProbeValue> values = pair_.measure_probes(copies_[p]);
         for (std::size_t m = 0; m < values.size(); ++m)
-          {
-            const unsigned int sector = copies_[p][m].node / reduced.nodes_per_sector;
-            const Complex      phase =
-              turned * std::polar(2. / reduced.n_sectors, -(n * sector * reduced.sector_angle));
-            for (std::size_t c = 0; c < sums[p].size(); ++c)
-              sums[p][c] += phase * values[m].stress[c];
-          }
+          for (std::size_t c = 0; c < 6; ++c)
+            sums.probes[p][c] +=
+              phase(copies_[p][m].node / reduced.nodes_per_sector) * values[m].stress[c];
       }
+    read_fillets([&](const std::size_t    f,
+                     const std::size_t    facet,
+                     const unsigned int   tooth,
+                     const SurfaceTensor &strain) {
+      for (std::size_t c = 0; c < 3; ++c)
+        sums.fillets[f][facet][c] += phase(tooth) * strain[c];
+    });
+  }
+
+  std::vector<double> WaveDriver::find_largest(const WaveStresses &stresses) const
+  {
+    std::vector<double> largest;
+    for (const auto &probe : stresses.probes)
+      largest.push_back(find_largest_of(probe, [](const std::array<double, 6> &parts) {
+        return von_mises(Eigen::Map<const Stress>(parts.data()));
+      }));
+    const Material &material = model_.bodies[model_.transmission->driven].material();
+    for (const auto &fillet : stresses.fillets)
+      {
+        largest.push_back(0);
+        for (const auto &facet : fillet)
+          largest.back() =
+            std::max(largest.back(),
+                     find_largest_of(facet, [&](const std::array<double, 3> &parts) {
+                       return find_tension(SurfaceTensor(parts[0], parts[1], parts[2]), material);
+                     }));
+      }
+    return largest;
   }
 
   WaveMotion WaveDriver::drive(const WaveMeeting &meeting, const WaveSchedule &schedule)
@@ -136,9 +208,9 @@ namespace vfife
     const double step = motion.mesh_time / schedule.steps;
     pair_.set_speed(schedule.speed, step);
     pair_.start();
-    motion.static_stress = read_stresses();
-    std::vector<WaveStresses> stresses(probes_.size(), WaveStresses{});
-    motion.force = Eigen::VectorXcd::Zero(body().harmonics[harmonic].n_modes());
+    motion.static_stress  = read_stresses();
+    WaveStresses stresses = no_stresses();
+    motion.force          = Eigen::VectorXcd::Zero(body().harmonics[harmonic].n_modes());
 
     const unsigned int   stride = schedule.steps / schedule.samples;
     std::vector<Complex> counted;
@@ -174,8 +246,7 @@ namespace vfife
           }
         motion.meshes.push_back(sum / double(schedule.samples));
       }
-    for (const WaveStresses &stress : stresses)
-      motion.wave_stress.push_back(find_largest_von_mises(stress));
+    motion.wave_stress = find_largest(stresses);
     motion.force /= double(counted.size());
     motion.pp_error     = largest_error - least_error;
     motion.energy_error = std::abs(state.measured.energy.error());

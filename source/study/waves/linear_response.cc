@@ -2,15 +2,23 @@
 #include <vfife/study/waves/linear_response.h>
 #include <vfife/study/waves/static_passage.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfife
 {
   using Complex = std::complex<double>;
   using Eigen::MatrixXcd;
+  using Eigen::MatrixXd;
   using Eigen::VectorXcd;
+
+  namespace
+  {
+    constexpr Complex i(0., 1.);
+  } // namespace
 
   LinearResponse::LinearResponse(const ReducedBody   &body,
                                  const StaticPassage &passage,
@@ -38,47 +46,123 @@ namespace vfife
     return passage_.force(harmonic, 0) / passage_.moment();
   }
 
+  Complex LinearResponse::frequency(const unsigned int h, const int p, const Complex &rate) const
+  {
+    return double(int(h) + p * int(body_.n_sectors)) * sense_ * rate;
+  }
+
   VectorXcd LinearResponse::answer(const std::size_t harmonic,
                                    const int         p,
-                                   const double      rate,
+                                   const Complex    &rate,
                                    const VectorXcd  &force) const
   {
     const ReducedBody::Harmonic &modes = body_.harmonics[harmonic];
-    const double omega  = (int(modes.number) + p * int(body_.n_sectors)) * sense_ * rate;
-    MatrixXcd    matrix = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
+    const Complex                omega = frequency(modes.number, p, rate);
+    MatrixXcd matrix = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
     matrix += modes.eigenvalues.cast<Complex>().asDiagonal();
-    matrix += Complex(0., 2. * rate * omega) * modes.coriolis;
-    matrix.diagonal().array() += Complex(-omega * omega, damping_.modes * omega);
+    matrix += 2. * i * rate * omega * modes.coriolis;
+    matrix.diagonal().array() += -omega * omega + i * damping_.modes * omega;
     return matrix.partialPivLu().solve(force);
   }
 
-  Complex LinearResponse::flank_turn(const int p, const double rate, const bool by_moment) const
+  Complex LinearResponse::flank_turn(const int p, const Complex &rate, const bool by_moment) const
   {
+    // conj(f(conj(x))) is analytic in x where f is.
     Complex sum = 0;
     for (std::size_t k = 0; k < body_.harmonics.size(); ++k)
       {
         const VectorXcd load = per_moment(k);
-        const auto      turn = [&](const int q) {
-          return load.dot(answer(k, q, rate, by_moment ? load : passage_.force(k, q)));
+        const auto      turn = [&](const int q, const Complex &at) {
+          return load.dot(answer(k, q, at, by_moment ? load : passage_.force(k, q)));
         };
-        sum += .5 * (turn(p) + std::conj(turn(-p)));
+        sum += .5 * (turn(p, rate) + std::conj(turn(-p, std::conj(rate))));
       }
     return sum;
   }
 
-  Complex LinearResponse::find_moment(const int p, const double rate) const
+  Complex LinearResponse::turn(const int p, const Complex &rate, const Complex &moment) const
   {
-    // The spring is as long as at rest where the flank is where it would be there.
-    const double  omega = p * int(body_.n_sectors) * sense_ * rate;
-    const Complex turn = 1. / (body_.turn_inertia * Complex(-omega * omega, damping_.turn * omega));
-    return (passage_.turn(p) + flank_turn(p, 0., false) - flank_turn(p, rate, false)) /
-           (compliance_ + turn + flank_turn(p, rate, true));
+    const Complex omega = frequency(0, p, rate);
+    return moment / (body_.turn_inertia * (-omega * omega + i * damping_.turn * omega));
   }
 
-  VectorXcd
-  LinearResponse::coordinates(const std::size_t harmonic, const int p, const double rate) const
+  Complex LinearResponse::loop_compliance(const int p, const Complex &rate) const
   {
-    const Complex moment = p > 0 ? find_moment(p, rate) : std::conj(find_moment(-p, rate));
+    return compliance_ + turn(p, rate, 1.) + flank_turn(p, rate, true);
+  }
+
+  Complex LinearResponse::moment(const int p, const Complex &rate) const
+  {
+    if (p < 0)
+      return std::conj(moment(-p, std::conj(rate)));
+    // The spring is as long as at rest where the flank is where it would be there.
+    return (passage_.turn(p) + flank_turn(p, 0., false) - flank_turn(p, rate, false)) /
+           loop_compliance(p, rate);
+  }
+
+  VectorXcd LinearResponse::coordinates(const std::size_t harmonic,
+                                        const int         p,
+                                        const Complex    &rate,
+                                        const Complex    &moment) const
+  {
     return answer(harmonic, p, rate, passage_.force(harmonic, p) + moment * per_moment(harmonic));
+  }
+
+  std::vector<Complex> LinearResponse::free_vibrations(const double rate) const
+  {
+    // In axes that stand in space a harmonic's coordinates are c exp(-i h phi) = q, and with v the
+    // same of c': q' = v - i h phi' q, v' = -K q - (zeta + 2 rate G + i h phi') v + b M, and M =
+    // -(theta + Re sum b^H q)/compliance. Complex numbers are two real ones; of h = 0 one.
+    const auto parts_of = [](const ReducedBody::Harmonic &modes) {
+      return (modes.number == 0 ? 1 : 2) * Eigen::Index(modes.n_modes());
+    };
+    const auto real_form = [](const MatrixXcd &matrix, const unsigned int number) -> MatrixXd {
+      if (number == 0)
+        return matrix.real();
+      MatrixXd form(2 * matrix.rows(), 2 * matrix.cols());
+      form << matrix.real(), -matrix.imag(), matrix.imag(), matrix.real();
+      return form;
+    };
+    Eigen::Index n = 1;
+    double       w = 0;
+    for (const ReducedBody::Harmonic &modes : body_.harmonics)
+      {
+        n += parts_of(modes);
+        w = std::max(w, std::sqrt(modes.eigenvalues.maxCoeff()));
+      }
+    // Times w and velocities over w: numbers of one size. The turn is the last coordinate.
+    MatrixXd        system = MatrixXd::Zero(2 * n, 2 * n);
+    Eigen::VectorXd load(n);
+    Eigen::Index    first = 0;
+    for (std::size_t k = 0; k < body_.harmonics.size(); ++k)
+      {
+        const ReducedBody::Harmonic &modes = body_.harmonics[k];
+        const Eigen::Index           m = modes.n_modes(), parts = parts_of(modes);
+        const Complex                shift = i * frequency(modes.number, 0, rate) / w;
+        MatrixXcd stiffness = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
+        stiffness += modes.eigenvalues.cast<Complex>().asDiagonal();
+        MatrixXcd damping = 2. * rate / w * modes.coriolis;
+        damping.diagonal().array() += damping_.modes / w + shift;
+        system.block(first, first, parts, parts) =
+          -real_form(shift * MatrixXcd::Identity(m, m), modes.number);
+        system.block(first, n + first, parts, parts).setIdentity();
+        system.block(n + first, first, parts, parts) =
+          -real_form(stiffness / (w * w), modes.number);
+        system.block(n + first, n + first, parts, parts) = -real_form(damping, modes.number);
+        const VectorXcd b                                = per_moment(k);
+        load.segment(first, m)                           = b.real();
+        if (parts > m)
+          load.segment(first + m, m) = b.imag();
+        first += parts;
+      }
+    load[n - 1]                  = 1. / std::sqrt(body_.turn_inertia);
+    system(n - 1, 2 * n - 1)     = 1.;
+    system(2 * n - 1, 2 * n - 1) = -damping_.turn / w;
+    system.bottomLeftCorner(n, n) -= load * load.transpose() / (compliance_ * w * w);
+    const Eigen::EigenSolver<MatrixXd> solver(system, false);
+    std::vector<Complex>               exponents;
+    for (Eigen::Index k = 0; k < 2 * n; ++k)
+      exponents.push_back(w * solver.eigenvalues()[k]);
+    return exponents;
   }
 } // namespace vfife

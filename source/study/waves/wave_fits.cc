@@ -16,15 +16,17 @@ namespace vfife
   using Eigen::VectorXcd;
 
   ResonanceFit fit_resonance(const std::vector<double>  &speeds,
-                             const std::vector<Complex> &amplitudes)
+                             const std::vector<Complex> &amplitudes,
+                             const std::vector<Complex> &others)
   {
-    const Eigen::Index n = speeds.size();
-    if (n < 3 || amplitudes.size() != speeds.size())
-      throw NumericalError("a resonance curve needs at least three speeds");
+    const Eigen::Index n = speeds.size(), m = others.size();
+    if (n < 3 + (m > 0 ? 1 + m : 0) || amplitudes.size() != speeds.size())
+      throw NumericalError(
+        "a resonance curve needs at least three speeds, and beside m others 4 + m");
     // Speeds from their middle in parts of their range: the columns are of one size.
     const auto [least, largest] = std::minmax_element(speeds.begin(), speeds.end());
     const double middle = .5 * (*least + *largest), range = *largest - *least;
-    MatrixXcd    matrix(n, n > 3 ? 3 : 2);
+    MatrixXcd    matrix(n, n > 3 ? 3 + m : 2);
     VectorXcd    right(n);
     for (Eigen::Index k = 0; k < n; ++k)
       {
@@ -33,16 +35,25 @@ namespace vfife
         matrix(k, 1)   = 1.;
         if (n > 3)
           matrix(k, 2) = x;
+        for (Eigen::Index q = 0; q < m; ++q)
+          matrix(k, 3 + q) = range / (speeds[k] - others[q]);
         right[k] = x * amplitudes[k];
       }
     const VectorXcd found = matrix.colPivHouseholderQr().solve(right);
     ResonanceFit    fit;
     fit.background = n > 3 ? found[2] : Complex(0.);
-    fit.residue    = range * (found[1] + fit.background * found[0]);
     fit.pole       = middle + range * found[0];
-    fit.peak       = fit.pole.real();
-    fit.width      = 2. * std::abs(fit.pole.imag());
-    fit.amplitude  = std::abs(fit.residue / fit.pole.imag());
+    // c = a - b p - sum of d: each d/(x - q) (x - p) is d + d (q - p)/(x - q).
+    fit.residue = range * (found[1] + fit.background * found[0]);
+    for (Eigen::Index q = 0; q < m; ++q)
+      {
+        const Complex residue = range * range * found[3 + q] / (others[q] - fit.pole);
+        fit.others.emplace_back(residue, others[q]);
+        fit.residue -= residue;
+      }
+    fit.peak      = fit.pole.real();
+    fit.width     = 2. * std::abs(fit.pole.imag());
+    fit.amplitude = std::abs(fit.residue / fit.pole.imag());
     double left = 0, all = 0;
     for (Eigen::Index k = 0; k < n; ++k)
       {
@@ -55,7 +66,10 @@ namespace vfife
 
   Complex ResonanceFit::value(const double speed) const
   {
-    return residue / (speed - pole) + background;
+    Complex sum = residue / (speed - pole) + background;
+    for (const auto &[of_other, other] : others)
+      sum += of_other / (speed - other);
+    return sum;
   }
 
   std::pair<Complex, Complex> fit_line(const std::vector<Complex> &x, const std::vector<Complex> &y)

@@ -3,10 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vfife
 {
   using Complex = std::complex<double>;
+
+  namespace
+  {
+    /** Of the amplitude at the peak: what others add less to is left to the background. */
+    constexpr double counting_part = .01;
+
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  } // namespace
 
   std::string WaveLine::name() const
   {
@@ -42,6 +51,22 @@ namespace vfife
     return largest;
   }
 
+  double WaveLine::web_amplification() const
+  {
+    const auto &all = response->amplifications;
+    return response->n_probes == 0
+             ? nan
+             : *std::max_element(all.begin(), all.begin() + response->n_probes);
+  }
+
+  double WaveLine::root_amplification() const
+  {
+    const auto &all = response->amplifications;
+    return response->n_probes == all.size()
+             ? nan
+             : *std::max_element(all.begin() + response->n_probes, all.end());
+  }
+
   std::optional<std::pair<double, double>> WaveLine::find_range_to_avoid(const double allowed) const
   {
     // What the wave adds falls as the resonance curve: (A - 1)/sqrt(1 + (2 d/width)^2).
@@ -50,6 +75,20 @@ namespace vfife
       return {};
     const double distance = .5 * response->curve.width * std::sqrt(excess * excess - 1.);
     return std::make_pair(response->curve.peak - distance, response->curve.peak + distance);
+  }
+
+  std::vector<Complex> WaveLine::others_beside(const std::vector<double> &speeds) const
+  {
+    // One speed more than numbers sought is left for the misfit.
+    const std::size_t    least = 5;
+    std::vector<Complex> poles;
+    for (const auto &[residue, pole] : neighbours)
+      {
+        const double part = std::abs(residue / (linear_curve.peak - pole)) / linear_curve.amplitude;
+        if (part > counting_part && poles.size() + least < speeds.size())
+          poles.push_back(pole);
+      }
+    return poles;
   }
 
   std::size_t find_nearest(const std::vector<WaveMotion> &motions, const double speed)
@@ -87,6 +126,25 @@ namespace vfife
     }
   } // namespace
 
+  namespace
+  {
+    /** Of the fitted amplitude between the speeds, all resonances together: parts of lines that are
+     * nearer than their widths may be far larger than their sum. */
+    double find_largest(const ResonanceFit &curve, const std::vector<double> &speeds)
+    {
+      constexpr unsigned int n_points = 1000;
+      double                 largest  = 0;
+      for (unsigned int k = 0; k <= n_points; ++k)
+        {
+          const double part = double(k) / n_points;
+          largest =
+            std::max(largest,
+                     std::abs(curve.value((1. - part) * speeds.front() + part * speeds.back())));
+        }
+      return largest;
+    }
+  } // namespace
+
   WaveResponse evaluate_wave(const WaveLine            &line,
                              std::vector<WaveMotion>    motions,
                              std::vector<Complex>       linear,
@@ -100,10 +158,14 @@ namespace vfife
         speeds.push_back(motion.speed);
         amplitudes.push_back(motion.amplitude);
       }
-    found.curve            = fit_resonance(speeds, amplitudes);
-    found.linear           = std::move(linear);
-    const WaveMotion &near = motions[find_nearest(motions, line.linear_curve.peak)];
-    found.build_up         = fit_build_up(near.meshes, near.mesh_time);
+    const std::vector<Complex> others = line.others_beside(speeds);
+    found.curve                       = fit_resonance(speeds, amplitudes, others);
+    found.linear_fit                  = fit_resonance(speeds, linear, others);
+    found.single                      = fit_resonance(speeds, amplitudes);
+    found.linear_single               = fit_resonance(speeds, linear);
+    found.linear                      = std::move(linear);
+    const WaveMotion &near            = motions[find_nearest(motions, line.linear_curve.peak)];
+    found.build_up                    = fit_build_up(near.meshes, near.mesh_time);
     found.forced_peak =
       find_forced_peak(line, motions, found.curve, (gains * line.meeting.wave.shape)(0));
 
@@ -111,7 +173,7 @@ namespace vfife
       *std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
         return std::abs(a.amplitude) < std::abs(b.amplitude);
       });
-    const double to_peak = found.curve.amplitude / std::abs(largest.amplitude);
+    const double to_peak = find_largest(found.curve, speeds) / std::abs(largest.amplitude);
     for (std::size_t p = 0; p < largest.static_stress.size(); ++p)
       found.amplifications.push_back(1. +
                                      to_peak * largest.wave_stress[p] / largest.static_stress[p]);

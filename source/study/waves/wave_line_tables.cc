@@ -52,6 +52,12 @@ namespace vfife
     table.add_column("damping ratio of the build-up", "-");
     table.add_column("amplitude by the forces", "um");
     table.add_column("stress amplification", "-");
+    table.add_column("web amplification", "-");
+    table.add_column("root amplification", "-");
+    table.add_column("resonances", "-");
+    table.add_column("predicted amplitude by the fit", "um");
+    table.add_column("width of one resonance", "-");
+    table.add_column("predicted width of one resonance", "-");
     return table;
   }
 
@@ -69,7 +75,7 @@ namespace vfife
                                line.linear_curve.amplitude})
       row.emplace_back(value);
     if (!line.response)
-      row.insert(row.end(), 8, nan);
+      row.insert(row.end(), 14, nan);
     else
       {
         const WaveResponse &found = *line.response;
@@ -81,7 +87,13 @@ namespace vfife
                                    .5 * width * (1. - line.meeting.stiffening),
                                    found.build_up.decay / frequency,
                                    found.forced_peak,
-                                   line.amplification()})
+                                   line.amplification(),
+                                   line.web_amplification(),
+                                   line.root_amplification(),
+                                   1. + found.curve.others.size(),
+                                   found.linear_fit.amplitude,
+                                   found.single.width / found.single.peak,
+                                   found.linear_single.width / found.linear_single.peak})
           row.emplace_back(value);
       }
     table.add_row(row);
@@ -200,14 +212,14 @@ namespace vfife
     return table;
   }
 
-  void add_wave_stresses(const WaveLine &line, const std::vector<Probe> &probes, Table &table)
+  void add_wave_stresses(const WaveLine &line, const std::vector<std::string> &places, Table &table)
   {
     for (const WaveMotion &motion : line.response->motions)
-      for (std::size_t p = 0; p < probes.size(); ++p)
+      for (std::size_t p = 0; p < places.size(); ++p)
         {
           std::vector<Table::Cell> row = start_row(line);
           row.emplace_back(motion.speed * rpm);
-          row.emplace_back(probes[p].name);
+          row.emplace_back(places[p]);
           row.emplace_back(motion.static_stress[p]);
           row.emplace_back(motion.wave_stress[p]);
           row.emplace_back(1. + motion.wave_stress[p] / motion.static_stress[p]);

@@ -15,9 +15,11 @@
 #include <vfife/output/pictures.h>
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/study/cases/gear_case.h>
+#include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/run/run_penalties.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/waves/line_theory.h>
 #include <vfife/study/waves/linear_response.h>
 #include <vfife/study/waves/static_passage.h>
 #include <vfife/study/waves/wave_line.h>
@@ -26,14 +28,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace vfife
 {
   namespace
   {
-    /** Of fits by linear theory: from the free body's line to the curve in contact. */
-    constexpr unsigned int n_rounds = 4;
-
     class WavesStudy : public StudyKind
     {
     public:
@@ -43,6 +43,7 @@ namespace vfife
         gear_case_.set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
         output_.declare(prm);
+        fillets_.declare(prm, file);
         declare_section(prm, "Reduced", reduced_);
         declare_section(prm, "Waves", options_);
       }
@@ -55,6 +56,9 @@ namespace vfife
         dynamics_.check("Dynamics");
         output_.check("Output");
         options_.check("Waves");
+        if (!fillets_.gauges.empty() || fillets_.teeth == RecordedTeeth::in_mesh)
+          throw InputError("Fillets/teeth",
+                           "stresses of waves are those of all teeth: none or all, and no gauges");
         if (!(dynamics_.mass_damping() > 0))
           throw InputError("Dynamics/damping",
                            "waves without damping grow for ever where a mesh order meets them");
@@ -88,12 +92,24 @@ namespace vfife
         return reduced_.find_cutoff(mesh_frequency(options_.highest_speed));
       }
       /** At the highest speed: what lies below is between it and rest. */
-      std::vector<ReducedBody>
-      reduce(const Model &model, const Communicator &communicator, Log &log) const
+      std::vector<ReducedBody> reduce(const Model        &model,
+                                      const RootStress   *roots,
+                                      const Communicator &communicator,
+                                      Log                &log) const
       {
-        const double faster = options_.highest_speed / gear_case_.operation().speed;
-        return reduce_pair(
-          model, reduced_, dynamics_.stiffness, least_cutoff(), faster, communicator, log);
+        const double       faster     = options_.highest_speed / gear_case_.operation().speed;
+        const MoreReadings of_fillets = [&](const unsigned int b) {
+          return b == model.transmission->driven ? list_fillet_readings(model, *roots, b)
+                                                 : std::vector<SectorReading>();
+        };
+        return reduce_pair(model,
+                           reduced_,
+                           dynamics_.stiffness,
+                           least_cutoff(),
+                           faster,
+                           communicator,
+                           log,
+                           roots != nullptr ? of_fillets : nullptr);
       }
       void check_diameters(const Model &model) const;
       std::vector<WaveLine>
@@ -103,7 +119,6 @@ namespace vfife
                              double              sense,
                              const OutputFolder &folder) const;
       struct Tools;
-      void               predict(const Tools &tools, WaveLine &line) const;
       void               drive(const Tools           &tools,
                                WaveDriver            &driver,
                                const OutputFolder    &folder,
@@ -115,6 +130,7 @@ namespace vfife
       GearCase        gear_case_;
       DynamicsOptions dynamics_;
       OutputOptions   output_;
+      FilletOptions   fillets_;
       ReducedOptions  reduced_;
       WavesOptions    options_;
     };
@@ -209,33 +225,31 @@ namespace vfife
       WaveDriver     driver;
       StaticPassage  passage;
       LinearResponse linear;
+      LineTheory     theory;
       double         cutoff; ///< of the modes that the bodies have [Hz]
 
-      Tools(const Model                    &model,
+      Tools(const WavesOptions             &waves,
+            const Model                    &model,
             const std::vector<ReducedBody> &bodies,
             const std::vector<double>      &penalties,
             const ReducedPairOptions       &options,
             const unsigned int              n_steps,
+            const RootStress               *roots,
             ReducedPair                    &pair)
-        : driver(model, pair)
+        : driver(model, pair, roots)
         , passage(model, bodies, penalties, options, n_steps)
         , linear(bodies[model.transmission->driven],
                  passage,
                  {options.damping, options.mesh_damping},
                  pair.sector_sense(model.transmission->driven),
                  model.transmission->driven_sense)
+        , theory(waves,
+                 *model.transmission,
+                 model.bodies[model.transmission->driven].rate < 0 ? -1. : 1.,
+                 linear,
+                 driver)
         , cutoff(find_kept_cutoff(bodies))
       {
-      }
-
-      /** Amplitude [um] of a line's wave at a speed of the driver. */
-      std::complex<double> linear_amplitude(const WaveLine &line, const double speed) const
-      {
-        const unsigned int n = line.meeting.wave.diameters;
-        return (driver.rim_gains(n) *
-                linear.coordinates(driver.find_harmonic(n),
-                                   line.meeting.mesh_harmonic(),
-                                   line.meeting.rate * speed / line.speed))(0);
       }
     };
 
@@ -255,24 +269,6 @@ namespace vfife
       return schedule;
     }
 
-    void WavesStudy::predict(const Tools &tools, WaveLine &line) const
-    {
-      // A fit around the free body's line finds that in contact, one around that its own curve.
-      double centre = line.speed;
-      for (unsigned int round = 0; round < n_rounds; ++round)
-        {
-          std::vector<double>               speeds;
-          std::vector<std::complex<double>> amplitudes;
-          for (const double part : {-.5, -.25, 0., .25, .5})
-            {
-              speeds.push_back(centre * (1. + part * line.predicted_width()));
-              amplitudes.push_back(tools.linear_amplitude(line, speeds.back()));
-            }
-          line.linear_curve = fit_resonance(speeds, amplitudes);
-          centre            = line.linear_curve.peak;
-        }
-    }
-
     void WavesStudy::drive(const Tools           &tools,
                            WaveDriver            &driver,
                            const OutputFolder    &folder,
@@ -289,16 +285,17 @@ namespace vfife
             {
               const double speed = line.linear_curve.peak * (1. + part);
               found.push_back(driver.drive(line.meeting, schedule(tools, line, speed)));
-              expected.push_back(tools.linear_amplitude(line, speed));
+              expected.push_back(tools.theory.amplitude(line, speed));
             }
-          line.response = evaluate_wave(line,
+          line.response           = evaluate_wave(line,
                                         std::move(found),
                                         std::move(expected),
                                         driver.rim_gains(line.meeting.wave.diameters));
+          line.response->n_probes = driver.n_probes();
           log_wave_response(line, log);
           add_wave_motions(line, motions);
           add_build_up(line, growth);
-          add_wave_stresses(line, driver.probes(), stresses);
+          add_wave_stresses(line, driver.places(), stresses);
           write_csv(folder, "waves_response.csv", motions);
           write_csv(folder, "waves_build_up.csv", growth);
           write_csv(folder, "waves_stress.csv", stresses);
@@ -315,8 +312,12 @@ namespace vfife
       check_diameters(model);
       const std::vector<double> penalties = find_run_penalties(
         gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
-      const auto                     start  = WallClock::now();
-      const std::vector<ReducedBody> bodies = reduce(model, folder.communicator(), log);
+      const auto                start = WallClock::now();
+      std::optional<RootStress> roots;
+      if (fillets_.records())
+        roots.emplace(model, fillets_);
+      const RootStress *const        looked_at = roots ? &*roots : nullptr;
+      const std::vector<ReducedBody> bodies = reduce(model, looked_at, folder.communicator(), log);
       ReducedPair                    pair(model, bodies, penalties, pair_options());
       const unsigned int             driven  = model.transmission->driven;
       RunSummary                     summary = start_summary("waves", model, folder);
@@ -326,15 +327,25 @@ namespace vfife
       write_frequencies(model, bodies[driven], pair.sector_sense(driven), folder);
       try
         {
-          Tools tools(model, bodies, penalties, pair_options(), reduced_.steps_per_mesh, pair);
+          Tools tools(options_,
+                      model,
+                      bodies,
+                      penalties,
+                      pair_options(),
+                      reduced_.steps_per_mesh,
+                      looked_at,
+                      pair);
           log.line("static curves of a slow tooth mesh: the moment of the contact varies by ",
                    100. * tools.passage.moment_ripple(),
                    " %; of the rotation under the torque the contact with teeth and driver has ",
                    100. * tools.linear.contact_compliance() * tools.passage.stiffness(),
                    " %");
+          write_csv(folder,
+                    "waves_in_contact.csv",
+                    tools.theory.list_meetings(RimWriter::count_diameters(model)));
           for (WaveLine &line : lines)
             {
-              predict(tools, line);
+              tools.theory.predict(line);
               log_wave_line(line, log);
             }
           if (options_.driven)

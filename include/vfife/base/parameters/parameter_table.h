@@ -5,6 +5,7 @@
 #include <vfife/base/text/table.h>
 
 #include <string>
+#include <string_view>
 
 namespace vfife
 {
@@ -18,7 +19,7 @@ namespace vfife
 
   /** The numbers of a column; throws InputError, naming file and column, where there is none. */
   const std::vector<double> &
-  find_column(const Table &table, const std::string &path, const std::string &name);
+  find_column(const Table &table, const std::string &path, std::string_view name);
 } // namespace vfife
 
 #endif

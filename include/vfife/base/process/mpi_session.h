@@ -17,7 +17,7 @@ namespace vfife
   class MpiSession
   {
   public:
-    /** Starts MPI; @p argc and @p argv are those of main(), MPI's own arguments are taken out. */
+    /** Starts MPI; @p argc and @p argv are those of main(), of which MPI sees the name alone. */
     MpiSession(int &argc, char **&argv);
     ~MpiSession();
     MpiSession(const MpiSession &)            = delete;

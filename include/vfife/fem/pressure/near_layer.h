@@ -2,6 +2,7 @@
 #ifndef vfife_fem_pressure_near_layer_h
 #define vfife_fem_pressure_near_layer_h
 
+#include <vfife/fem/pressure/layer_elements.h>
 #include <vfife/fem/system/discretization.h>
 
 #include <vector>
@@ -10,8 +11,8 @@ namespace vfife
 {
   /**
    * What lies near a patch of a body's surface, as the body's finite elements have it: the layers
-   * of elements under the patch, held where they join what lies deeper (doc/contact.md, Pressure
-   * on its own grid).
+   * of elements under the patch, held where they join what lies deeper; beyond edges of the body
+   * they go on, as the layer in closed form does (doc/contact.md, Pressure on its own grid).
    */
   struct NearLayer
   {
@@ -25,13 +26,15 @@ namespace vfife
 
   /**
    * As many layers of elements as make the mean depth @p depth [mm], or as there are before they
-   * come to the points @p others (the other side of a tooth); at least one.
+   * come to the points @p others (the other side of a tooth); at least one. @p edges: sides of the
+   * patch's facets that lie on edges of the body, by their points.
    * Throws InputError where one layer comes to those, or is not held.
    */
   NearLayer find_near_layer(const Discretization            &discretization,
                             std::vector<unsigned int>        patch,
                             const std::vector<unsigned int> &others,
-                            double                           depth);
+                            double                           depth,
+                            const PointPairs                &edges = {});
 } // namespace vfife
 
 #endif

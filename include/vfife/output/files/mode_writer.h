@@ -17,22 +17,26 @@ namespace vfife
     std::vector<double> displacements;
   };
 
-  /** A number for each node of a body, under a name such as "von mises". */
-  struct NamedScalars
+  /** "mode 3, 1034.2 Hz", the third with @p index 2 and this frequency [Hz]. */
+  std::string shape_name(std::size_t index, double frequency);
+
+  /** Numbers for each node of a body, as of a VtuArray, under a name such as "von mises". */
+  struct NamedNumbers
   {
-    std::string         name;
-    std::vector<double> values;
+    std::string         name, unit;
+    unsigned int        n_components = 1;
+    std::vector<double> values       = {};
   };
 
   /**
-   * Writes @p shapes as vectors and @p scalars on the undeformed mesh of @p body in its place at
+   * Writes @p shapes as vectors and @p fields on the undeformed mesh of @p body in its place at
    * time zero [mm] to the .vtu file @p name; the writing rank only.
    */
   void write_shapes(const OutputFolder              &folder,
                     const std::string               &name,
                     const Body                      &body,
                     const std::vector<NamedShape>   &shapes,
-                    const std::vector<NamedScalars> &scalars = {});
+                    const std::vector<NamedNumbers> &fields = {});
 } // namespace vfife
 
 #endif

@@ -32,7 +32,10 @@ namespace vfife
     constexpr char steady_columns[]     = "/steady part/columns";
     constexpr char probes[]             = "/probes"; ///< by name
 
-    constexpr char passes_mesh[] = "passes the mesh"; ///< of a probe [s]
+    // Of a probe.
+    constexpr char passes_mesh[]     = "passes the mesh"; ///< [s]
+    constexpr char largest_of_turn[] = "largest of a turn";
+    constexpr char median_of_turn[]  = "median of a turn";
 
     /** When a probe passes the mesh. */
     std::string passage_of(const std::string &probe);

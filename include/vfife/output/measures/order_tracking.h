@@ -2,6 +2,7 @@
 #ifndef vfife_output_measures_order_tracking_h
 #define vfife_output_measures_order_tracking_h
 
+#include <complex>
 #include <functional>
 #include <vector>
 
@@ -46,7 +47,16 @@ namespace vfife
     /** Amplitudes of a column of samples: by window, then by order from 1 on. */
     std::vector<std::vector<double>> compute_amplitudes(const std::vector<double> &samples) const;
 
+    /** Of what goes round, x + i y with these samples, the amplitudes of exp(2 pi i k turns): by
+     * window, then by order k = 1, -1, 2, -2 ... */
+    std::vector<std::vector<double>> compute_waves(const std::vector<double> &x,
+                                                   const std::vector<double> &y) const;
+
   private:
+    /** By window, then by order from 1 on: mean of samples times exp(-2 pi i k turns). */
+    std::vector<std::vector<std::complex<double>>>
+    compute_coefficients(const std::vector<double> &samples) const;
+
     double              first_time_, interval_; ///< of the samples [s]
     unsigned int        length_, n_orders_;
     std::vector<Window> windows_;
@@ -64,6 +74,20 @@ namespace vfife
                           const Transmission &pair,
                           unsigned int        length,
                           unsigned int        n_orders);
+
+  /** Columns of rim_orders.csv: time [s], speed [rpm] and mesh frequency [Hz] at the middle of a
+   * window, mesh order, wave (forward, backward), nodal diameter, amplitude [um]. */
+  Table make_rim_order_table();
+
+  /** Axial waves of the rim that mesh orders drive: of n diameters against the spin (backward) at
+   * (k z + n) times the rate of the body in its turning axes, with it at (k z - n). A row a window,
+   * order, number of diameters and direction from rim.csv, as track_mesh_orders(). @p sense: of the
+   * driven body's turn about the axis of its sectors. */
+  Table track_rim_waves(const Table        &rim,
+                        const Transmission &pair,
+                        double              sense,
+                        unsigned int        length,
+                        unsigned int        n_orders);
 } // namespace vfife
 
 #endif

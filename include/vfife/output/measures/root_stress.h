@@ -7,8 +7,11 @@
 #include <vfife/stress/fillet_options.h>
 #include <vfife/stress/surface_stress.h>
 
+#include <cmath>
 #include <deque>
 #include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -88,8 +91,9 @@ namespace vfife
   SampleColumns<RootStressSample> list_root_stress_columns();
   SampleColumns<GaugeSample>      list_gauge_columns();
 
-  /** Columns of fillet_envelope.csv. */
+  /** Columns of fillet_envelope.csv and root_sections.csv. */
   Table make_fillet_envelope_table();
+  Table make_root_section_table();
 
   /**
    * Root stresses and gauges of a gear pair: what there is to be seen at an instant, and the
@@ -123,11 +127,16 @@ namespace vfife
     /** fillet_envelope.csv: a row a facet. */
     Table envelope() const;
 
+    /** root_sections.csv: a row a section along the face, of the facets one above the other. */
+    Table sections() const;
+
     /** Of each member, driver first. */
     std::vector<MemberRootStress> list_members() const;
 
     /** Passes the envelope. */
     void serialize(ByteStream &stream);
+    /** Passes when it came about; without it that is not known. */
+    void serialize_passages(ByteStream &stream);
 
   private:
     /** Of a facet over all instants and teeth [MPa]. */
@@ -141,17 +150,28 @@ namespace vfife
       }
     };
 
+    /** Where a tooth was when the facet had these [tooth meshes after the mesh]. */
+    struct Passage
+    {
+      double tension = std::nan(""), compression = std::nan("");
+    };
+
     std::vector<unsigned int> recorded_teeth(unsigned int                     body,
                                              const std::vector<ToothContact> &teeth) const;
-    double after_mesh(unsigned int body, unsigned int tooth, double meshes) const;
-    RootStressSample
-    measure_tooth(std::size_t fillet, unsigned int tooth, const FilletStrains &strains);
+    unsigned int              count_teeth(unsigned int body) const;
+    double           after_mesh(unsigned int body, unsigned int tooth, double meshes) const;
+    RootStressSample measure_tooth(std::size_t          fillet,
+                                   unsigned int         tooth,
+                                   double               meshes,
+                                   const FilletStrains &strains);
 
-    const Model                    &model_;
-    RecordedTeeth                   teeth_;
-    std::deque<MemberFillet>        fillets_; // nothing moves: gauges know them
-    std::deque<MemberGauge>         gauges_;
-    std::vector<std::vector<Range>> ranges_; ///< by fillet and facet, rows of a column together
+    const Model                                   &model_;
+    RecordedTeeth                                  teeth_;
+    std::map<unsigned int, std::set<unsigned int>> named_teeth_; ///< by body
+    std::deque<MemberFillet>                       fillets_;     // nothing moves: gauges know them
+    std::deque<MemberGauge>                        gauges_;
+    std::vector<std::vector<Range>>   ranges_;   ///< by fillet and facet, rows of a column together
+    std::vector<std::vector<Passage>> passages_; ///< alike
   };
 } // namespace vfife
 

@@ -33,7 +33,8 @@ namespace vfife
     std::vector<double>       places_; ///< [mm]
   };
 
-  /** root_stress.csv, a row a sample and recorded tooth, and fillet_envelope.csv at the end. */
+  /** root_stress.csv, a row a sample and recorded tooth; fillet_envelope.csv and root_sections.csv
+   * at the end. */
   class RootStressWriter : public SampledTable<RootStressSample>
   {
   public:

@@ -5,7 +5,6 @@
 #include <vfife/base/types.h>
 #include <vfife/output/observers/sampled_table.h>
 
-#include <complex>
 #include <functional>
 #include <vector>
 
@@ -49,10 +48,10 @@ namespace vfife
 
     struct Node
     {
-      unsigned int         number;    ///< of the body
-      double               share;     ///< of the rim's mass
-      std::complex<double> direction; ///< exp(i alpha)
-      Matrix3              axes;      ///< r, theta, z in the body frame (columns)
+      unsigned int number;       ///< of the body
+      double       share;        ///< of the rim's mass
+      double       cosine, sine; ///< of its angle about the axis
+      Matrix3      axes;         ///< r, theta, z at time zero in the fixed frame (columns)
     };
 
     RimWaves measure_positions(const Model &model, const State &state) const;

@@ -13,7 +13,7 @@ namespace vfife
   struct PairEquilibriumResult;
 
   /** Root stresses and gauges of a loaded tooth contact analysis: root_stress.csv, gauges.csv,
-   * fillet_envelope.csv. */
+   * fillet_envelope.csv, root_sections.csv. */
   class LoadedFillets
   {
   public:

@@ -61,7 +61,8 @@ namespace vfife
     /** Says whether edges of the teeth of @p pair_case have carried: write_edge_contact(). */
     void write_edges(const Case &pair_case, const OutputFolder &folder, Log &log) const;
 
-    /** Writes amplitudes of the @p history over the speed, where it changes. */
+    /** Writes amplitudes of the @p history and of the rim's waves over the speed, where it changes.
+     */
     void write_orders(const OutputFolder &folder, const Table &history) const;
 
     /** Rows of probes.csv. */
@@ -82,6 +83,7 @@ namespace vfife
     bool                      records_teeth_ = false;   ///< of the fillets
     const Table              *teeth_         = nullptr; ///< rows of teeth.csv
     const Table              *probes_        = nullptr;
+    const Table              *rim_           = nullptr; ///< rows of rim.csv
   };
 } // namespace vfife
 

@@ -23,6 +23,7 @@ namespace vfife
     largest_size,      ///< of the absolute values
     peak_to_peak,      ///< largest less smallest
     periodic_share,    ///< part of the variance that repeats with the tooth mesh [-]
+    trend,             ///< slope of the meshes' means by least squares [a tooth mesh]
     change,            ///< last over first, minus one [-]
     mean_above_half,   ///< mean over the time in which the column is above half its largest value
     time_above_half,   ///< that time, its ends interpolated [s]
@@ -31,10 +32,18 @@ namespace vfife
 
   const Choices<FigureValue> &figure_value_choices();
 
+  /** Where the column is. */
+  enum class FigureTable
+  {
+    history, ///< history.csv
+    teeth    ///< teeth.csv: rows of several tooth pairs at a time
+  };
+
   /** A number that is taken of the history of a run, and what it should be. */
   struct HistoryFigure
   {
     std::string name;
+    FigureTable table = FigureTable::history;
     std::string column;
     FigureValue value = FigureValue::last;
     double      from  = 0; ///< samples from this time on [s]
@@ -45,9 +54,12 @@ namespace vfife
     /** Throws InputError with the name of @p section and the entry. */
     void check(const std::string &section) const;
 
+    /** Name of the table's file. */
+    std::string file() const;
+
     /**
-     * The number with its unit.
-     * @throws InputError where the history has no such column, with the nearest name.
+     * The number with its unit, of the file's table.
+     * @throws InputError where it has no such column, with the nearest name.
      */
     Figure compute(const Table &history) const;
 

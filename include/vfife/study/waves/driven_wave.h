@@ -3,6 +3,7 @@
 #define vfife_study_waves_driven_wave_h
 
 #include <vfife/model/model.h>
+#include <vfife/output/measures/root_stress.h>
 #include <vfife/reduced/body_waves.h>
 #include <vfife/reduced/reduced_pair.h>
 
@@ -37,9 +38,9 @@ namespace vfife
     /** Over the counted meshes: largest distance of the wave with these diameters from what stands
      * in space [um], transmission error peak to peak [rad], largest force [N]. */
     double running = 0, pp_error = 0, largest_force = 0;
-    /** Of each probe [MPa]: largest von Mises stress over all copies in the equilibrium, which is
-     * the passage of one of them where nothing runs; that of the driven wave alone, over its
-     * period. */
+    /** Of each of WaveDriver::places() [MPa]: largest stress over all copies in the equilibrium,
+     * which is the passage of one of them where nothing runs; that of the driven wave alone, over
+     * its period. Von Mises stresses of probes, tensions of fillets. */
     std::vector<double> static_stress, wave_stress;
     double              energy_error = 0; ///< [-]
   };
@@ -48,8 +49,9 @@ namespace vfife
   class WaveDriver
   {
   public:
-    /** Both must outlive the object. */
-    WaveDriver(const Model &model, ReducedPair &pair);
+    /** All must outlive the object. @p roots: whose fillets of the driven body are looked at, with
+     * the readings of list_fillet_readings(), or nullptr. */
+    WaveDriver(const Model &model, ReducedPair &pair, const RootStress *roots = nullptr);
 
     /** Starts from the equilibrium at the schedule's speed. Throws NumericalError. */
     WaveMotion drive(const WaveMeeting &meeting, const WaveSchedule &schedule);
@@ -60,10 +62,16 @@ namespace vfife
     /** Place of the harmonic among those of the body. */
     std::size_t find_harmonic(unsigned int diameters) const;
 
-    /** Probes of the driven body, whose copies are looked at. */
-    const std::vector<Probe> &probes() const
+    /** Where stresses are looked at, on all copies: probes of the driven body by their names, then
+     * its fillets. */
+    const std::vector<std::string> &places() const
     {
-      return probes_;
+      return places_;
+    }
+    /** How many of them are probes. */
+    std::size_t n_probes() const
+    {
+      return copies_.size();
     }
 
   private:
@@ -71,18 +79,30 @@ namespace vfife
     std::complex<double> read_rim(unsigned int diameters);
     std::vector<double>  read_stresses() const;
 
-    /** Complex amplitudes of the components of Stress [MPa]. */
-    using WaveStresses = std::array<std::complex<double>, 6>;
+    /** Complex amplitudes of waves of stress, of the components of Stress of probes [MPa] and of
+     * strain of the facets of each fillet. */
+    struct WaveStresses
+    {
+      std::vector<std::array<std::complex<double>, 6>>              probes;
+      std::vector<std::vector<std::array<std::complex<double>, 3>>> fillets;
+    };
+    WaveStresses no_stresses() const;
     /** Adds the part of all copies' stresses that follows the sectors as a wave with @p n
-     * diameters, times @p turned, by probe. */
-    void add_wave_stresses(unsigned int                n,
-                           const std::complex<double> &turned,
-                           std::vector<WaveStresses>  &sums) const;
+     * diameters, times @p turned. */
+    void
+    add_wave_stresses(unsigned int n, const std::complex<double> &turned, WaveStresses &sums) const;
+    /** Largest over a period, by place. */
+    std::vector<double> find_largest(const WaveStresses &stresses) const;
+    /** Strains of a facet of a fillet's teeth. */
+    using FacetStrains = std::function<
+      void(std::size_t fillet, std::size_t facet, unsigned int tooth, const SurfaceTensor &)>;
+    void read_fillets(const FacetStrains &take) const;
 
-    const Model                    &model_;
-    ReducedPair                    &pair_;
-    std::vector<Probe>              probes_;
-    std::vector<std::vector<Probe>> copies_; ///< by probe
+    const Model                      &model_;
+    ReducedPair                      &pair_;
+    std::vector<std::string>          places_;
+    std::vector<std::vector<Probe>>   copies_;  ///< by probe
+    std::vector<const MemberFillet *> fillets_; ///< of the driven body
   };
 } // namespace vfife
 

@@ -6,6 +6,7 @@
 #include <vfife/reduced/reduced_body.h>
 
 #include <complex>
+#include <vector>
 
 namespace vfife
 {
@@ -27,9 +28,39 @@ namespace vfife
                    double               sense,
                    double               driven_sense);
 
-    /** The harmonic @p p of the mesh in the coordinates of the harmonic in place @p harmonic at
-     * @p rate about Body::axis [rad/s]. */
-    Eigen::VectorXcd coordinates(std::size_t harmonic, int p, double rate) const;
+    /** The harmonic @p p (not 0) of the mesh of the contact's moment at @p rate about Body::axis
+     * [rad/s, N mm]. Complex rates, here as below, continue what is analytic in real ones. */
+    std::complex<double> moment(int p, const std::complex<double> &rate) const;
+
+    /** The harmonic @p p of the mesh in the coordinates of the harmonic in place @p harmonic under
+     * the static curve's forces and the @p moment of the contact with it. */
+    Eigen::VectorXcd coordinates(std::size_t                 harmonic,
+                                 int                         p,
+                                 const std::complex<double> &rate,
+                                 const std::complex<double> &moment) const;
+
+    /** The rigid turn of the driven body under a @p moment of the mesh harmonic @p p [rad]. */
+    std::complex<double>
+    turn(int p, const std::complex<double> &rate, const std::complex<double> &moment) const;
+
+    /** What the flanks give way by under a unit moment with the mesh harmonic @p p > 0: contact,
+     * turn and modes [1/(N mm)]. It is zero where that harmonic meets a free vibration in contact.
+     */
+    std::complex<double> loop_compliance(int p, const std::complex<double> &rate) const;
+
+    /** Free vibrations in contact at @p rate: exponents of exp(lambda t) in axes that stand in
+     * space [1/s], both of each pair of conjugates. */
+    std::vector<std::complex<double>> free_vibrations(double rate) const;
+
+    const ReducedBody &body() const
+    {
+      return body_;
+    }
+    /** Of Body::axis about the axis of the sectors: 1 or -1. */
+    double sense() const
+    {
+      return sense_;
+    }
 
     /** Rotation of the driven flank under the contact's own spring: turn per moment of the driven
      * body at rest less what its modes give way [1/(N mm)]. */
@@ -39,13 +70,16 @@ namespace vfife
     }
 
   private:
-    /** (K - omega^2 + i omega (2 rate G + zeta))^-1 times @p force, omega = (h + p z) phi'. */
+    using Complex = std::complex<double>;
+
+    /** omega = (h + p z) phi' of a harmonic, h = 0 for the body as a whole. */
+    Complex frequency(unsigned int h, int p, const Complex &rate) const;
+    /** (K - omega^2 + i omega (2 rate G + zeta))^-1 times @p force. */
     Eigen::VectorXcd
-    answer(std::size_t harmonic, int p, double rate, const Eigen::VectorXcd &force) const;
+    answer(std::size_t harmonic, int p, const Complex &rate, const Eigen::VectorXcd &force) const;
     /** What modes turn the driven flank at the harmonic p > 0 under modal forces of all harmonics,
      * those of the static curve or, @p by_moment, of a unit moment. */
-    std::complex<double> flank_turn(int p, double rate, bool by_moment) const;
-    std::complex<double> find_moment(int p, double rate) const;
+    Complex flank_turn(int p, const Complex &rate, bool by_moment) const;
     /** Modal forces per moment of the contact. */
     Eigen::VectorXcd per_moment(std::size_t harmonic) const;
 

@@ -8,7 +8,8 @@
 
 namespace vfife
 {
-  /** A resonance a/(x - p) + b of a complex amplitude over the speed x, p = peak + i width/2. */
+  /** A resonance a/(x - p) + b of a complex amplitude over the speed x, p = peak + i width/2,
+   * beside others whose poles are known. */
   struct ResonanceFit
   {
     double               peak       = 0; ///< in the unit of the speeds
@@ -16,6 +17,8 @@ namespace vfife
     double               amplitude  = 0; ///< |a/(x - p)| at the peak
     std::complex<double> background = 0; ///< b
     std::complex<double> residue = 0, pole = 0; ///< a, p
+    /** Residue and pole of each of the others. */
+    std::vector<std::pair<std::complex<double>, std::complex<double>>> others;
     /** Root mean square of what the fit leaves over that of the amplitudes [-]. */
     double residual = 0;
 
@@ -25,10 +28,13 @@ namespace vfife
   /**
    * Fits at least four complex amplitudes over different speeds, all of one phase reference: x w =
    * p w + b x + (a - b p) is linear in p, b and a - b p, and its least squares are weighted
-   * equally. With three speeds b is taken as zero. Throws NumericalError for fewer.
+   * equally. With three speeds b is taken as zero. Throws NumericalError for fewer. @p others:
+   * poles near by, each of which takes up d/(x - q) more, linear as well: x w = p w + b x + c + sum
+   * of d (q - p)/(x - q); as many speeds more are needed.
    */
   ResonanceFit fit_resonance(const std::vector<double>               &speeds,
-                             const std::vector<std::complex<double>> &amplitudes);
+                             const std::vector<std::complex<double>> &amplitudes,
+                             const std::vector<std::complex<double>> &others = {});
 
   /** A motion that approaches its end as w(t) = end + start exp((i beat - decay) t). */
   struct BuildUpFit

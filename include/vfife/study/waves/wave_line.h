@@ -19,16 +19,19 @@ namespace vfife
   /** What was found where a wave was driven at and around its speed. */
   struct WaveResponse
   {
-    std::vector<WaveMotion>           motions;  ///< by speed, ascending
-    std::vector<std::complex<double>> linear;   ///< by linear theory, at the same speeds [um]
-    ResonanceFit                      curve;    ///< of the amplitudes over the driver's speed
-    BuildUpFit                        build_up; ///< at the speed nearest to the predicted one
+    std::vector<WaveMotion>           motions; ///< by speed, ascending
+    std::vector<std::complex<double>> linear;  ///< by linear theory, at the same speeds [um]
+    ResonanceFit                      curve;   ///< of the amplitudes over the driver's speed
+    /** What the same fit makes of linear theory, and what one of a single resonance of both. */
+    ResonanceFit linear_fit, single, linear_single;
+    BuildUpFit   build_up; ///< at the speed nearest to the predicted one
     /** Amplitude at the peak of one mode under the forces at these speeds, less what the wave
      * itself makes of them [um]. */
     double forced_peak = 0;
-    /** Of each probe of the driven body at the peak: largest stress without waves and that of the
-     * wave over the first; von Mises stresses of sums are at most the sums. */
+    /** Of each of WaveDriver::places() at the peak: largest stress without waves and that of the
+     * wave over the first; von Mises stresses and tensions of sums are at most the sums. */
     std::vector<double> amplifications;
+    std::size_t         n_probes = 0; ///< the first of these places
   };
 
   /** A speed at which a mesh order meets a wave, and what was found there. */
@@ -40,16 +43,24 @@ namespace vfife
     double       zeta         = 0; ///< [1/s]
     /** The same by linear theory, which knows the contact: amplitudes [um] over the driver's speed.
      */
-    ResonanceFit                linear_curve;
-    std::optional<WaveResponse> response;
+    ResonanceFit linear_curve;
+    /** Of other free vibrations in contact, in the same amplitude over the driver's speed: residue
+     * and pole, those that count most at the peak first. */
+    std::vector<std::pair<std::complex<double>, std::complex<double>>> neighbours;
+    std::optional<WaveResponse>                                        response;
 
     /** "wave of 4 diameters against the spin at mesh order 1" */
     std::string name() const;
     double      predicted_width() const; ///< of the speed, over it [-]
     double      damping_ratio() const;   ///< [-]
     double      mesh_frequency() const;  ///< at the speed in contact [Hz]
-    /** Largest of all probes; 1 without probes. */
+    /** Poles of the neighbours that a fit over these @p speeds can tell apart. */
+    std::vector<std::complex<double>> others_beside(const std::vector<double> &speeds) const;
+    /** Largest of all places; 1 without. */
     double amplification() const;
+    /** Of the probes, which lie on the web, and of the fillets; no number without. */
+    double web_amplification() const;
+    double root_amplification() const;
     /** Range of the driver's speed [rad/s] in which the amplification is more than @p allowed, by
      * the resonance curve; nothing where it is nowhere. */
     std::optional<std::pair<double, double>> find_range_to_avoid(double allowed) const;
@@ -82,9 +93,10 @@ namespace vfife
   Table make_build_up_table();
   void  add_build_up(const WaveLine &line, Table &table);
 
-  /** waves_stress.csv: a row a speed and probe. */
+  /** waves_stress.csv: a row a speed and place, WaveDriver::places(). */
   Table make_wave_stress_table();
-  void  add_wave_stresses(const WaveLine &line, const std::vector<Probe> &probes, Table &table);
+  void
+  add_wave_stresses(const WaveLine &line, const std::vector<std::string> &places, Table &table);
 
   /** speeds_to_avoid.csv: ranges of the driver's speed with margins, ascending; those that touch
    * are one. @p margin: over the speed. */

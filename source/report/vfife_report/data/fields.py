@@ -50,7 +50,7 @@ def has_cells(path):
 
 
 def read_piece(path):
-    """Corners of the hexahedra of a .vtu file and data at them."""
+    """Corners of the hexahedra of a .vtu file and data at them; those of a cell at all of its corners."""
     try:
         grid = meshio.vtu.read(path)  # meshio.read() ends the program at a damaged file
     except Exception as error:  # of whatever kind: meshio trusts what it reads
@@ -63,6 +63,8 @@ def read_piece(path):
     if not np.all(np.isfinite(grid.points)):
         raise DamagedFile(f"{path} is damaged: coordinates are no numbers")
     data = {name: np.asarray(values, dtype=float)[corners] for name, values in grid.point_data.items()}
+    for name, values in grid.cell_data_dict.items():
+        data[name] = np.repeat(np.asarray(values["hexahedron"], dtype=float)[:, None], 8, axis=1)
     return np.asarray(grid.points, dtype=float)[corners], data
 
 

@@ -8,7 +8,7 @@ from ..measures.ledger import HEADER, list_ledger_rows, list_reasons, read_ledge
 from ..plots.bearings import list_bearings
 from ..plots.root_stress import list_root_stresses
 from .chapter import Chapter
-from .parts import Cells, Paragraph, list_values
+from .parts import EXACT, Cells, Paragraph, list_values
 
 SHOWN_MODES = 12  # of a body at a speed
 
@@ -25,7 +25,7 @@ def tell_ledger(run, plots):
     yield from plots
     yield Cells(HEADER, list(list_ledger_rows(rows)),
                 "Difference: value less reference, and over the reference's magnitude. Below each row what it is compared with, "
-                "and why.", list_reasons(rows))
+                "and why.", list_reasons(rows), EXACT)
 
 
 def tell_lumped_model(run, plots):
@@ -40,7 +40,7 @@ def tell_lumped_model(run, plots):
                  "by 2", "by 3"],
                 [[mode["frequency [Hz]"], mode["damping ratio [-]"]]
                  + mode["critical pinion speeds of mesh orders 1, 2, 3 [rpm]"]
-                 for mode in results["modes"]], "Natural frequencies about the loaded state.")
+                 for mode in results["modes"]], "Natural frequencies about the loaded state.", digits=EXACT)
 
 
 def tell_bearings(run, plots):
@@ -57,7 +57,7 @@ def tell_bearings(run, plots):
 def tell_rows(table, columns, rows, caption):
     """Some columns of a table as they are named in its file."""
     return Cells([table.label(name) for name in columns],
-                 [[cell(table[name][k]) for name in columns] for k in rows], caption)
+                 [[cell(table[name][k]) for name in columns] for k in rows], caption, digits=EXACT)
 
 
 def cell(value):

@@ -10,9 +10,11 @@ MARKS = {"agrees": ("good", "✓ agrees"), "differs": ("bad", "✗ differs"),
          "not judged": ("open", "– not judged")}
 MEDIA = {".svg": "image/svg+xml", ".png": "image/png"}
 LONG_TEXT = 40  # letters from which a cell is kept wide
+DIGITS = 3  # significant ones of a figure
+EXACT = 5  # of numbers that are compared with each other or taken from here: geometry, frequencies, variants
 
 
-def format_number(value, digits=5):
+def format_number(value, digits=EXACT):
     """Digits as one reads them: no exponent between 1e-4 and 1e7; a dash for what is no number."""
     if value is None or value != value:
         return "–"
@@ -41,6 +43,7 @@ class Cells:
     rows: list
     caption: str = ""
     notes: list = None  # a text below each row, as wide as the table may be seen
+    digits: int = DIGITS
     template = "cells"
 
     def is_empty(self):
@@ -51,11 +54,10 @@ class Cells:
         return [(text, all(isinstance(row[k], (int, float, type(None))) for row in self.rows))
                 for k, text in enumerate(self.header)]
 
-    @staticmethod
-    def show(value):
+    def show(self, value):
         """Class and text of a cell."""
         if not isinstance(value, str):
-            return "number", format_number(value)
+            return "number", format_number(value, self.digits)
         return MARKS.get(value, ("long" if len(value) > LONG_TEXT else "", value))
 
 

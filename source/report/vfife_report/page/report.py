@@ -5,6 +5,7 @@ from ..data.study import Study
 from ..plot_table import draw_folder
 from .chapter import add_chapters
 from .folder_chapters import LEDGER, TABLE_CHAPTERS
+from .glossary import add_words
 from .page import Page
 from .run_chapters import RUN_CHAPTERS
 from .study_chapters import STUDY_CHAPTERS
@@ -23,6 +24,7 @@ def make_report(source):
         add_chapters(page, TABLE_CHAPTERS, source.folder, drawn)
     else:
         add_chapters(page, RUN_CHAPTERS + (LEDGER,) + TABLE_CHAPTERS, source, drawn)
+    add_words(page)
     return page
 
 

@@ -11,7 +11,7 @@ from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resol
 from ..measures.sidebands import SIDEBANDS_HEADER, list_sidebands
 from ..measures.waves import list_wave_lines
 from .chapter import Chapter
-from .parts import Cells, Paragraph, list_values
+from .parts import EXACT, Cells, Paragraph, list_values
 from .words import list_case_rows, list_geometry_rows, list_sentences
 
 
@@ -21,12 +21,12 @@ def tell_case(run, plots):
         yield Paragraph(f"The run failed: {failure}", "alarm")
     for sentence in list_sentences(run):
         yield Paragraph(sentence)
-    yield Cells(["", "in force"], list(list_case_rows(run)))
+    yield Cells(["", "value used"], list(list_case_rows(run)))
     if run.geometry:
         yield Cells(["geometry", "unit", "pinion", "gear"], list(list_geometry_rows(run.geometry)),
-                    "Given, derived or proposed; in the first rows of the pair.")
+                    "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
     if run.parameters:
-        yield Paragraph("All parameters in force: parameters.prm in the run's folder.", "soft")
+        yield Paragraph("All parameters that were used: parameters.prm in the run's folder.", "soft")
     yield from plots
 
 
@@ -92,7 +92,7 @@ def tell_rim(run, plots):
     yield from plots
     yield Cells(["nodal diameters", "travels", "frequency [Hz]", "amplitude [um]"],
                 list(list_wave_lines(run)) if has_rim_over_meshes(run) else [],
-                "Strongest lines of the axial waves, frequencies in the turning gear.")
+                "Strongest lines of the axial waves, frequencies in the turning gear.", digits=EXACT)
 
 
 def tell_energy(run, plots):

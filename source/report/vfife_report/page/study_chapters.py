@@ -10,7 +10,7 @@ from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resol
                                   list_other_lines)
 from .chapter import Chapter
 from .error_chapter import tell_error_bars
-from .parts import Cells, Paragraph
+from .parts import EXACT, Cells, Paragraph
 from .sweep_chapter import tell_sweep, title_sweep
 from .words import list_geometry_rows
 
@@ -30,7 +30,7 @@ def tell_variants(study, plots):
     geometries = [v.run.geometry for v in study.variants]
     if geometries[0] and all(one == geometries[0] for one in geometries):
         yield Cells(["geometry of all variants", "unit", "pinion", "gear"], list(list_geometry_rows(geometries[0])),
-                    "Given, derived or proposed; in the first rows of the pair.")
+                    "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
     yield Paragraph("A variant's own report is made by make_report.py with its folder.", "soft")
 
 
@@ -58,7 +58,7 @@ def tell_means(study, plots):
                          periodicity.trend if periodicity else None, statistics["unit"],
                          RIPPLE_WORDS[variant.run.is_ripple_steady()]])
     yield Cells(["history", "variant", "mean", "peak to peak", "standard deviation",
-                 "trend a tooth mesh", "unit", "ripple"], rows, "Over the steady part of each run.")
+                 "trend a tooth mesh", "unit", "ripple"], rows, "Over the steady part of each run.", digits=EXACT)
 
 
 def tell_periodicity(study, plots):
@@ -103,7 +103,7 @@ def tell_quantities(study, plots):
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(header)
         writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
-    yield Cells(header, rows, "Definitions in doc/report.md. Data: key_figures.csv.")
+    yield Cells(header, rows, "Definitions in doc/report.md. Data: key_figures.csv.", digits=EXACT)
 
 
 def tell_computations(study, plots):

@@ -6,7 +6,7 @@ from ..data.columns import TRANSMISSION_ERROR
 from ..measures.critical_speeds import MESH_ORDERS, choose_modes, list_critical_speeds
 from ..measures.lines import HIGHEST_LINE_ORDER, find_lines
 from ..measures.ripple import RIPPLES, find_steady, read_ripple
-from .parts import Cells, Paragraph
+from .parts import EXACT, Cells, Paragraph
 
 
 def title_sweep(study):
@@ -75,8 +75,8 @@ def list_speed_tables(speeds, beside):
                  "RMS", "force, mean [N]", "peak to peak", "RMS",
                  "dte: strongest line beside the mesh [Hz]", "amplitude [arcsec]",
                  "nearest coupled mode [Hz]"], rows,
-                "RMS: standard deviation from the mean of the steady part.")
+                "RMS: standard deviation from the mean of the steady part.", digits=EXACT)
     yield Cells(["coupled mode [Hz]", "meets mesh order", f"at {axis.label}"],
                 [[frequency, order, value] for frequency, order, value
                  in list_critical_speeds(beside, speeds)],
-                f"Speeds at which mesh orders {MESH_ORDERS[0]} to {MESH_ORDERS[-1]} meet coupled modes.")
+                f"Speeds at which mesh orders {MESH_ORDERS[0]} to {MESH_ORDERS[-1]} meet coupled modes.", digits=EXACT)

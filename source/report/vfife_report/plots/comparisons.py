@@ -123,5 +123,5 @@ def draw_rim_content(study):
         panels[row, 0].set_ylabel("amplitude [um]")
     for axes in panels[1]:
         axes.set_xlabel("nodal diameters")
-    add_legend(panels[0, 0], fontsize=9)
+    add_legend(panels[0, -1], fontsize=9)
     return plot

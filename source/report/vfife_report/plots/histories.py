@@ -111,7 +111,7 @@ def draw_energies(run):
         change = history[name] - history[name][0]
         below.plot(time, change, color=COLOURS[number % len(COLOURS)],
                    label=name.replace(" energy", ""))
-    below.legend(loc="upper left", ncol=3, frameon=False, fontsize=9)
+    add_legend(below, fontsize=9)
     below.set_ylabel("change since the start [mJ]")
     below.set_title("Energies")
     below.set_xlabel("time [ms]")

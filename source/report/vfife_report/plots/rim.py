@@ -22,7 +22,7 @@ def draw_rim_content(run):
                       label=COMPONENTS[component])
         axes.set(title=title, xlabel="nodal diameters", ylabel="amplitude [um]", yscale="log")
         axes.set_xticks(numbers)
-    add_legend(panels[0])
+    add_legend(panels[-1])
     return plot
 
 

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Plots of root stresses: over an engagement, on the unrolled fillets, and of strain gauges."""
+"""Plots of root stresses: over an engagement, along the face, on the unrolled fillets, and of strain gauges."""
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
@@ -40,17 +40,27 @@ def extremes(table, rows):
     return at, np.array(tension), np.array(compression)
 
 
+def plot_members(table, label):
+    """A plot with axes for each member, their x axis with a label, and (axes, colour, body, fillet) of each fillet."""
+    fillets = list_fillets(table)
+    bodies = list(dict.fromkeys(body for body, _ in fillets))
+    plot, all_axes = plt.subplots(1, len(bodies), figsize=(10, 4), squeeze=False, sharey=True)
+    curves = []
+    for axes, body in zip(all_axes[0], bodies):
+        axes.set(title=body, xlabel=label, ylabel="principal stress [MPa]")
+        curves += [(axes, colour, *one) for colour, one in zip(COLOURS[1:], [one for one in fillets if one[0] == body])]
+    return plot, curves
+
+
 def draw_root_stress(run):
     table = Table(run.path / "root_stress.csv")
-    bodies = list(dict.fromkeys(table["body"]))
-    plot, all_axes = plt.subplots(1, len(bodies), figsize=(10, 4), squeeze=False, sharey=True)
-    for axes, body in zip(all_axes[0], bodies):
-        for colour, (_, fillet) in zip(COLOURS[1:], [one for one in list_fillets(table) if one[0] == body]):
-            at, tension, compression = extremes(table, rows_of(table, body, fillet))
-            near = np.abs(at) <= SHOWN
-            axes.plot(at[near], tension[near], color=colour, label=f"{fillet} fillet, tension")
-            axes.plot(at[near], compression[near], "--", color=colour, label=f"{fillet} fillet, compression")
-        axes.set(title=body, xlabel="tooth meshes after the mesh", ylabel="principal stress [MPa]")
+    plot, curves = plot_members(table, "tooth meshes after the mesh")
+    for axes, colour, body, fillet in curves:
+        at, tension, compression = extremes(table, rows_of(table, body, fillet))
+        near = np.abs(at) <= SHOWN
+        axes.plot(at[near], tension[near], color=colour, label=f"{fillet} fillet, tension")
+        axes.plot(at[near], compression[near], "--", color=colour, label=f"{fillet} fillet, compression")
+    for axes in plot.axes:
         add_legend(axes, fontsize=8)
     return plot
 
@@ -76,6 +86,22 @@ def draw_envelope(run):
     for axes in all_axes[-1]:
         axes.set_xlabel("face, mm from the toe")
     plot.colorbar(shades, ax=list(all_axes.flat), label="principal stress [MPa]", shrink=0.6)
+    return plot
+
+
+def draw_sections(run):
+    """Steps, since a section is as long as its facets."""
+    table = Table(run.path / "root_sections.csv")
+    plot, curves = plot_members(table, "face, mm from the toe")
+    for axes, colour, body, fillet in curves:
+        rows = rows_of(table, body, fillet)
+        sides = np.append(table["face from"][rows], table["face to"][rows][-1])
+        for stress, line in (("tension", "-"), ("compression", "--")):
+            axes.stairs(table[stress][rows], sides, baseline=None, color=colour, linestyle=line,
+                        label=f"{fillet} fillet, {stress}")
+    for axes in plot.axes:
+        # Below: steps are everywhere.
+        add_legend(axes, fontsize=8, ncol=2, loc="upper center", bbox_to_anchor=(0.5, -0.14))
     return plot
 
 

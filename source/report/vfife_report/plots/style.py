@@ -51,9 +51,14 @@ def save(plot, path):
 
 
 def add_legend(axes, **options):
-    """A frameless legend of the curves that have names, where there are any."""
-    if axes.get_legend_handles_labels()[0]:
-        axes.legend(frameon=False, **options)
+    """A frameless legend of the curves that have names, where there are any: beside the axes, where no curve is, unless others
+    stand there."""
+    if not axes.get_legend_handles_labels()[0]:
+        return
+    place = axes.get_subplotspec()
+    if place is None or place.is_last_col():
+        options = {**options, "loc": "upper left", "bbox_to_anchor": (1.01, 1), "borderaxespad": 0, "ncol": 1}
+    axes.legend(frameon=False, **options)
 
 
 def darken_edges(colour, edge):

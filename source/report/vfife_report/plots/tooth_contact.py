@@ -47,7 +47,7 @@ def draw_contact_pattern(run):
     for axes, body in zip(all_axes[0], bodies):
         shades = plot_pattern(axes, run, body)
         axes.set_title(body)
-    plot.colorbar(shades, ax=list(all_axes[0]), label="pressure over its largest", shrink=0.7)
+    plot.colorbar(shades, ax=list(all_axes[0]), label="pressure over its largest", ticks=np.linspace(0, 1, 6), shrink=0.7)
     return plot
 
 
@@ -63,7 +63,7 @@ def draw_contact_patterns(study):
             axes.set_title(f"{body}, {variant.name}")
             if variant is not variants[-1]:
                 axes.set_xlabel("")
-    plot.colorbar(shades, ax=all_axes.ravel().tolist(), label="pressure over its largest", shrink=0.5)
+    plot.colorbar(shades, ax=all_axes.ravel().tolist(), label="pressure over its largest", ticks=np.linspace(0, 1, 6), shrink=0.5)
     return plot
 
 

@@ -5,9 +5,12 @@ import math
 
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path as Outline
+from matplotlib.ticker import MaxNLocator
 
 from ..data.table import Table
 from .style import COLOURS, EDGE, STRESS_MAP, WIDE, plt
+
+ROUND_LEVELS = MaxNLocator(14, steps=[1, 2, 5, 10])  # of shades
 
 
 def read_rows(path):
@@ -41,6 +44,7 @@ def plot_lag(axes, rows):
         largest = max(r["lag"] for r in rows if r["contact"] == "flanks" and r["inside"])
         axes.set_ylim(max(1.5 * max(least), 1.2 * largest), min(0, min(least)) - 0.3)
     axes.set(xlabel="pinion rotation, pitches", ylabel="lag of the gear, arcsec (down)")
+    axes.locator_params(axis="x", nbins=5)
     axes.legend(fontsize=8, ncol=4, loc="lower right", bbox_to_anchor=(1, 1), frameon=False,
                 borderaxespad=0.2, columnspacing=1, handlelength=1.2)
 
@@ -74,8 +78,9 @@ def plot_pattern(axes, rows, border):
 
 
 def plot_ease_off(axes, rows):
+    values = [r["ease-off"] for r in rows]
     shades = axes.tricontourf([r["gear L"] for r in rows], [r["gear h"] for r in rows],
-                              [r["ease-off"] for r in rows], levels=14, cmap=STRESS_MAP)
+                              values, levels=ROUND_LEVELS.tick_values(min(values), max(values)), cmap=STRESS_MAP)
     plt.colorbar(shades, ax=axes, label="ease-off, um", orientation="horizontal")
     axes.set(xlabel="gear L, mm (heel to the right)", ylabel="gear h, mm", aspect="equal")
 

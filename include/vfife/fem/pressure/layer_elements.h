@@ -1,0 +1,37 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_fem_pressure_layer_elements_h
+#define vfife_fem_pressure_layer_elements_h
+
+#include <vfife/fem/system/fem_element.h>
+
+#include <array>
+#include <vector>
+
+namespace vfife
+{
+  using PointPairs = std::vector<std::array<unsigned int, 2>>;
+
+  /** Elements by themselves, some of their points held. */
+  struct LayerElements
+  {
+    std::vector<Vector3>                   points;   ///< [mm]
+    std::vector<char>                      held;     ///< of the points
+    std::vector<std::vector<unsigned int>> elements; ///< 8 or 27 points, lexicographic
+
+    /**
+     * Continues the elements by @p length [mm] beyond @p edges of the surface @p patch, two points
+     * each: over the sides that turn down there, and over those that go on from these smoothly.
+     * The surface goes straight on, with elements as wide as the last ones, and what is below as it
+     * does; what continues held points is held.
+     */
+    void
+    continue_beyond(const PointPairs &edges, const std::vector<unsigned int> &patch, double length);
+
+    /** Displacements at @p patch, none of which is held, under unit forces there [mm/N]. */
+    Eigen::MatrixXd find_flexibility(const std::vector<unsigned int> &patch,
+                                     const Material                  &material,
+                                     FemElement                       element) const;
+  };
+} // namespace vfife
+
+#endif

@@ -1,0 +1,313 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/types.h>
+#include <vfife/fem/pressure/layer_elements.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Sides whose normals differ by less go on from each other: cosine of 45 deg. */
+    constexpr double smooth = 0.7071;
+
+    /** The side of an element at the low or high end of one of its axes. */
+    struct Side
+    {
+      unsigned int element, axis;
+      bool         high;
+    };
+
+    /** Nodes of an element along each axis. */
+    unsigned int nodes_along(const std::vector<unsigned int> &element)
+    {
+      return element.size() == 8 ? 2 : 3;
+    }
+
+    unsigned int stride_of(const unsigned int n, const unsigned int axis)
+    {
+      return axis == 0 ? 1 : (axis == 1 ? n : n * n);
+    }
+
+    /** Of the node @p a along an axis. */
+    unsigned int step_of(const unsigned int a, const unsigned int n, const unsigned int axis)
+    {
+      return a / stride_of(n, axis) % n;
+    }
+
+    /** The node with another step along an axis. */
+    unsigned int replace_step(const unsigned int a,
+                              const unsigned int n,
+                              const unsigned int axis,
+                              const unsigned int step)
+    {
+      return a + stride_of(n, axis) * step - stride_of(n, axis) * step_of(a, n, axis);
+    }
+
+    /** Corners of a side in turn. */
+    std::array<unsigned int, 4> corners_of(const std::vector<unsigned int> &element,
+                                           const Side                      &side)
+    {
+      const unsigned int          n = nodes_along(element), last = n - 1;
+      const unsigned int          u = (side.axis + 1) % 3, v = (side.axis + 2) % 3;
+      std::array<unsigned int, 4> corners;
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          unsigned int a = replace_step(0, n, side.axis, side.high ? last : 0);
+          a              = replace_step(a, n, u, k == 1 || k == 2 ? last : 0);
+          a              = replace_step(a, n, v, k >= 2 ? last : 0);
+          corners[k]     = element[a];
+        }
+      return corners;
+    }
+
+    using Edge = std::pair<unsigned int, unsigned int>;
+
+    Edge make_edge(const unsigned int a, const unsigned int b)
+    {
+      return {std::min(a, b), std::max(a, b)};
+    }
+
+    /** Sides that no other element has, that are not all held and no facets of a patch. */
+    class FreeSides
+    {
+    public:
+      FreeSides(const LayerElements &layer, const std::vector<unsigned int> &patch)
+      {
+        std::vector<char> is_patch(layer.points.size(), false);
+        for (const unsigned int point : patch)
+          is_patch[point] = true;
+        const auto all_of = [](const std::array<unsigned int, 4> &corners,
+                               const std::vector<char>           &which) {
+          return std::all_of(corners.begin(), corners.end(), [&which](const unsigned int p) {
+            return which[p];
+          });
+        };
+        std::map<std::array<unsigned int, 4>, std::vector<Side>> all;
+        for (unsigned int e = 0; e < layer.elements.size(); ++e)
+          for (unsigned int axis = 0; axis < 3; ++axis)
+            for (const bool high : {false, true})
+              {
+                auto corners = corners_of(layer.elements[e], {e, axis, high});
+                std::sort(corners.begin(), corners.end());
+                all[corners].push_back({e, axis, high});
+              }
+        for (const auto &[corners, sides] : all)
+          if (sides.size() == 1 && !all_of(corners, layer.held) && !all_of(corners, is_patch))
+            add(layer, sides.front());
+      }
+
+      /** Those at the edges, each with what goes on from it smoothly. */
+      std::vector<std::vector<Side>> find_at(const PointPairs &edges) const
+      {
+        std::vector<char>              found(sides_.size(), false);
+        std::vector<std::vector<Side>> ways;
+        for (const auto &edge : edges)
+          {
+            std::vector<std::size_t> next;
+            if (const auto at = at_.find(make_edge(edge[0], edge[1])); at != at_.end())
+              next = at->second;
+            std::vector<Side> sides;
+            while (!next.empty())
+              {
+                const std::size_t i = next.back();
+                next.pop_back();
+                if (found[i])
+                  continue;
+                found[i] = true;
+                sides.push_back(sides_[i]);
+                for (unsigned int k = 0; k < 4; ++k)
+                  for (const std::size_t j : at_.at(edge_of(i, k)))
+                    if (normals_[i].dot(normals_[j]) > smooth)
+                      next.push_back(j);
+              }
+            if (!sides.empty())
+              ways.push_back(std::move(sides));
+          }
+        return ways;
+      }
+
+    private:
+      Edge edge_of(const std::size_t i, const unsigned int k) const
+      {
+        return make_edge(corners_[i][k], corners_[i][(k + 1) % 4]);
+      }
+      void add(const LayerElements &layer, const Side &side)
+      {
+        const auto corners = corners_of(layer.elements[side.element], side);
+        const auto x       = [&](const unsigned int k) { return layer.points[corners[k]]; };
+        // Elements are right-handed: the normal is along the axis.
+        const Vector3 along = (x(2) - x(0)).cross(x(3) - x(1)).normalized();
+        sides_.push_back(side);
+        corners_.push_back(corners);
+        normals_.push_back((side.high ? 1. : -1.) * along);
+        for (unsigned int k = 0; k < 4; ++k)
+          at_[edge_of(sides_.size() - 1, k)].push_back(sides_.size() - 1);
+      }
+
+      std::vector<Side>                        sides_;
+      std::vector<std::array<unsigned int, 4>> corners_;
+      std::vector<Vector3>                     normals_; ///< outward
+      std::map<Edge, std::vector<std::size_t>> at_;      ///< the sides at an edge
+    };
+
+    /** Adds elements beyond sides that go on from each other, row by row. */
+    class Continuation
+    {
+    public:
+      /** @p at_edge: of the points, whether they are at an edge of the patch. */
+      Continuation(LayerElements           &layer,
+                   const std::vector<Side> &sides,
+                   const std::vector<char> &at_edge)
+        : layer_(layer)
+      {
+        // How the patch comes to the edge: the last step of its lines.
+        std::map<unsigned int, Vector3> steps;
+        for (const Side &side : sides)
+          for (unsigned int a = 0; a < layer.elements[side.element].size(); ++a)
+            if (const unsigned int point = layer.elements[side.element][a];
+                is_on(side, a) && at_edge[point])
+              steps[point] = layer.points[point] - layer.points[opposite(side, a)];
+        width = std::numeric_limits<double>::infinity();
+        for (const auto &step : steps)
+          width = std::min(width, step.second.norm());
+        // All that is below a point of the edge goes on as it does.
+        for (const Side &side : sides)
+          for (unsigned int a = 0; a < layer.elements[side.element].size(); ++a)
+            if (is_on(side, a))
+              {
+                const unsigned int point = layer.elements[side.element][a];
+                const auto         nearest =
+                  std::min_element(steps.begin(),
+                                   steps.end(),
+                                   [&](const auto &one, const auto &other) {
+                                     const auto distance = [&](const unsigned int p) {
+                                       return (layer.points[p] - layer.points[point]).norm();
+                                     };
+                                     return distance(one.first) < distance(other.first);
+                                   });
+                steps_[point] = nearest->second;
+              }
+      }
+
+      /** Adds an element; its outer side. */
+      Side add_element(const Side &side)
+      {
+        const std::vector<unsigned int> inner = layer_.elements[side.element];
+        const unsigned int              n     = nodes_along(inner);
+        std::vector<unsigned int>       outer(inner.size());
+        for (unsigned int a = 0; a < inner.size(); ++a)
+          {
+            const unsigned int step = step_of(a, n, side.axis), beyond = n - 1 - step;
+            const unsigned int steps = side.high ? beyond : step; // from the side to this node
+            const unsigned int foot  = inner[replace_step(a, n, side.axis, side.high ? n - 1 : 0)];
+            outer[replace_step(a, n, side.axis, beyond)] =
+              point_beyond(foot, steps, double(steps) / (n - 1));
+          }
+        layer_.elements.push_back(std::move(outer));
+        return {static_cast<unsigned int>(layer_.elements.size() - 1), side.axis, side.high};
+      }
+
+      double width; ///< of the narrowest row [mm]
+
+    private:
+      bool is_on(const Side &side, const unsigned int a) const
+      {
+        const unsigned int n = nodes_along(layer_.elements[side.element]);
+        return step_of(a, n, side.axis) == (side.high ? n - 1 : 0);
+      }
+      unsigned int opposite(const Side &side, const unsigned int a) const
+      {
+        const std::vector<unsigned int> &own = layer_.elements[side.element];
+        const unsigned int               n   = nodes_along(own);
+        return own[replace_step(a, n, side.axis, side.high ? 0 : n - 1)];
+      }
+      unsigned int point_beyond(const unsigned int foot, const unsigned int steps, double part)
+      {
+        if (steps == 0)
+          return foot;
+        const auto [place, is_new] =
+          known_.try_emplace({foot, steps}, static_cast<unsigned int>(layer_.points.size()));
+        if (is_new)
+          {
+            layer_.points.push_back(layer_.points[foot] + part * steps_.at(foot));
+            layer_.held.push_back(layer_.held[foot]);
+            steps_[place->second] = steps_.at(foot);
+          }
+        return place->second;
+      }
+
+      LayerElements                  &layer_;
+      std::map<unsigned int, Vector3> steps_; ///< from a point to that of the next row [mm]
+      std::map<std::pair<unsigned int, unsigned int>, unsigned int> known_; ///< by foot and steps
+    };
+  } // namespace
+
+
+  void LayerElements::continue_beyond(const PointPairs                &edges,
+                                      const std::vector<unsigned int> &patch,
+                                      const double                     length)
+  {
+    std::vector<char> at_edge(points.size(), false);
+    for (const auto &edge : edges)
+      for (const unsigned int point : edge)
+        at_edge[point] = true;
+    for (std::vector<Side> &sides : FreeSides(*this, patch).find_at(edges))
+      {
+        Continuation beyond(*this, sides, at_edge);
+        for (double done = 0.; done < length; done += beyond.width)
+          for (Side &side : sides)
+            side = beyond.add_element(side);
+      }
+  }
+
+
+  Eigen::MatrixXd LayerElements::find_flexibility(const std::vector<unsigned int> &patch,
+                                                  const Material                  &material,
+                                                  const FemElement                 element) const
+  {
+    std::vector<int> first(points.size(), -1);
+    int              n = 0;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (!held[p])
+        {
+          first[p] = n;
+          n += 3;
+        }
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const std::vector<unsigned int> &own : elements)
+      {
+        ElementNodes X(3, own.size());
+        for (std::size_t a = 0; a < own.size(); ++a)
+          X.col(a) = points[own[a]];
+        const Eigen::MatrixXd K = compute_fem_stiffness(X, material, element);
+        for (Eigen::Index r = 0; r < K.rows(); ++r)
+          for (Eigen::Index c = 0; c < K.cols(); ++c)
+            {
+              const int row = first[own[r / 3]], column = first[own[c / 3]];
+              if (row >= 0 && column >= 0)
+                entries.emplace_back(row + r % 3, column + c % 3, K(r, c));
+            }
+      }
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+
+    const Eigen::Index size = 3 * patch.size();
+    Eigen::MatrixXd    flexibility(size, size);
+    for (Eigen::Index k = 0; k < size; ++k)
+      {
+        const Eigen::VectorXd u =
+          solver.solve(Eigen::VectorXd::Unit(n, first[patch[k / 3]] + k % 3));
+        for (Eigen::Index i = 0; i < size; ++i)
+          flexibility(i, k) = u[first[patch[i / 3]] + i % 3];
+      }
+    // Symmetric to the last digit, as conjugate gradients take it to be.
+    return .5 * (flexibility + flexibility.transpose());
+  }
+} // namespace vfife

@@ -1,0 +1,158 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/mesh/hexahedron_corners.h>
+#include <vfife/output/files/vtu_writer.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <zlib.h>
+
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr std::uint8_t vtk_hexahedron = 12;
+
+    /** The word for a type of numbers. */
+    const char *type_word(const float)
+    {
+      return "Float32";
+    }
+    const char *type_word(const std::uint32_t)
+    {
+      return "UInt32";
+    }
+    const char *type_word(const std::uint8_t)
+    {
+      return "UInt8";
+    }
+
+    /** Bytes in letters. */
+    std::string letters_of(const void *data, const std::size_t size)
+    {
+      const auto *bytes = static_cast<const unsigned char *>(data);
+      return dealii::Utilities::encode_base64({bytes, bytes + size});
+    }
+
+    /** What a DataArray says of itself. */
+    void write_attributes(std::ostream      &out,
+                          const char        *type,
+                          const std::string &name,
+                          const unsigned int n_components,
+                          const std::string &unit)
+    {
+      out << " type=\"" << type << "\" Name=\"" << name << "\"";
+      // Readers take one component that is stated for rows of one number.
+      if (n_components > 1)
+        out << " NumberOfComponents=\"" << n_components << "\"";
+      if (!unit.empty())
+        out << " units=\"" << unit << "\"";
+    }
+
+    /** One block: four counts (blocks, their size, that of the last, compressed size), then the
+     * compressed numbers. */
+    template <typename Number>
+    void write_array(std::ostream              &out,
+                     const std::string         &name,
+                     const unsigned int         n_components,
+                     const std::vector<Number> &values,
+                     const std::string         &unit = "")
+    {
+      const uLong        size   = values.size() * sizeof(Number);
+      uLongf             packed = compressBound(size);
+      std::vector<Bytef> block(packed);
+      if (compress2(block.data(),
+                    &packed,
+                    reinterpret_cast<const Bytef *>(values.data()),
+                    size,
+                    Z_BEST_SPEED) != Z_OK)
+        throw NumericalError("the numbers of a .vtu file could not be compressed");
+      const std::uint32_t counts[4] = {1,
+                                       static_cast<std::uint32_t>(size),
+                                       static_cast<std::uint32_t>(size),
+                                       static_cast<std::uint32_t>(packed)};
+      out << "<DataArray";
+      write_attributes(out, type_word(Number()), name, n_components, unit);
+      out << " format=\"binary\">\n"
+          << letters_of(counts, sizeof counts) << letters_of(block.data(), packed)
+          << "\n</DataArray>\n";
+    }
+
+    void write_cells(std::ostream &out, const std::vector<CellNodes> &cells)
+    {
+      std::vector<std::uint32_t> connectivity, offsets;
+      for (const CellNodes &nodes : cells)
+        {
+          for (const unsigned int corner : corner_of_files)
+            connectivity.push_back(nodes[corner]);
+          offsets.push_back(connectivity.size());
+        }
+      out << "<Cells>\n";
+      write_array(out, "connectivity", 1, connectivity);
+      write_array(out, "offsets", 1, offsets);
+      write_array(out, "types", 1, std::vector<std::uint8_t>(cells.size(), vtk_hexahedron));
+      out << "</Cells>\n";
+    }
+
+    void write_arrays(std::ostream &out, const char *element, const std::vector<VtuArray> &arrays)
+    {
+      out << '<' << element << ">\n";
+      for (const VtuArray &array : arrays)
+        write_array(out, array.name, array.n_components, array.values, array.unit);
+      out << "</" << element << ">\n";
+    }
+
+    void list_arrays(std::ostream &out, const char *element, const std::vector<VtuArray> &arrays)
+    {
+      out << '<' << element << ">\n";
+      for (const VtuArray &array : arrays)
+        {
+          out << "<PDataArray";
+          write_attributes(out, type_word(0.F), array.name, array.n_components, array.unit);
+          out << "/>\n";
+        }
+      out << "</" << element << ">\n";
+    }
+  } // namespace
+
+  void VtuGrid::add_point(const Vector3 &x)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      points.push_back(static_cast<float>(x[c]));
+  }
+
+  void write_vtu(std::ostream &out, const VtuGrid &grid, const double time)
+  {
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+           "compressor=\"vtkZLibDataCompressor\" byte_order=\"LittleEndian\">\n"
+           "<UnstructuredGrid>\n";
+    if (!std::isnan(time))
+      out << "<FieldData>\n<DataArray type=\"Float32\" Name=\"TIME\" NumberOfTuples=\"1\" "
+             "format=\"ascii\">"
+          << time << "</DataArray>\n</FieldData>\n";
+    out << "<Piece NumberOfPoints=\"" << grid.points.size() / 3 << "\" NumberOfCells=\""
+        << grid.cells.size() << "\">\n<Points>\n";
+    write_array(out, "Points", 3, grid.points);
+    out << "</Points>\n";
+    write_cells(out, grid.cells);
+    write_arrays(out, "PointData", grid.point_data);
+    write_arrays(out, "CellData", grid.cell_data);
+    out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  }
+
+  void write_pvtu(std::ostream &out, const VtuGrid &grid, const std::vector<std::string> &pieces)
+  {
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" "
+           "byte_order=\"LittleEndian\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n"
+           "<PDataArray type=\"Float32\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
+    list_arrays(out, "PPointData", grid.point_data);
+    list_arrays(out, "PCellData", grid.cell_data);
+    for (const std::string &piece : pieces)
+      out << "<Piece Source=\"" << piece << "\"/>\n";
+    out << "</PUnstructuredGrid>\n</VTKFile>\n";
+  }
+} // namespace vfife

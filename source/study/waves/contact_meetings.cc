@@ -1,0 +1,265 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/column_names.h>
+#include <vfife/study/waves/contact_meetings.h>
+#include <vfife/study/waves/linear_response.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace vfife
+{
+  using Complex = std::complex<double>;
+  using Eigen::VectorXcd;
+
+  namespace
+  {
+    constexpr Complex i(0., 1.);
+
+    /** Free vibrations are found at rates whose quotient is this; between them they change by
+     * little. */
+    constexpr double step = 1.1;
+    /** How far beyond half a step they are followed [-]. */
+    constexpr double follow = .1;
+    /** A meeting is at most this part of the rate from where the free vibrations of the step's
+     * middle would have it. */
+    constexpr double near = .03;
+    /** Points on the circle around a pole. */
+    constexpr unsigned int n_points = 8;
+
+    /** Whether two poles are one but for how far zeros are iterated. */
+    bool is_same(const Complex &a, const Complex &b)
+    {
+      return std::abs(a - b) < 1e-7 * std::abs(a);
+    }
+
+    /** A zero of @p function near @p start: of the quotients of linear functions through three
+     * points, which have a pole beside the zero as well (Jarratt and Nudds 1965). */
+    template <typename Function>
+    std::optional<Complex> find_zero(const Function &function, const Complex &start)
+    {
+      constexpr unsigned int n_iterations = 30;
+      constexpr double       first = 1e-4, done = 1e-9;
+      std::array<Complex, 3> x = {{start * (1. - first), start * (1. + first), start}};
+      std::array<Complex, 3> f;
+      for (std::size_t k = 0; k < 3; ++k)
+        f[k] = function(x[k]);
+      for (unsigned int n = 0; n < n_iterations; ++n)
+        {
+          const Complex to =
+            (x[2] - x[1]) * (x[2] - x[0]) * f[2] * (f[1] - f[0]) /
+            ((x[2] - x[1]) * (f[0] - f[2]) * f[1] + (x[2] - x[0]) * (f[2] - f[1]) * f[0]);
+          if (!std::isfinite(to.real()) || !std::isfinite(to.imag()))
+            return {};
+          x = {{x[1], x[2], x[2] + to}};
+          if (std::abs(to) < done * std::abs(start))
+            return x[2];
+          f = {{f[1], f[2], function(x[2])}};
+          if (f[2] == 0.)
+            return x[2];
+        }
+      return {};
+    }
+
+    /** What the response has around a pole: residues by Cauchy's integral on a circle that no other
+     * pole lies in. */
+    void find_residues(const LinearResponse &linear, const double radius, ContactMeeting &meeting)
+    {
+      const int   p         = meeting.mesh_order;
+      const auto &harmonics = linear.body().harmonics;
+      meeting.backward.clear();
+      meeting.forward.clear();
+      for (const auto &modes : harmonics)
+        {
+          meeting.backward.push_back(VectorXcd::Zero(modes.n_modes()));
+          meeting.forward.push_back(VectorXcd::Zero(modes.n_modes()));
+        }
+      for (unsigned int k = 0; k < n_points; ++k)
+        {
+          const Complex way    = radius * std::polar(1., 2. * pi * k / n_points);
+          const Complex rate   = meeting.rate + way;
+          const Complex weight = way / double(n_points);
+          const Complex moment = linear.moment(p, rate);
+          meeting.moment += weight * moment;
+          meeting.turn += weight * linear.turn(p, rate, moment);
+          for (std::size_t h = 0; h < harmonics.size(); ++h)
+            {
+              // Of -p at the conjugate rate: with it the pole is that of the forward wave.
+              meeting.backward[h] += weight * linear.coordinates(h, p, rate, moment);
+              meeting.forward[h] +=
+                std::conj(weight) * linear.coordinates(h, -p, std::conj(rate), std::conj(moment));
+            }
+        }
+    }
+
+    /** Which wave it is, by kinetic energies in the turning axes. */
+    void characterise(const LinearResponse &linear, ContactMeeting &meeting)
+    {
+      const ReducedBody &body = linear.body();
+      const int          p = meeting.mesh_order, z = body.n_sectors;
+      const double       turn    = body.turn_inertia * std::norm(double(p * z) * meeting.turn);
+      double             largest = 0;
+      meeting.energy             = turn;
+      for (std::size_t k = 0; k < body.harmonics.size(); ++k)
+        {
+          const int h = body.harmonics[k].number;
+          for (const WaveDirection direction : {WaveDirection::backward, WaveDirection::forward})
+            {
+              const VectorXcd &c      = meeting.residues(direction)[k];
+              const double     energy = meeting.energy_of(c.squaredNorm(), h, z, direction);
+              meeting.energy += energy;
+              if (energy <= largest)
+                continue;
+              largest           = energy;
+              meeting.diameters = h;
+              meeting.direction = direction;
+              Eigen::Index mode;
+              c.cwiseAbs().maxCoeff(&mode);
+              meeting.order = mode + 1;
+            }
+        }
+      meeting.share      = largest / meeting.energy;
+      meeting.turn_share = turn / meeting.energy;
+    }
+  } // namespace
+
+  const std::vector<VectorXcd> &ContactMeeting::residues(const WaveDirection direction) const
+  {
+    return direction == WaveDirection::backward ? backward : forward;
+  }
+
+  double ContactMeeting::energy_of(const double        squared,
+                                   const int           n,
+                                   const int           teeth,
+                                   const WaveDirection direction) const
+  {
+    const int z = mesh_order * teeth;
+    return .5 * squared * std::pow(direction == WaveDirection::backward ? z + n : z - n, 2);
+  }
+
+  double ContactMeeting::share_of(const WaveMeeting &free, const ReducedBody &body) const
+  {
+    const BodyWave &wave = free.wave;
+    for (std::size_t k = 0; k < body.harmonics.size(); ++k)
+      if (body.harmonics[k].number == wave.diameters && free.mesh_order == mesh_order)
+        return energy_of(std::norm(wave.shape.dot(residues(wave.direction)[k])),
+                         wave.diameters,
+                         body.n_sectors,
+                         wave.direction) /
+               energy;
+    return 0;
+  }
+
+  double ContactMeeting::width() const
+  {
+    return 2. * std::abs(rate.imag() / rate.real());
+  }
+
+  std::vector<ContactMeeting> find_contact_meetings(const LinearResponse &linear,
+                                                    const unsigned int    mesh_orders,
+                                                    const double          lowest,
+                                                    const double          highest,
+                                                    const double          turning)
+  {
+    const unsigned int          z = linear.body().n_sectors;
+    std::vector<ContactMeeting> meetings;
+    const unsigned int          n_steps = std::ceil(std::log(highest / lowest) / std::log(step));
+    for (unsigned int k = 0; k < n_steps; ++k)
+      {
+        const double               from = lowest * std::pow(highest / lowest, double(k) / n_steps);
+        const double               to   = lowest * std::pow(highest / lowest, (k + 1.) / n_steps);
+        const double               rate = turning * std::sqrt(from * to);
+        const std::vector<Complex> exponents = linear.free_vibrations(rate);
+        for (unsigned int p = 1; p <= mesh_orders; ++p)
+          for (const Complex &exponent : exponents)
+            {
+              // lambda = i p z phi', the frequency of order p where the body turns at this rate.
+              const Complex start = exponent / (i * double(p * z) * linear.sense());
+              if (!(turning * start.real() > from * (1. - follow) &&
+                    turning * start.real() < to * (1. + follow)))
+                continue;
+              const auto compliance = [&](const Complex &at) {
+                return linear.loop_compliance(p, at);
+              };
+              std::optional<Complex> found = find_zero(compliance, start);
+              const auto             known =
+                std::find_if(meetings.begin(), meetings.end(), [&](const ContactMeeting &other) {
+                  return found && other.mesh_order == p && is_same(other.rate, *found);
+                });
+              // Of two lines near by both starts may lead to one: divided out, it leaves the other.
+              if (known != meetings.end())
+                found = find_zero(
+                  [&](const Complex &at) { return compliance(at) * start / (at - known->rate); },
+                  start);
+              if (!found || !(std::abs(*found - start) < near * std::abs(start)) ||
+                  !(turning * found->real() >= from && turning * found->real() < to))
+                continue;
+              if (std::any_of(meetings.begin(), meetings.end(), [&](const ContactMeeting &other) {
+                    return other.mesh_order == p && is_same(other.rate, *found);
+                  }))
+                continue;
+              ContactMeeting meeting;
+              meeting.mesh_order = p;
+              meeting.rate       = *found;
+              meetings.push_back(meeting);
+            }
+      }
+    std::sort(meetings.begin(), meetings.end(), [](const auto &a, const auto &b) {
+      return a.mesh_order != b.mesh_order ? a.mesh_order < b.mesh_order
+                                          : std::abs(a.rate.real()) < std::abs(b.rate.real());
+    });
+    for (ContactMeeting &meeting : meetings)
+      {
+        double radius = std::abs(meeting.rate.imag());
+        for (const ContactMeeting &other : meetings)
+          if (&other != &meeting && other.mesh_order == meeting.mesh_order)
+            radius = std::min(radius, std::abs(other.rate - meeting.rate));
+        find_residues(linear, .3 * radius, meeting);
+        characterise(linear, meeting);
+      }
+    return meetings;
+  }
+
+  Table make_contact_meeting_table(
+    const std::vector<ContactMeeting>                                &meetings,
+    const std::function<Eigen::RowVectorXcd(unsigned int diameters)> &gains,
+    const std::vector<unsigned int>                                  &harmonics,
+    const double                                                      ratio)
+  {
+    Table table;
+    table.add_column("mesh order", "-");
+    table.add_column(column::speed, "rpm");
+    table.add_column("width", "-");
+    table.add_text_column("wave");
+    table.add_column("nodal diameter", "-");
+    table.add_column("order", "-");
+    table.add_column("share of the wave", "-");
+    table.add_column("share of the turn", "-");
+    table.add_column("amplitude", "um");
+    table.add_column("amplitude of the turn", "arcsec");
+    table.add_column("amplitude of the moment", "N m");
+    for (const ContactMeeting &meeting : meetings)
+      {
+        const std::size_t k =
+          std::find(harmonics.begin(), harmonics.end(), meeting.diameters) - harmonics.begin();
+        const Eigen::RowVectorXcd gain = gains(meeting.diameters);
+        const VectorXcd          &wave = meeting.residues(meeting.direction)[k];
+        const double              half = std::abs(meeting.rate.imag());
+        table.add_row({meeting.mesh_order,
+                       std::abs(meeting.rate.real()) * ratio * 30. / pi,
+                       meeting.width(),
+                       meeting.diameters == 0 ? "-" : name_of(meeting.direction),
+                       meeting.diameters,
+                       meeting.order,
+                       meeting.share,
+                       meeting.turn_share,
+                       gain.size() == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                        : std::abs((gain * wave)(0)) / half,
+                       2. * std::abs(meeting.turn) / half / arcsecond,
+                       2e-3 * std::abs(meeting.moment) / half});
+      }
+    return table;
+  }
+} // namespace vfife
