@@ -29,6 +29,11 @@ namespace vfife
     return {body.placement.translation, body.placement.rotation.col(2)};
   }
 
+  double compute_sector_sense(const Body &body)
+  {
+    return body.axis.direction.dot(compute_sector_axis(body).direction) < 0 ? -1. : 1.;
+  }
+
   unsigned int nodes_per_sector(const Body &body)
   {
     return body.n_nodes() / body.mesh().n_sectors;

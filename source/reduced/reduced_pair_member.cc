@@ -21,12 +21,6 @@ namespace vfife
      * rest, are all that knows the speed. */
     constexpr double gain_part = .1;
 
-    /** Sense of the axis of rotation about that of the sectors. */
-    double find_sector_sense(const Body &body)
-    {
-      return body.axis.direction.dot(compute_sector_axis(body).direction) < 0 ? -1. : 1.;
-    }
-
     /** Body::axis in the axes of the body frame. */
     Vector3 axis_in_frame(const Body &body)
     {
@@ -98,7 +92,7 @@ namespace vfife
                               const ReducedPairOptions &options)
     : body(std::move(reduced))
     , rate(model.bodies[b].rate)
-    , sense(find_sector_sense(model.bodies[b]))
+    , sense(compute_sector_sense(model.bodies[b]))
     , axial{torque_on(model, b, 0.), 0.}
     , inertia(body.turns ? body.turn_inertia : model.bodies[b].axial_inertia())
     , motion(body,

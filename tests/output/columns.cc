@@ -157,7 +157,7 @@ namespace
     add("wave_response.csv", "reduced", make_wave_response_table());
     add("waves_lines.csv", "waves", make_wave_line_table());
     add("waves_frequencies.csv", "waves", make_wave_frequency_table());
-    add("waves_in_contact.csv", "waves", make_contact_meeting_table({}, {}, {}, 1.));
+    add("waves_in_contact.csv", "waves", make_contact_meeting_table({}, {}, 1.));
     add("waves_response.csv", "waves", make_wave_motion_table());
     add("waves_build_up.csv", "waves", make_build_up_table());
     add("waves_stress.csv", "waves", make_wave_stress_table());

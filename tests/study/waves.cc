@@ -250,6 +250,7 @@ end
     refuse("Waves/offsets", "0, 1 %, 1 %");
     refuse("Waves/diameter", "3");
     refuse("Fillets/teeth", "in mesh");
+    refuse("Fillets/teeth", "named");
     refuse("Dynamics/damping", "0");
     refuse("Operation/driving member", "gear");
   }

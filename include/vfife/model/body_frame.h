@@ -19,6 +19,9 @@ namespace vfife
    */
   Axis compute_sector_axis(const Body &body);
 
+  /** Of Body::axis along that line: 1 or -1. */
+  double compute_sector_sense(const Body &body);
+
   /** Of a mesh of equal sectors, which are numbered one after the other. */
   unsigned int nodes_per_sector(const Body &body);
 

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace vfife
 {
@@ -17,11 +18,11 @@ namespace vfife
     return text;
   }
 
-  void write_shapes(const OutputFolder              &folder,
-                    const std::string               &name,
-                    const Body                      &body,
-                    const std::vector<NamedShape>   &shapes,
-                    const std::vector<NamedNumbers> &fields)
+  void write_shapes(const OutputFolder            &folder,
+                    const std::string             &name,
+                    const Body                    &body,
+                    const std::vector<NamedShape> &shapes,
+                    std::vector<VtuArray>          fields)
   {
     if (!folder.is_writer())
       return;
@@ -33,9 +34,8 @@ namespace vfife
     for (const NamedShape &shape : shapes)
       grid.point_data.push_back(
         {shape.name, "mm", 3, {shape.displacements.begin(), shape.displacements.end()}});
-    for (const NamedNumbers &field : fields)
-      grid.point_data.push_back(
-        {field.name, field.unit, field.n_components, {field.values.begin(), field.values.end()}});
+    for (VtuArray &field : fields)
+      grid.point_data.push_back(std::move(field));
     folder.write_file(name, [&](std::ostream &out) {
       write_vtu(out, grid, std::numeric_limits<double>::quiet_NaN());
     });

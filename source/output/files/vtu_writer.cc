@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/mesh/hexahedron_corners.h>
 #include <vfife/output/files/vtu_writer.h>
 
@@ -118,6 +119,41 @@ namespace vfife
       out << "</" << element << ">\n";
     }
   } // namespace
+
+  std::vector<VtuArray> make_stress_arrays()
+  {
+    std::vector<VtuArray> arrays;
+    for (const std::string &name : column::stresses(column::cylindrical_axes))
+      arrays.push_back({name, "MPa"});
+    arrays.push_back({"stress", "MPa", 6});
+    for (const char *name :
+         {"principal stress 1", "principal stress 2", "principal stress 3", "von mises"})
+      arrays.push_back({name, "MPa"});
+    return arrays;
+  }
+
+  std::vector<VtuArray>::iterator
+  add_stress(const Stress &cylindrical, const Stress &fixed, std::vector<VtuArray>::iterator arrays)
+  {
+    const auto add = [&arrays](const double number) {
+      arrays->values.push_back(static_cast<float>(number));
+    };
+    for (const double component : cylindrical)
+      {
+        add(component);
+        ++arrays;
+      }
+    for (const double component : fixed)
+      add(component);
+    ++arrays;
+    for (const double principal : compute_principal_stresses(cylindrical))
+      {
+        add(principal);
+        ++arrays;
+      }
+    add(von_mises(cylindrical));
+    return ++arrays;
+  }
 
   void VtuGrid::add_point(const Vector3 &x)
   {

@@ -36,20 +36,9 @@ namespace vfife
     {
       VtuGrid grid;
       grid.point_data = {{"displacement", "mm", 3}, {"relative velocity", "m/s", 3}};
-      for (const char *name : {"stress r",
-                               "stress theta",
-                               "stress z",
-                               "stress r theta",
-                               "stress theta z",
-                               "stress z r"})
-        grid.point_data.push_back({name, "MPa"});
-      grid.point_data.push_back({"stress", "MPa", 6});
-      for (const char *name : {"principal stress 1",
-                               "principal stress 2",
-                               "principal stress 3",
-                               "von mises",
-                               "contact pressure"})
-        grid.point_data.push_back({name, "MPa"});
+      for (const VtuArray &array : make_stress_arrays())
+        grid.point_data.push_back(array);
+      grid.point_data.push_back({"contact pressure", "MPa"});
       grid.cell_data = {{"body", ""}, {"tooth", ""}};
       return grid;
     }
@@ -63,19 +52,10 @@ namespace vfife
           array->values.push_back(static_cast<float>(numbers[i]));
         ++array;
       };
-      const auto add_number = [&array](const double number) {
-        array->values.push_back(static_cast<float>(number));
-        ++array;
-      };
       add(values.displacement);
       add(values.velocity);
-      for (const double component : values.cylindrical)
-        add_number(component);
-      add(values.fixed);
-      for (const double principal : compute_principal_stresses(values.cylindrical))
-        add_number(principal);
-      add_number(von_mises(values.cylindrical));
-      add_number(values.pressure);
+      array = add_stress(values.cylindrical, values.fixed, array);
+      array->values.push_back(static_cast<float>(values.pressure));
     }
 
     NodeValues compute_node_values(const Body                  &body,

@@ -27,6 +27,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vfife
 {
@@ -52,43 +53,24 @@ namespace vfife
       folder.make_subfolder("fields");
       for (const Discretization::Part &part : discretization.parts())
         {
-          const Body               &body = discretization.model().bodies[part.body];
-          std::vector<NamedNumbers> fields;
-          for (const char *name : {"stress r",
-                                   "stress theta",
-                                   "stress z",
-                                   "stress r theta",
-                                   "stress theta z",
-                                   "stress z r",
-                                   "principal stress 1",
-                                   "principal stress 2",
-                                   "principal stress 3",
-                                   "von mises"})
-            fields.push_back({name, "MPa"});
-          NamedNumbers tensor = {"stress", "MPa", 6};
+          const Body           &body   = discretization.model().bodies[part.body];
+          std::vector<VtuArray> fields = make_stress_arrays();
           for (unsigned int i = 0; i < body.n_nodes(); ++i)
             {
               // Stresses of the solver are along the fixed axes; r, theta, z are those of the
               // node's own place.
               const Stress &stress = stresses[body.first_node + i];
-              const Stress  turned =
-                turn_stress(stress,
-                            body.placement.rotation *
-                              compute_cylindrical_axes(body, body.node_positions()[i]));
-              const Vector3 principal = compute_principal_stresses(stress);
-              for (unsigned int c = 0; c < 6; ++c)
-                fields[c].values.push_back(turned[c]);
-              for (unsigned int c = 0; c < 3; ++c)
-                fields[6 + c].values.push_back(principal[c]);
-              fields[9].values.push_back(von_mises(stress));
-              tensor.values.insert(tensor.values.end(), stress.begin(), stress.end());
+              add_stress(turn_stress(stress,
+                                     body.placement.rotation *
+                                       compute_cylindrical_axes(body, body.node_positions()[i])),
+                         stress,
+                         fields.begin());
             }
-          fields.push_back(tensor);
           write_shapes(folder,
                        "fields/" + body.name() + ".vtu",
                        body,
                        {{"displacement", displacements_of(part, body, result)}},
-                       fields);
+                       std::move(fields));
         }
     }
 

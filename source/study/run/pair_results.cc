@@ -111,13 +111,11 @@ namespace vfife
     if (t.has_constant_rate() || orders == 0)
       return;
     write_csv(folder, "orders.csv", track_mesh_orders(history, t, output_.order_window, orders));
-    const Body  &driven = model_.bodies[t.driven];
-    const double sense  = driven.axis.direction.dot(compute_sector_axis(driven).direction);
     write_csv(folder,
               "rim_orders.csv",
               track_rim_waves(*rim_,
                               t,
-                              sense < 0 ? -t.driven_sense : t.driven_sense,
+                              compute_sector_sense(model_.bodies[t.driven]) * t.driven_sense,
                               output_.order_window,
                               orders));
   }

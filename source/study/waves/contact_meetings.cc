@@ -63,6 +63,30 @@ namespace vfife
       return {};
     }
 
+    /** The pole of a mesh order that @p start leads to, unless it is one of the @p known. */
+    std::optional<Complex> find_new_pole(const LinearResponse              &linear,
+                                         const unsigned int                 p,
+                                         const Complex                     &start,
+                                         const std::vector<ContactMeeting> &known)
+    {
+      const auto find_known = [&](const std::optional<Complex> &pole) {
+        return std::find_if(known.begin(), known.end(), [&](const ContactMeeting &other) {
+          return pole && other.mesh_order == p && is_same(other.rate, *pole);
+        });
+      };
+      const auto compliance = [&](const Complex &at) { return linear.loop_compliance(p, at); };
+      std::optional<Complex> found = find_zero(compliance, start);
+      // Of two lines near by both starts may lead to one: divided out, it leaves the other.
+      if (const auto other = find_known(found); other != known.end())
+        found =
+          find_zero([&](const Complex &at) { return compliance(at) * start / (at - other->rate); },
+                    start);
+      if (!found || !(std::abs(*found - start) < near * std::abs(start)) ||
+          find_known(found) != known.end())
+        return {};
+      return found;
+    }
+
     /** What the response has around a pole: residues by Cauchy's integral on a circle that no other
      * pole lies in. */
     void find_residues(const LinearResponse &linear, const double radius, ContactMeeting &meeting)
@@ -114,6 +138,7 @@ namespace vfife
                 continue;
               largest           = energy;
               meeting.diameters = h;
+              meeting.harmonic  = k;
               meeting.direction = direction;
               Eigen::Index mode;
               c.cwiseAbs().maxCoeff(&mode);
@@ -177,33 +202,15 @@ namespace vfife
             {
               // lambda = i p z phi', the frequency of order p where the body turns at this rate.
               const Complex start = exponent / (i * double(p * z) * linear.sense());
-              if (!(turning * start.real() > from * (1. - follow) &&
-                    turning * start.real() < to * (1. + follow)))
+              const double  about = turning * start.real();
+              if (!(about > from * (1. - follow) && about < to * (1. + follow)))
                 continue;
-              const auto compliance = [&](const Complex &at) {
-                return linear.loop_compliance(p, at);
-              };
-              std::optional<Complex> found = find_zero(compliance, start);
-              const auto             known =
-                std::find_if(meetings.begin(), meetings.end(), [&](const ContactMeeting &other) {
-                  return found && other.mesh_order == p && is_same(other.rate, *found);
-                });
-              // Of two lines near by both starts may lead to one: divided out, it leaves the other.
-              if (known != meetings.end())
-                found = find_zero(
-                  [&](const Complex &at) { return compliance(at) * start / (at - known->rate); },
-                  start);
-              if (!found || !(std::abs(*found - start) < near * std::abs(start)) ||
-                  !(turning * found->real() >= from && turning * found->real() < to))
+              const std::optional<Complex> found = find_new_pole(linear, p, start, meetings);
+              if (!found || !(turning * found->real() >= from && turning * found->real() < to))
                 continue;
-              if (std::any_of(meetings.begin(), meetings.end(), [&](const ContactMeeting &other) {
-                    return other.mesh_order == p && is_same(other.rate, *found);
-                  }))
-                continue;
-              ContactMeeting meeting;
-              meeting.mesh_order = p;
-              meeting.rate       = *found;
-              meetings.push_back(meeting);
+              meetings.emplace_back();
+              meetings.back().mesh_order = p;
+              meetings.back().rate       = *found;
             }
       }
     std::sort(meetings.begin(), meetings.end(), [](const auto &a, const auto &b) {
@@ -225,7 +232,6 @@ namespace vfife
   Table make_contact_meeting_table(
     const std::vector<ContactMeeting>                                &meetings,
     const std::function<Eigen::RowVectorXcd(unsigned int diameters)> &gains,
-    const std::vector<unsigned int>                                  &harmonics,
     const double                                                      ratio)
   {
     Table table;
@@ -242,10 +248,8 @@ namespace vfife
     table.add_column("amplitude of the moment", "N m");
     for (const ContactMeeting &meeting : meetings)
       {
-        const std::size_t k =
-          std::find(harmonics.begin(), harmonics.end(), meeting.diameters) - harmonics.begin();
         const Eigen::RowVectorXcd gain = gains(meeting.diameters);
-        const VectorXcd          &wave = meeting.residues(meeting.direction)[k];
+        const VectorXcd          &wave = meeting.residues(meeting.direction)[meeting.harmonic];
         const double              half = std::abs(meeting.rate.imag());
         table.add_row({meeting.mesh_order,
                        std::abs(meeting.rate.real()) * ratio * 30. / pi,

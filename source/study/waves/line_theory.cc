@@ -96,15 +96,11 @@ namespace vfife
       if (const double speed = std::abs(meeting.rate.real()) / ratio_;
           speed >= options_.lowest_speed && speed <= options_.highest_speed)
         listed.push_back(meeting);
-    std::vector<unsigned int> harmonics;
-    for (const auto &harmonic : linear_.body().harmonics)
-      harmonics.push_back(harmonic.number);
     return make_contact_meeting_table(
       listed,
       [&](const unsigned int n) {
         return n > 0 && n <= most ? driver_.rim_gains(n) : Eigen::RowVectorXcd();
       },
-      harmonics,
       1. / ratio_);
   }
 } // namespace vfife

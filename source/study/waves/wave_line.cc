@@ -124,10 +124,7 @@ namespace vfife
       const double  omega = line.meeting.wave.frequency() * curve.peak / line.speed;
       return std::abs(gain * drive) / (line.zeta * omega);
     }
-  } // namespace
 
-  namespace
-  {
     /** Of the fitted amplitude between the speeds, all resonances together: parts of lines that are
      * nearer than their widths may be far larger than their sum. */
     double find_largest(const ResonanceFit &curve, const std::vector<double> &speeds)

@@ -56,7 +56,9 @@ namespace vfife
         dynamics_.check("Dynamics");
         output_.check("Output");
         options_.check("Waves");
-        if (!fillets_.gauges.empty() || fillets_.teeth == RecordedTeeth::in_mesh)
+        const RecordedTeeth teeth = fillets_.teeth;
+        if (!fillets_.gauges.empty() ||
+            (teeth != RecordedTeeth::none && teeth != RecordedTeeth::all))
           throw InputError("Fillets/teeth",
                            "stresses of waves are those of all teeth: none or all, and no gauges");
         if (!(dynamics_.mass_damping() > 0))

@@ -2,6 +2,8 @@
 #ifndef vfife_output_files_mode_writer_h
 #define vfife_output_files_mode_writer_h
 
+#include <vfife/output/files/vtu_writer.h>
+
 #include <string>
 #include <vector>
 
@@ -20,23 +22,15 @@ namespace vfife
   /** "mode 3, 1034.2 Hz", the third with @p index 2 and this frequency [Hz]. */
   std::string shape_name(std::size_t index, double frequency);
 
-  /** Numbers for each node of a body, as of a VtuArray, under a name such as "von mises". */
-  struct NamedNumbers
-  {
-    std::string         name, unit;
-    unsigned int        n_components = 1;
-    std::vector<double> values       = {};
-  };
-
   /**
-   * Writes @p shapes as vectors and @p fields on the undeformed mesh of @p body in its place at
-   * time zero [mm] to the .vtu file @p name; the writing rank only.
+   * Writes @p shapes as vectors and @p fields of the nodes on the undeformed mesh of @p body in its
+   * place at time zero [mm] to the .vtu file @p name; the writing rank only.
    */
-  void write_shapes(const OutputFolder              &folder,
-                    const std::string               &name,
-                    const Body                      &body,
-                    const std::vector<NamedShape>   &shapes,
-                    const std::vector<NamedNumbers> &fields = {});
+  void write_shapes(const OutputFolder            &folder,
+                    const std::string             &name,
+                    const Body                    &body,
+                    const std::vector<NamedShape> &shapes,
+                    std::vector<VtuArray>          fields = {});
 } // namespace vfife
 
 #endif

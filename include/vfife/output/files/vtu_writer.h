@@ -3,6 +3,7 @@
 #define vfife_output_files_vtu_writer_h
 
 #include <vfife/base/types.h>
+#include <vfife/element/stress.h>
 #include <vfife/mesh/body_mesh.h>
 
 #include <iosfwd>
@@ -19,6 +20,16 @@ namespace vfife
     unsigned int       n_components = 1;
     std::vector<float> values       = {};
   };
+
+  /** Arrays of a field file that show stresses [MPa], without values: along r, theta, z, the tensor
+   * along the fixed axes, principal stresses, von Mises. */
+  std::vector<VtuArray> make_stress_arrays();
+
+  /** Appends the same stress in both axes to those arrays, which begin at @p arrays; returns the
+   * one behind them. */
+  std::vector<VtuArray>::iterator add_stress(const Stress                   &cylindrical,
+                                             const Stress                   &fixed,
+                                             std::vector<VtuArray>::iterator arrays);
 
   /** Hexahedra that share their points, in the fixed frame [mm]. */
   struct VtuGrid

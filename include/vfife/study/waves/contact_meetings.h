@@ -28,6 +28,7 @@ namespace vfife
      * all sectors alike), the mode with most of it among those of the diameters from 1 on, by
      * frequency; that part and the rigid turn's [-]. */
     unsigned int  diameters  = 0;
+    std::size_t   harmonic   = 0; ///< its place among those of the body
     WaveDirection direction  = WaveDirection::backward;
     unsigned int  order      = 1;
     double        share      = 0;
@@ -68,7 +69,6 @@ namespace vfife
   Table make_contact_meeting_table(
     const std::vector<ContactMeeting>                                &meetings,
     const std::function<Eigen::RowVectorXcd(unsigned int diameters)> &gains,
-    const std::vector<unsigned int>                                  &harmonics,
     double                                                            ratio);
 } // namespace vfife
 
