@@ -5,6 +5,9 @@
 
 # Debug: the compiler would give up tracking the variables of the unrolled loops, and say so.
 set(kernel_flags -O3 -fno-math-errno -ffp-contract=fast -fno-var-tracking-assignments)
+if(VFIFE_SANITIZE)
+  list(REMOVE_ITEM kernel_flags -O3) # minutes for each file
+endif()
 set(kernel_flags_generic "")
 set(kernel_flags_sse2 -march=x86-64)
 set(kernel_flags_avx2 -march=haswell)
@@ -18,6 +21,7 @@ foreach(set generic sse2 avx2 avx512)
     elseif(EXISTS ${kernel})
       set_property(SOURCE ${kernel} APPEND PROPERTY COMPILE_OPTIONS ${kernel_flags_${set}}
                                                     ${kernel_flags})
+      set_property(SOURCE ${kernel} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
     endif()
   endforeach()
 endforeach()

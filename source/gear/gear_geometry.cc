@@ -35,6 +35,6 @@ namespace vfife
     const Vector3 lower = flank_point(lower_side(), L, h).position;
     const Vector3 upper = flank_point(upper_side(), L, h).position;
     return std::hypot(lower[0], lower[1]) *
-           std::remainder(std::atan2(upper[1], upper[0]) - std::atan2(lower[1], lower[0]), 2. * pi);
+           std::remainder(polar_angle(upper) - polar_angle(lower), 2. * pi);
   }
 } // namespace vfife

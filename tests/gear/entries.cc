@@ -10,7 +10,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 using namespace vfife;
-using paper::degree;
 
 namespace
 {

@@ -129,7 +129,7 @@ int main()
 
   // mean spiral angles of the gear, to the digits given; 30 deg is the design value
   const auto spiral = [&](const std::string &name) {
-    return flanks.at(name).spiral_angle(flanks.at(name).point_at(116.49, 0.)) / paper::degree;
+    return flanks.at(name).spiral_angle(flanks.at(name).point_at(116.49, 0.)) / degree;
   };
   check_close("spiral angle of the gear's concave flank [deg]",
               spiral("gear concave"),

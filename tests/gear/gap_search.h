@@ -7,11 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-inline double polar_angle(const vfife::Vector3 &position)
-{
-  return std::atan2(position[1], position[0]);
-}
-
 /**
  * Gear rotation at which the generated flanks of a side touch at the rotation @p rot1 of the
  * generated pinion flank, from points alone, without normals and meshing equation: the smallest
@@ -31,9 +26,9 @@ inline double gap_search(const vfife::GearPair &pair,
   const auto         angle = [&](const Vector2 &x) {
     const Vector3 P    = pair.pinion_placement(rot1)(pinion.point_at(x[0], x[1]).position);
     const Vector2 cone = gear.cone_coordinates(P);
-    return sign *
-           std::remainder(polar_angle(P) - polar_angle(gear.point_at(cone[0], cone[1]).position),
-                          2. * pi);
+    return sign * std::remainder(vfife::polar_angle(P) -
+                                   vfife::polar_angle(gear.point_at(cone[0], cone[1]).position),
+                                 2. * pi);
   };
   double size = 1., best = angle(L_h);
   for (unsigned int i = 0; i < 60; ++i)

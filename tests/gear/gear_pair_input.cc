@@ -58,8 +58,7 @@ void check_missing_entries()
 
 void check_printed_contradictions()
 {
-  using Options       = GearPairOptions;
-  const double degree = paper::degree;
+  using Options = GearPairOptions;
   // the contradictions of the printed tables
   expect("printed gear root angle",
          [&](Options &o) { o.gear.blank.root_angle = 72.1 * degree; },
@@ -77,8 +76,7 @@ void check_printed_contradictions()
 
 void check_other_contradictions()
 {
-  using Options       = GearPairOptions;
-  const double degree = paper::degree;
+  using Options = GearPairOptions;
   // further ones
   expect("face angle below the pitch angle",
          [&](Options &o) { o.pinion.blank.face_angle = 18. * degree; },
@@ -148,7 +146,6 @@ std::string causes(const GearPairOptions &options, const Findings::Action action
 /** Several contradictions come together; what follows from one is no cause of its own. */
 void check_causes()
 {
-  const double    degree         = paper::degree;
   GearPairOptions printed        = paper::options();
   printed.gear.blank.root_angle  = 72.1 * degree;
   printed.pinion.cutter_diameter = 152.4;
@@ -200,7 +197,6 @@ void check_causes()
 
 void check_reading()
 {
-  const double degree = paper::degree;
   // what the file says arrives, with units
   GearPairOptions          options = paper::options();
   dealii::ParameterHandler prm;

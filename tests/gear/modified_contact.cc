@@ -71,7 +71,7 @@ namespace
   void check_tilt(const GearPair &plain, const MeshSide side)
   {
     GearPairOptions options                      = paper::options();
-    pinion_settings(options, side).cutter_tilt   = .5 * paper::degree;
+    pinion_settings(options, side).cutter_tilt   = .5 * degree;
     pinion_settings(options, side).cutter_swivel = -pi / 2.;
     const GearPair pair(options);
     check_search(side_name(side) + ", tilted cutter", pair, side);

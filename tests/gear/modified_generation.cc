@@ -176,12 +176,12 @@ int main()
       rolled.second_order_roll = 0.03;
       rolled.third_order_roll  = 0.3;
       MachineSettings tilted   = plain;
-      tilted.cutter_tilt       = 2. * paper::degree;
-      tilted.cutter_swivel     = -25. * paper::degree;
+      tilted.cutter_tilt       = 2. * degree;
+      tilted.cutter_swivel     = -25. * degree;
       MachineSettings both     = tilted;
       both.second_order_roll   = rolled.second_order_roll;
       both.third_order_roll    = rolled.third_order_roll;
-      both.machine_root_angle += 1. * paper::degree;
+      both.machine_root_angle += 1. * degree;
       const std::pair<const char *, MachineSettings> cases[] = {{"plain", plain},
                                                                 {"modified roll", rolled},
                                                                 {"tilt", tilted},

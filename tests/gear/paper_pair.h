@@ -8,7 +8,7 @@
  */
 namespace paper
 {
-  constexpr double degree = vfife::pi / 180.;
+  using vfife::degree;
 
   /** Settings in the order of Table 2, angles in degrees. */
   inline void set_machine(vfife::MachineSettings &settings,

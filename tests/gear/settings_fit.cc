@@ -11,7 +11,6 @@
 #include <fstream>
 
 using namespace vfife;
-using paper::degree;
 
 namespace
 {

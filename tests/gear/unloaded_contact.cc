@@ -123,7 +123,7 @@ void check_ellipse(const GearPair &pair, const UnloadedContact &drive)
     (R * (flank.point_at(L + e, h).position - flank.point_at(L - e, h).position)).normalized();
   const Vector3 across = point.normal.cross(lengthwise);
   const auto    angle  = [&](const Vector3 &direction) {
-    return std::atan(direction.dot(across) / direction.dot(lengthwise)) / paper::degree;
+    return std::atan(direction.dot(across) / direction.dot(lengthwise)) / degree;
   };
   check_close("major axis to the lengthwise direction [deg]",
               angle(ellipse.major_direction),
@@ -157,7 +157,7 @@ void check_mounting(const GearPair &pair)
   // points of a pair with every error coincide in the placements
   options.pinion_axial_shift = 0.02;
   options.offset             = -0.03;
-  options.shaft_angle_error  = 0.01 * paper::degree;
+  options.shaft_angle_error  = 0.01 * degree;
   const GearPair             skew(options);
   const UnloadedContact      drive(skew);
   const UnloadedContactPoint point = drive.touching(skew.rot1_reference());

@@ -4,17 +4,15 @@
 #include "../refusal.h"
 #include "../tests.h"
 
+#include <vfife/base/complex.h>
 #include <vfife/reduced/body_waves.h>
 #include <vfife/reduced/modal_motion.h>
 
-#include <complex>
 
 using namespace vfife;
 
 namespace
 {
-  using Complex = std::complex<double>;
-
   constexpr double       body_rate = 700., lambda = 9e8, coupling = .3, spin = 6.;
   constexpr unsigned int teeth = 40, diameters = 3;
 

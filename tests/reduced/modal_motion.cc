@@ -2,19 +2,18 @@
 // Steps of modes: closed forms, energy and angular momentum, whatever the step is.
 #include "../tests.h"
 
+#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/reduced/modal_motion.h>
 #include <vfife/reduced/reduced_body.h>
 
 #include <cmath>
-#include <complex>
 #include <random>
 
 using namespace vfife;
 
 namespace
 {
-  using Complex = std::complex<double>;
   using Eigen::MatrixXcd;
   using Eigen::VectorXcd;
 

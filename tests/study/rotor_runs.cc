@@ -7,6 +7,7 @@
 #include "quick_pair.h"
 #include "short_rotor.h"
 
+#include <vfife/base/complex.h>
 #include <vfife/base/types.h>
 #include <vfife/bearing/rolling_bearing.h>
 #include <vfife/mesh/primitives/stepped_shaft.h>
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <complex>
 #include <filesystem>
 
 using namespace vfife;
@@ -24,8 +24,6 @@ using namespace rotor_text;
 
 namespace
 {
-  using Complex = std::complex<double>;
-
   /** Without the jump from undeformed to spun, whose ringing would be most of the energy. */
   std::string run_of(const std::string &time)
   {

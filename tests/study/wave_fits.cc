@@ -2,6 +2,7 @@
 // Fits of resonance curves and build-ups against what they were made of.
 #include "../tests.h"
 
+#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/base/types.h>
 #include <vfife/study/waves/wave_fits.h>
@@ -12,8 +13,6 @@ using namespace vfife;
 
 namespace
 {
-  using Complex = std::complex<double>;
-
   const std::vector<double> offsets = {-.03, -.01, 0., .01, .03};
 
   void resonance()

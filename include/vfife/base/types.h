@@ -5,6 +5,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
+#include <limits>
+
 /**
  * All of vfife. Internal units everywhere: mm, s, t, N, MPa (hence mJ for energy, N mm for
  * torque, rad and rad/s for angles and speeds); only files and the screen use others, and say so.
@@ -17,8 +20,17 @@ namespace vfife
 
   constexpr double pi = 3.14159265358979323846;
 
+  /** Of a number that nobody knows: it is no number in tables either. */
+  constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+  /** One degree [rad]. */
+  constexpr double degree = pi / 180.;
+
   /** One second of arc [rad]. */
   constexpr double arcsecond = pi / (180. * 3600.);
+
+  /** [mm] */
+  constexpr double micrometre = 1e-3;
 
   /** Rigid placement y = rotation * x + translation. */
   struct RigidMotion
@@ -31,6 +43,12 @@ namespace vfife
       return rotation * x + translation;
     }
   };
+
+  /** Of a point about the axis z, in (-pi, pi]. */
+  inline double polar_angle(const Vector3 &x)
+  {
+    return std::atan2(x[1], x[0]);
+  }
 
   /** Rotation by @p angle [rad] about the unit vector @p axis (right-hand rule). */
   inline Matrix3 rotation_about(const Vector3 &axis, const double angle)

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/fem/cyclic/cyclic_statics.h>
 #include <vfife/model/body_frame.h>
@@ -12,8 +13,6 @@
 // the border to the next one, which are border 0 of that.
 namespace vfife
 {
-  using Complex = std::complex<double>;
-
   CyclicStatics::CyclicStatics(const Model        &model,
                                const unsigned int  body,
                                const FemOptions   &options,

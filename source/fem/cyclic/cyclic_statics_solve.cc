@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Forces and displacements of all sectors, with the factors of CyclicStatics.
+#include <vfife/base/complex.h>
 #include <vfife/fem/cyclic/cyclic_statics.h>
 #include <vfife/model/body_frame.h>
 
@@ -8,8 +9,6 @@
 
 namespace vfife
 {
-  using Complex = std::complex<double>;
-
   std::vector<double> CyclicStatics::spun() const
   {
     const unsigned int  n_nodes = nodes_per_sector(body_.body());

@@ -2,15 +2,13 @@
 #ifndef vfife_fem_cyclic_phasor_rows_h
 #define vfife_fem_cyclic_phasor_rows_h
 
+#include <vfife/base/complex.h>
 #include <vfife/fem/cyclic/cyclic_body.h>
 
 #include <Eigen/SparseCore>
 
-#include <complex>
-
 namespace vfife
 {
-  using Complex    = std::complex<double>;
   using PhasorRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
 
   /** What the rows read of a harmonic's unknowns: phasors. The real part, transposed, are unit

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/fem/modes/gyroscopic_modes.h>
 #include <vfife/fem/solvers/direct_solver.h>
@@ -8,14 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 namespace vfife
 {
   namespace
   {
-    using Complex = std::complex<double>;
-
     /** Sum of the basis with coefficients. */
     OwnedVector combine(const std::vector<OwnedVector> &basis, const Eigen::VectorXd &coefficients)
     {

@@ -12,9 +12,7 @@ namespace vfife
   namespace
   {
     /** Of the secant towards the turn at which unloaded bearings and flanks agree. */
-    constexpr unsigned int largest_steps = 60;
-    /** Way at the arm that this leaves [mm]. */
-    constexpr double touch_tolerance = 5e-9;
+    constexpr unsigned int bearing_steps = 60;
     /** Unbalanced forces over contact forces, and torque over the load's. */
     constexpr double tolerance = 1e-9;
 
@@ -122,11 +120,12 @@ namespace vfife
     // Bearings that are not alike all around take the body elsewhere when it has turned to the
     // touch, by far less than the way there.
     double turn = 0;
-    for (unsigned int i = 0; i < largest_steps; ++i)
+    for (unsigned int i = 0; i < bearing_steps; ++i)
       {
         PressedState now   = settle(base, turn);
         const double touch = pair_.find_touch(base + now.deflection, load(1.) < 0 ? -1. : 1.);
-        const bool   found = std::abs(touch - turn) * model_.transmission->arm <= touch_tolerance;
+        const bool   found =
+          std::abs(touch - turn) * model_.transmission->arm <= PressedPair::touch_tolerance;
         now.turn = turn = touch;
         if (found || !bodies_->has_bearings())
           return now;

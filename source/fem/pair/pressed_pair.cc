@@ -17,9 +17,7 @@ namespace vfife
   namespace
   {
     /** Of the secant towards the first touch. */
-    constexpr unsigned int largest_steps = 60;
-    /** Gap at the first touch [mm]: 1e-5 arcsec at 100 mm. */
-    constexpr double touch_tolerance = 5e-9;
+    constexpr unsigned int touch_steps = 60;
   } // namespace
 
   void PressedBodies::add_forces(const Eigen::VectorXd & /*u*/, PressedForces & /*sum*/) const
@@ -265,7 +263,7 @@ namespace vfife
     // whatever the flanks are. Steps with this slope end at the touch.
     Pair  &pair = *pairs_.front();
     double turn = 0;
-    for (unsigned int i = 0; i < largest_steps; ++i)
+    for (unsigned int i = 0; i < touch_steps; ++i)
       {
         set_turn(turn);
         move(pair, u);

@@ -19,8 +19,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr double micrometre = 1e-3; // [mm]
-
     /** What single deviations may miss zero by over a revolution, for each tooth: they are rounded
      * in their protocols [um]. */
     constexpr double closing_error = 0.1;

@@ -17,11 +17,11 @@ namespace vfife
     FlankShift runout_shift(const MemberErrorOptions &options, const GearGeometry &gear)
     {
       // Directions are counted from the middle of tooth 0 on the mean pitch circle.
-      const BlankOutline &blank = gear.blank();
-      const double        L     = blank.mean_cone_distance;
-      const Vector3       lower = gear.flank_point(gear.lower_side(), L, 0.).position;
-      const double        r     = std::hypot(lower[0], lower[1]);
-      const double middle = std::atan2(lower[1], lower[0]) + gear.tooth_thickness(L, 0.) / (2. * r);
+      const BlankOutline &blank  = gear.blank();
+      const double        L      = blank.mean_cone_distance;
+      const Vector3       lower  = gear.flank_point(gear.lower_side(), L, 0.).position;
+      const double        r      = std::hypot(lower[0], lower[1]);
+      const double        middle = polar_angle(lower) + gear.tooth_thickness(L, 0.) / (2. * r);
 
       // Eccentricity: translation. Wobble a cos(theta - direction) along the axis on the circle of
       // radius r about the point P of the axis: rotation w x (X - P) with |w| = a/r, about the

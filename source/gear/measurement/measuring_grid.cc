@@ -10,8 +10,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr double micrometre = 1e-3; // [mm]
-
     /** Whether the file is a table with positions. */
     bool has_positions(const Table &table)
     {

@@ -51,8 +51,7 @@ namespace vfife
 
   Table fit_table(const SettingsFitResult &found)
   {
-    constexpr double micrometre = 1e-3; // [mm]
-    Table            table;
+    Table table;
     table.add_column("before", "um");
     table.add_column("after", "um");
     for (std::size_t i = 0; i < found.before.size(); ++i)

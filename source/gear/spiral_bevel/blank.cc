@@ -10,8 +10,6 @@ namespace vfife
 {
   namespace
   {
-    const Choices<Hand> hands = {{"right", Hand::right}, {"left", Hand::left}};
-
     /** The mean cone distance is printed with two decimals, the outer one often from the module. */
     constexpr double cone_distance_tolerance = 0.005;
 
@@ -31,6 +29,12 @@ namespace vfife
     }
   } // namespace
 
+  const Choices<Hand> &hand_choices()
+  {
+    static const Choices<Hand> choices = {{"right", Hand::right}, {"left", Hand::left}};
+    return choices;
+  }
+
   const char *name_of(const Hand hand)
   {
     return hand == Hand::left ? "left" : "right";
@@ -39,7 +43,7 @@ namespace vfife
   void Blank::declare(dealii::ParameterHandler &prm)
   {
     declare_integer(prm, "number of teeth", teeth, "Number of teeth; 0: not given");
-    declare_choice(prm, "hand of spiral", hand, hands, "Hand of the spiral");
+    declare_choice(prm, "hand of spiral", hand, hand_choices(), "Hand of the spiral");
     const auto declare_angle = [&](const char *name, double &angle, const char *meaning) {
       declare_quantity(prm, name, angle, "deg", meaning, Range::between(0., 90.));
     };

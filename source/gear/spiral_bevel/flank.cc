@@ -373,7 +373,7 @@ namespace vfife
                       Vector3(std::cos(g), 0., -std::sin(g));
     const double cosine =
       (axial + std::sin(al) * b[2]) / (settings.sigma() * std::cos(al) * std::hypot(b[0], b[1]));
-    return std::atan2(b[1], b[0]) +
+    return polar_angle(b) +
            std::copysign(std::acos(std::max(-1., std::min(1., cosine))), -settings.cradle_angle);
   }
 

@@ -24,11 +24,6 @@ namespace vfife
       deviation.shift = deviation.shift.seen_turned(turn);
       return deviation;
     }
-
-    double polar_angle(const Vector3 &position)
-    {
-      return std::atan2(position[1], position[0]);
-    }
   } // namespace
 
   GearMember::GearMember(std::string  name,

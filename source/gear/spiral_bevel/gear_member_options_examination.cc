@@ -8,8 +8,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr double degree = pi / 180.;
-
     /** Point radii differ from the nominal cutter radius by the point width and by corrections of a
      * few per cent. */
     constexpr double cutter_tolerance = 0.05;

@@ -22,7 +22,6 @@ namespace vfife
         options.pinion_axial_shift * frame.rotation.col(2) + options.offset * Vector3::UnitY();
       return frame;
     }
-
   } // namespace
 
   Flank GearPair::Design::gear_flank(const FlankSide side) const

@@ -7,8 +7,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr double degree = pi / 180.;
-
     /** Printed angles have two decimals of a degree; two of them are compared. */
     constexpr double angle_tolerance = 0.02 * degree;
 

@@ -10,12 +10,6 @@ namespace vfife
 {
   namespace
   {
-    /** About the axis of the body. */
-    double polar_angle(const Vector3 &position)
-    {
-      return std::atan2(position[1], position[0]);
-    }
-
     using Seven         = Eigen::Matrix<double, 7, 1>;
     using SevenJacobian = Eigen::Matrix<double, 7, 7>;
 

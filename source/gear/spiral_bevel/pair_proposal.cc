@@ -12,8 +12,6 @@ namespace vfife
 {
   namespace
   {
-    const Choices<Hand> hands = {{"right", Hand::right}, {"left", Hand::left}};
-
     /** Mean working depth over the mean normal module, by teeth of the pinion (standard depth
      * system of face-milled gears). */
     double depth_factor(const unsigned int pinion_teeth)
@@ -162,7 +160,7 @@ namespace vfife
         Matrix3       to_blank;
         to_blank << sin_g, 0., cos_g, 0., -1., 0., cos_g, 0., -sin_g;
         const Vector3 n_blank = to_blank * n;
-        rotation = std::atan2(normal_[1], normal_[0]) - std::atan2(n_blank[1], n_blank[0]);
+        rotation              = polar_angle(normal_) - polar_angle(n_blank);
         const Vector3 arm =
           to_blank.transpose() * (rotation_about(Vector3::UnitZ(), -rotation) * position_);
 
@@ -173,7 +171,7 @@ namespace vfife
         const double  s        = r[2] / cos_al;
         const Vector3 center   = r - (x[0] + sigma * s * sin_al) * e;
         result.radial_distance = std::hypot(center[0], center[1]);
-        result.cradle_angle    = std::atan2(center[1], center[0]);
+        result.cradle_angle    = polar_angle(center);
         result.ratio_of_roll   = Flank::ratio_of_roll_at(result, t, s);
         return result;
       }
@@ -215,7 +213,7 @@ namespace vfife
       const GeneratedPoint point =
         gear_flank.point_at(gear.mean_cone_distance,
                             -(pinion.mean_addendum - gear.mean_addendum) / 2);
-      double rot2 = -std::atan2(point.position[1], point.position[0]);
+      double rot2 = -polar_angle(point.position);
       if (!find_meshing_rotation(point, one, gear_frame(), ratio, rot2))
         throw InputError("Gear pair/Proposal", "the gear flank never meshes at its mean point");
       const Matrix3     R2 = turned_frame(gear_frame(), rot2).rotation;
@@ -279,7 +277,7 @@ namespace vfife
     declare_choice(prm,
                    "pinion hand",
                    pinion_hand,
-                   hands,
+                   hand_choices(),
                    "Hand of the pinion's spiral; the gear has the other one");
     declare_quantity(prm, "module", module, "mm", "Outer transverse module", Range::not_negative());
     declare_quantity(prm,

@@ -226,10 +226,9 @@ namespace vfife
 
     GeneratedPoint actual = contact.pinion().point_at(result.pinion_L_h[0], result.pinion_L_h[1]);
     // the body's rotations repeat: bring both to the same one
-    const double turn = std::remainder(std::atan2(conjugate[1], conjugate[0]) -
-                                         std::atan2(actual.position[1], actual.position[0]),
-                                       2. * pi);
-    const double r    = std::hypot(conjugate[0], conjugate[1]);
+    const double turn =
+      std::remainder(polar_angle(conjugate) - polar_angle(actual.position), 2. * pi);
+    const double r = std::hypot(conjugate[0], conjugate[1]);
     // ease-off = (arc between both about the axis) . n, > 0 where metal is missing
     // actual less conjugate about the axis, then along the normal into the metal
     const Vector3 tangential = Vector3(-conjugate[1], conjugate[0], 0.) / r;

@@ -10,7 +10,7 @@ namespace vfife
   namespace
   {
     /** No pair touches farther from its mean contact [pitches]. */
-    constexpr double farthest = 2.;
+    constexpr double farthest_pair = 2.;
   } // namespace
 
   UnequalTeeth::UnequalTeeth(const GearPair &pair, const MeshSide side)
@@ -26,7 +26,8 @@ namespace vfife
       return known->second;
     // pairs that have left the mesh, whichever way it goes
     for (auto entry = contacts_.begin(); entry != contacts_.end();)
-      entry = std::abs(entry->first - k) > 2. * farthest + 1. ? contacts_.erase(entry) : ++entry;
+      entry =
+        std::abs(entry->first - k) > 2. * farthest_pair + 1. ? contacts_.erase(entry) : ++entry;
     return contacts_.emplace(k, PairContact(pair_, side_, k)).first->second;
   }
 
@@ -34,8 +35,8 @@ namespace vfife
   {
     Position result{std::numeric_limits<double>::infinity(), 0};
     // pair k passes its mean contact at -k pitches
-    const int last = static_cast<int>(std::floor(farthest - pitches));
-    for (int k = static_cast<int>(std::ceil(-farthest - pitches)); k <= last; ++k)
+    const int last = static_cast<int>(std::floor(farthest_pair - pitches));
+    for (int k = static_cast<int>(std::ceil(-farthest_pair - pitches)); k <= last; ++k)
       {
         const PairContact &own   = contact(k);
         const double       place = pitches + k;

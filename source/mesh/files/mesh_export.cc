@@ -17,15 +17,15 @@ namespace vfife
                                const std::vector<ExportedBody> &bodies);
 
     /** All formats. */
-    const Choices<WriteMesh> formats = {{"vtu", &write_vtu},
-                                        {"msh", &write_gmsh},
-                                        {"inp", &write_abaqus}};
+    const Choices<WriteMesh> written_formats = {{"vtu", &write_vtu},
+                                                {"msh", &write_gmsh},
+                                                {"inp", &write_abaqus}};
   } // namespace
 
   std::vector<std::string> export_formats()
   {
     std::vector<std::string> names;
-    for (const auto &format : formats)
+    for (const auto &format : written_formats)
       names.push_back(format.first);
     return names;
   }
@@ -34,7 +34,7 @@ namespace vfife
                     const std::string               &format,
                     const std::vector<ExportedBody> &bodies)
   {
-    for (const auto &row : formats)
+    for (const auto &row : written_formats)
       if (row.first == format)
         {
           // coordinates of 100 mm to 1e-13 mm

@@ -30,10 +30,10 @@ namespace vfife
     using ReadMesh = FileMesh (*)(const std::string &path);
 
     /** All formats, by the end of the file's name. */
-    const Choices<ReadMesh> formats = {{"msh", &read_gmsh},
-                                       {"inp", &read_abaqus},
-                                       {"vtk", &read_vtk},
-                                       {"ucd", &read_ucd}};
+    const Choices<ReadMesh> read_formats = {{"msh", &read_gmsh},
+                                            {"inp", &read_abaqus},
+                                            {"vtk", &read_vtk},
+                                            {"ucd", &read_ucd}};
 
     FileMesh read_file(const std::string &path, const std::vector<std::string> &regions)
     {
@@ -42,7 +42,7 @@ namespace vfife
       const auto               dot = path.rfind('.');
       const std::string        end = dot == std::string::npos ? "" : path.substr(dot + 1);
       std::vector<std::string> ends;
-      for (const auto &format : formats)
+      for (const auto &format : read_formats)
         {
           if (format.first == end)
             {

@@ -11,8 +11,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr double degree = pi / 180.;
-
     const Choices<WebKind>       web_kinds       = {{"none", WebKind::none},
                                                     {"conical", WebKind::conical},
                                                     {"solid", WebKind::solid}};

@@ -31,7 +31,7 @@ namespace vfife
     /** Rotation from the tooth that has @p here near it on tooth 0 to the tooth of @p there. */
     Matrix3 rotation_between(const GearGeometry &gear, const Vector3 &here, const Vector3 &there)
     {
-      const double angle = std::atan2(there[1], there[0]) - std::atan2(here[1], here[0]);
+      const double angle = polar_angle(there) - polar_angle(here);
       return rotation_about(Vector3::UnitZ(), gear.pitch() * std::round(angle / gear.pitch()));
     }
 

@@ -136,7 +136,7 @@ namespace vfife
       const BlankOutline  &blank = gear.blank();
       std::vector<Vector2> profile;
       const auto           add = [&](const Vector3 &x) {
-        const double own = std::atan2(x[1], x[0]);
+        const double own = polar_angle(x);
         profile.emplace_back(blank.coordinates_of(x)[1],
                              angle + std::remainder(own - angle, 2. * pi));
       };

@@ -18,7 +18,7 @@ namespace vfife
     Vector2
     section_coordinates(const BlankOutline &blank, const Vector3 &x, const double near_angle)
     {
-      const double angle = std::atan2(x[1], x[0]);
+      const double angle = polar_angle(x);
       return {blank.coordinates_of(x)[1], near_angle + std::remainder(angle - near_angle, 2. * pi)};
     }
 
@@ -68,7 +68,7 @@ namespace vfife
     // Polar angles repeat: all are taken next to that of the lower flank at mid-face.
     const Vector3 start =
       gear.flank_point(gear.lower_side(), gear.blank().mean_cone_distance, 0.).position;
-    const double near_angle = std::atan2(start[1], start[0]);
+    const double near_angle = polar_angle(start);
 
     GearSection section;
     section.cone_distance = L;

@@ -49,7 +49,7 @@ namespace vfife
       const Vector3 x = cells_.position(rim_side[layer][column]);
       const double  even =
         web_angle(u, layer, (column / 3 + column % 3 / 3.) / (options_.columns() / 3));
-      const double angle = even + .5 * std::remainder(std::atan2(x[1], x[0]) - even, 2. * pi);
+      const double angle = even + .5 * std::remainder(polar_angle(x) - even, 2. * pi);
       return web_point(u, layer, angle);
     };
     const NodeLayer inner = cells_.add_coarsening_row(rim_side, hub_side, place);

@@ -147,7 +147,7 @@ namespace vfife
   double GearShaftBuilder::angle_of(const unsigned int node) const
   {
     const Vector3 x = cells_.position(node);
-    return std::atan2(x[1], x[0]);
+    return polar_angle(x);
   }
 
   double GearShaftBuilder::joining_length(const double radius) const

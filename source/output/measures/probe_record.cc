@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/median.h>
 #include <vfife/output/measures/probe_record.h>
 
 #include <algorithm>
@@ -7,17 +8,6 @@
 
 namespace vfife
 {
-  namespace
-  {
-    /** The upper one of the middle two, where there are two. */
-    double median_of(std::vector<double> values)
-    {
-      const auto middle = values.begin() + values.size() / 2;
-      std::nth_element(values.begin(), middle, values.end());
-      return *middle;
-    }
-  } // namespace
-
   ProbeRecord make_probe_record(const std::string                   &name,
                                 const std::vector<double>           &times,
                                 const std::vector<double>           &stresses,

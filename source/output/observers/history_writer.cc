@@ -7,13 +7,11 @@ namespace vfife
 {
   namespace
   {
-    using Now     = const Measurements &;
-    using Columns = SampleColumns<Measurements>;
+    using Now            = const Measurements &;
+    using HistoryColumns = SampleColumns<Measurements>;
 
     // Measurements are in the units inside (rad, mm, N mm); columns are in those of a reader.
-    constexpr double degree = pi / 180;
-
-    void add_energies(const bool is_pair, Columns &columns)
+    void add_energies(const bool is_pair, HistoryColumns &columns)
     {
       const auto add = [&columns](const char *name, double EnergyLedger::*energy) {
         columns.add(name, "mJ", [energy](Now now) { return now.energy.*energy; });
@@ -31,7 +29,7 @@ namespace vfife
     }
 
     /** Displacement and stress of probe number @p p of the model, under its name. */
-    void add_probe(const Probe &probe, const std::size_t p, Columns &columns)
+    void add_probe(const Probe &probe, const std::size_t p, HistoryColumns &columns)
     {
       const auto add = [&](const std::string &name, const char *unit, const auto value) {
         columns.add(probe.name + " " + name, unit, [p, value](Now now) {
@@ -51,7 +49,7 @@ namespace vfife
     }
 
     /** Force and moment of support number @p s of the model, under its name. */
-    void add_reaction(const std::string &support, const std::size_t s, Columns &columns)
+    void add_reaction(const std::string &support, const std::size_t s, HistoryColumns &columns)
     {
       for (unsigned int c = 0; c < 3; ++c)
         columns.add(support + " reaction force " + column::fixed_axes[c], "N", [s, c](Now now) {
@@ -64,7 +62,7 @@ namespace vfife
     }
 
     /** Force of each contact on its slave or on the body at its wall. */
-    void add_contacts(const Model &model, Columns &columns)
+    void add_contacts(const Model &model, HistoryColumns &columns)
     {
       std::vector<std::string> names;
       for (const ContactPair &pair : model.contacts)
@@ -79,7 +77,7 @@ namespace vfife
     }
 
     /** What gear pairs have files and figures of their own for. */
-    void add_motion(const Model &model, Columns &columns)
+    void add_motion(const Model &model, HistoryColumns &columns)
     {
       for (unsigned int c = 0; c < 3; ++c)
         columns.add(std::string("momentum ") + column::fixed_axes[c], "N s", [c](Now now) {
@@ -97,9 +95,9 @@ namespace vfife
     }
 
     /** All columns in the order of the file. */
-    Columns list_columns(const Model &model)
+    HistoryColumns list_columns(const Model &model)
     {
-      Columns           columns;
+      HistoryColumns    columns;
       const auto       &pair   = model.transmission;
       const std::string driver = pair ? model.bodies[pair->driver].name() : "";
       const std::string driven = pair ? model.bodies[pair->driven].name() : "";

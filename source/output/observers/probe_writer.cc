@@ -9,15 +9,15 @@ namespace vfife
 {
   namespace
   {
-    using Here    = const ProbeSample &;
-    using Columns = SampleColumns<ProbeSample>;
+    using Here         = const ProbeSample &;
+    using ProbeColumns = SampleColumns<ProbeSample>;
 
     /** All columns in the order of the file. */
-    Columns list_columns()
+    ProbeColumns list_columns()
     {
-      Columns    columns;
-      const auto displacements = column::displacements(column::cylindrical_axes);
-      const auto stresses      = column::stresses(column::cylindrical_axes);
+      ProbeColumns columns;
+      const auto   displacements = column::displacements(column::cylindrical_axes);
+      const auto   stresses      = column::stresses(column::cylindrical_axes);
       columns.add_text(column::probe, [](Here here) { return here.name; });
       for (unsigned int c = 0; c < 3; ++c)
         columns.add(displacements[c], "um", [c](Here here) {

@@ -9,15 +9,15 @@ namespace vfife
 {
   namespace
   {
-    using Pair    = const ToothSample &;
-    using Columns = SampleColumns<ToothSample>;
+    using Pair         = const ToothSample &;
+    using ToothColumns = SampleColumns<ToothSample>;
 
     /** All columns in the order of the file. */
-    Columns list_columns(const Model &model, const HertzContact &hertz)
+    ToothColumns list_columns(const Model &model, const HertzContact &hertz)
     {
-      Columns     columns;
-      const auto &t     = model.transmission;
-      const auto  tooth = [&](const unsigned int b) {
+      ToothColumns columns;
+      const auto  &t     = model.transmission;
+      const auto   tooth = [&](const unsigned int b) {
         return column::tooth_of(model.bodies[b].name());
       };
       columns.add_text(column::side, [](Pair pair) { return pair.contact.side; });

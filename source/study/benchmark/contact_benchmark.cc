@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/median.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/machine_speed.h>
@@ -106,12 +107,6 @@ namespace vfife
       Matrix3                    closed_;
     };
 
-    double median(std::vector<double> values)
-    {
-      std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-      return values[values.size() / 2];
-    }
-
     StepTimes
     measure(TurningPair &pair, ContactSystem &contact, const double dt, const unsigned int steps)
     {
@@ -199,7 +194,7 @@ namespace vfife
        "contact: nodes to and fro"}};
     std::array<double, std::tuple_size<StepTimes>::value> medians;
     for (unsigned int i = 0; i < medians.size(); ++i)
-      medians[i] = median(samples[i]);
+      medians[i] = median_of(samples[i]);
     Table table = make_contact_cost_table();
     // Shares are of a step: forces, update and contact; the rest are parts of the contact.
     const double step = medians[0] + medians[1] + medians[2];

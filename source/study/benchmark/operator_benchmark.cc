@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/median.h>
 #include <vfife/dynamics/motion/nodal_update.h>
 #include <vfife/element/frame.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
@@ -9,13 +10,6 @@ namespace vfife
 {
   namespace
   {
-    double median(std::vector<double> values)
-    {
-      std::sort(values.begin(), values.end());
-      const std::size_t n = values.size();
-      return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-    }
-
     /** Lanes of the kernels of each set, in the order of InstructionSet. */
     constexpr std::array<unsigned int, 4>   lanes = {{1, 2, 4, 8}};
     constexpr std::array<InstructionSet, 4> sets  = {{InstructionSet::generic,
@@ -221,14 +215,14 @@ namespace vfife
                            word_of(cases[c]->stiffness, stiffness_choices()),
                            frame_choices()[f].first,
                            name_of(sets[set]),
-                           median(s.rate),
-                           median(s.forces),
-                           median(s.update),
-                           median(s.arithmetic),
-                           median(s.arithmetic_share),
-                           median(s.bandwidth),
-                           median(s.bandwidth_share),
-                           median(s.gain)});
+                           median_of(s.rate),
+                           median_of(s.forces),
+                           median_of(s.update),
+                           median_of(s.arithmetic),
+                           median_of(s.arithmetic_share),
+                           median_of(s.bandwidth),
+                           median_of(s.bandwidth_share),
+                           median_of(s.gain)});
     return table;
   }
 } // namespace vfife

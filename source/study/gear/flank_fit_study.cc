@@ -25,8 +25,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr double micrometre = 1e-3; // [mm]
-
     /** A dimensionless setting is stored as it is written, whatever its unit is called. */
     double shown(const FittedSetting &setting, const double value)
     {

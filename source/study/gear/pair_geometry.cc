@@ -13,8 +13,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr double degree = pi / 180;
-
     /** Diameter of a circle about the axis at the cone distance @p L, @p h over the pitch cone
      * [mm]: 2 (L sin d + h cos d). */
     double diameter_at(const Blank &blank, const double L, const double h)

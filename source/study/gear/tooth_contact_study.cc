@@ -28,8 +28,6 @@ namespace vfife
 {
   namespace
   {
-    constexpr double degree = pi / 180.;
-
     /** A number with a fixed number of decimals, for the log. */
     std::string fixed(const double value, const int decimals)
     {

@@ -4,20 +4,18 @@
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/text/table.h>
+#include <vfife/base/types.h>
 #include <vfife/study/sweep/history_figure.h>
 #include <vfife/study/sweep/refinement.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace vfife
 {
   namespace
   {
-    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
     using Numbers = std::vector<double>;
 
     /** Instants at which the column crosses @p level, linear between the samples. */

@@ -2,17 +2,15 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
+#include <vfife/base/types.h>
 #include <vfife/study/sweep/refinement.h>
 
 #include <cmath>
-#include <limits>
 
 namespace vfife
 {
   namespace
   {
-    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
     /** A value of an entry: how large it is in internal units, and of what dimension. */
     struct Size
     {

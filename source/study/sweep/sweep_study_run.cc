@@ -6,6 +6,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/table.h>
+#include <vfife/base/types.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_reader.h>
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <ostream>
 
 namespace vfife
@@ -50,8 +50,6 @@ namespace vfife
     private:
       MPI_Comm comm_ = MPI_COMM_NULL;
     };
-
-    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
     /** Of finished runs, whose folders these are; where a name is empty there is no number. All
      * have the same unit. */

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/complex.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/study/waves/contact_meetings.h>
 #include <vfife/study/waves/linear_response.h>
@@ -11,13 +12,10 @@
 
 namespace vfife
 {
-  using Complex = std::complex<double>;
   using Eigen::VectorXcd;
 
   namespace
   {
-    constexpr Complex i(0., 1.);
-
     /** Free vibrations are found at rates whose quotient is this; between them they change by
      * little. */
     constexpr double step = 1.1;
@@ -201,7 +199,7 @@ namespace vfife
           for (const Complex &exponent : exponents)
             {
               // lambda = i p z phi', the frequency of order p where the body turns at this rate.
-              const Complex start = exponent / (i * double(p * z) * linear.sense());
+              const Complex start = exponent / (imaginary_unit * double(p * z) * linear.sense());
               const double  about = turning * start.real();
               if (!(about > from * (1. - follow) && about < to * (1. + follow)))
                 continue;

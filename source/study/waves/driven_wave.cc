@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/complex.h>
 #include <vfife/element/stress.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
@@ -12,12 +13,9 @@
 
 namespace vfife
 {
-  using Complex = std::complex<double>;
-
   namespace
   {
     constexpr unsigned int axial = 2; ///< component of the rim's motion
-    constexpr Complex      i(0., 1.);
 
     /** Parts of a wave's period at which its stress is looked at. */
     constexpr unsigned int n_phases = 128;
@@ -97,7 +95,7 @@ namespace vfife
       return shapes.row(3 * reduced.touch_nodes.size() +
                         reduced.find_reading(reading::of_rim(axial, diameters, imaginary)));
     };
-    return 1e3 * double(reduced.n_sectors) * (row(false) - i * row(true));
+    return 1e3 * double(reduced.n_sectors) * (row(false) - imaginary_unit * row(true));
   }
 
   Complex WaveDriver::read_rim(const unsigned int n)
@@ -227,21 +225,21 @@ namespace vfife
               continue;
             time              = (mesh + double(s) / schedule.steps) * motion.mesh_time;
             const Complex rim = read_rim(n);
-            sum += rim * std::exp(-i * (omega * time));
+            sum += rim * std::exp(-imaginary_unit * (omega * time));
             if (!counts)
               continue;
-            motion.force +=
-              std::exp(-i * (omega * time)) * pair_.measure_modal_forces(t.driven)[harmonic];
+            motion.force += std::exp(-imaginary_unit * (omega * time)) *
+                            pair_.measure_modal_forces(t.driven)[harmonic];
             pair_.measure(state);
             const double error   = state.measured.transmission_error;
             least_error          = counted.empty() ? error : std::min(least_error, error);
             largest_error        = counted.empty() ? error : std::max(largest_error, error);
             motion.largest_force = std::max(motion.largest_force, state.measured.contact_force);
-            counted.push_back(rim * std::exp(-i * (spin * time)));
+            counted.push_back(rim * std::exp(-imaginary_unit * (spin * time)));
             if (mesh + 1 < schedule.settling_meshes + schedule.counted_meshes)
               continue;
             add_wave_stresses(n,
-                              std::exp(-i * (omega * time)) / double(schedule.samples),
+                              std::exp(-imaginary_unit * (omega * time)) / double(schedule.samples),
                               stresses);
           }
         motion.meshes.push_back(sum / double(schedule.samples));

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/complex.h>
 #include <vfife/base/errors.h>
 #include <vfife/model/transmission.h>
 #include <vfife/study/waves/driven_wave.h>
@@ -13,8 +14,6 @@
 
 namespace vfife
 {
-  using Complex = std::complex<double>;
-
   namespace
   {
     /** Free vibrations in contact are found this part of the speed beyond the range as well: the

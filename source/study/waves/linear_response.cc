@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/complex.h>
 #include <vfife/study/waves/linear_response.h>
 #include <vfife/study/waves/static_passage.h>
 
@@ -10,14 +11,12 @@
 
 namespace vfife
 {
-  using Complex = std::complex<double>;
   using Eigen::MatrixXcd;
   using Eigen::MatrixXd;
   using Eigen::VectorXcd;
 
   namespace
   {
-    constexpr Complex i(0., 1.);
   } // namespace
 
   LinearResponse::LinearResponse(const ReducedBody   &body,
@@ -60,8 +59,8 @@ namespace vfife
     const Complex                omega = frequency(modes.number, p, rate);
     MatrixXcd matrix = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
     matrix += modes.eigenvalues.cast<Complex>().asDiagonal();
-    matrix += 2. * i * rate * omega * modes.coriolis;
-    matrix.diagonal().array() += -omega * omega + i * damping_.modes * omega;
+    matrix += 2. * imaginary_unit * rate * omega * modes.coriolis;
+    matrix.diagonal().array() += -omega * omega + imaginary_unit * damping_.modes * omega;
     return matrix.partialPivLu().solve(force);
   }
 
@@ -83,7 +82,8 @@ namespace vfife
   Complex LinearResponse::turn(const int p, const Complex &rate, const Complex &moment) const
   {
     const Complex omega = frequency(0, p, rate);
-    return moment / (body_.turn_inertia * (-omega * omega + i * damping_.turn * omega));
+    return moment /
+           (body_.turn_inertia * (-omega * omega + imaginary_unit * damping_.turn * omega));
   }
 
   Complex LinearResponse::loop_compliance(const int p, const Complex &rate) const
@@ -138,7 +138,7 @@ namespace vfife
       {
         const ReducedBody::Harmonic &modes = body_.harmonics[k];
         const Eigen::Index           m = modes.n_modes(), parts = parts_of(modes);
-        const Complex                shift = i * frequency(modes.number, 0, rate) / w;
+        const Complex                shift = imaginary_unit * frequency(modes.number, 0, rate) / w;
         MatrixXcd stiffness = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
         stiffness += modes.eigenvalues.cast<Complex>().asDiagonal();
         MatrixXcd damping = 2. * rate / w * modes.coriolis;

@@ -1,20 +1,17 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/complex.h>
+#include <vfife/base/types.h>
 #include <vfife/study/waves/wave_line.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vfife
 {
-  using Complex = std::complex<double>;
-
   namespace
   {
     /** Of the amplitude at the peak: what others add less to is left to the background. */
     constexpr double counting_part = .01;
-
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   } // namespace
 
   std::string WaveLine::name() const
@@ -55,7 +52,7 @@ namespace vfife
   {
     const auto &all = response->amplifications;
     return response->n_probes == 0
-             ? nan
+             ? not_known
              : *std::max_element(all.begin(), all.begin() + response->n_probes);
   }
 
@@ -63,7 +60,7 @@ namespace vfife
   {
     const auto &all = response->amplifications;
     return response->n_probes == all.size()
-             ? nan
+             ? not_known
              : *std::max_element(all.begin() + response->n_probes, all.end());
   }
 

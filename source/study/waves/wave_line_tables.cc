@@ -2,6 +2,7 @@
 // Tables of WaveLine, and what logs say of it.
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/types.h>
 #include <vfife/study/waves/wave_line.h>
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace vfife
   namespace
   {
     constexpr double rpm = 30. / pi; // of 1 rad/s
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
     /** The columns that say which line a row is of. */
     Table make_table_of_lines()
     {
@@ -75,7 +74,7 @@ namespace vfife
                                line.linear_curve.amplitude})
       row.emplace_back(value);
     if (!line.response)
-      row.insert(row.end(), 14, nan);
+      row.insert(row.end(), 14, not_known);
     else
       {
         const WaveResponse &found = *line.response;

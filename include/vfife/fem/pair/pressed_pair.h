@@ -95,6 +95,9 @@ namespace vfife
     PressedPair(const Model &model, const std::vector<double> &penalties);
     ~PressedPair();
 
+    /** Gap at the first touch [mm]: 1e-5 arcsec at 100 mm. */
+    static constexpr double touch_tolerance = 5e-9;
+
     /** The driver has turned by this since time zero in the drive direction [rad]; the driven body
      * follows by its kinematic turn. */
     void   set_position(double driver_turn);

@@ -2,6 +2,7 @@
 #ifndef vfife_gear_spiral_bevel_blank_h
 #define vfife_gear_spiral_bevel_blank_h
 
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/gear/blank_outline.h>
 
 #include <string>
@@ -20,6 +21,9 @@ namespace vfife
     right,
     left
   };
+
+  /** "right", "left". */
+  const Choices<Hand> &hand_choices();
 
   /** "right" or "left". */
   const char *name_of(Hand hand);

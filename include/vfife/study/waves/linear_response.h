@@ -2,10 +2,10 @@
 #ifndef vfife_study_waves_linear_response_h
 #define vfife_study_waves_linear_response_h
 
+#include <vfife/base/complex.h>
 #include <vfife/reduced/modal_motion.h>
 #include <vfife/reduced/reduced_body.h>
 
-#include <complex>
 #include <vector>
 
 namespace vfife
@@ -70,8 +70,6 @@ namespace vfife
     }
 
   private:
-    using Complex = std::complex<double>;
-
     /** omega = (h + p z) phi' of a harmonic, h = 0 for the body as a whole. */
     Complex frequency(unsigned int h, int p, const Complex &rate) const;
     /** (K - omega^2 + i omega (2 rate G + zeta))^-1 times @p force. */
