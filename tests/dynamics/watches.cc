@@ -279,6 +279,42 @@ namespace
     unsigned int warned_before = 0;
   };
 
+  /** Energy out of nowhere, @p residuals [mJ] at samples one after the other, beside 100 mJ of
+   * work: after which of them the book fails a limit of 0.05, and after which it has warned; 0:
+   * none. */
+  std::pair<std::size_t, std::size_t> find_failure(const std::vector<double> &residuals)
+  {
+    const Model model = turning_ring(500);
+    LoggedBook  one(model);
+    one.book.take_sample(spin_sums(5000, 5000), 0, 0);
+    StepPowers powers;
+    powers.drive = 1000;
+    one.book.add_work(powers, 0.1);
+    std::pair<std::size_t, std::size_t> places(0, 0);
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+      {
+        one.book.take_sample(spin_sums(5100 + residuals[i], 5100 + residuals[i]), 0, 0);
+        one.check(0.05);
+        if (places.first == 0 && !one.failure.empty())
+          places.first = i + 1;
+        if (places.second == 0 && !one.log.warnings().empty())
+          places.second = i + 1;
+      }
+    return places;
+  }
+
+  void lasting_errors()
+  {
+    using Places = std::pair<std::size_t, std::size_t>;
+    // Errors of 0.057, 0.074, 0.091: kinetic energy changes by work and residual.
+    check("an error that lasts and grows fails", find_failure({6, 8, 10}) == Places(3, 3));
+    check("two samples are not enough", find_failure({6, 10}) == Places(0, 0));
+    check("one that has not grown by half goes on", find_failure({6, 7, 8.5}) == Places(0, 0));
+    check("a sample below the limit breaks it", find_failure({6, 8, 4, 10, 12}) == Places(0, 4));
+    check("from two fifths of the limit on a warning", find_failure({2.5, 3, 4}) == Places(0, 3));
+    check("below it none", find_failure({1., 1.5, 2.}) == Places(0, 0));
+  }
+
   void books_go_on()
   {
     const Model   model  = flying_blocks();
@@ -437,8 +473,12 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(
-    argc,
-    argv,
-    {ledger_of_turning_ring, energy_of_approach, books_go_on, losses_of_contact, damping_audit});
+  run_parts(argc,
+            argv,
+            {ledger_of_turning_ring,
+             energy_of_approach,
+             lasting_errors,
+             books_go_on,
+             losses_of_contact,
+             damping_audit});
 }

@@ -4,18 +4,17 @@
 // the mean 1/2, products of unlike waves have none.
 #include "../tests.h"
 
+#include <vfife/base/complex.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/modes/mode_description.h>
 #include <vfife/mesh/primitives/primitives.h>
 
-#include <complex>
 #include <functional>
 
 using namespace vfife;
 
 namespace
 {
-  using Complex = std::complex<double>;
   /** r, theta, z about the axis of rotation. */
   struct Components
   {
@@ -119,6 +118,12 @@ namespace
                    const Complex wave = std::exp(-2. * i * alpha);
                    return Components{wave, 2. * i * wave, -3. * wave};
                  }));
+    // Radial motion a quarter of a period after the axial one: energies as 9 to 1.
+    const auto later = describe([](const double alpha, double) {
+      return Components{3. * i * std::cos(2 * alpha), 0., std::cos(2 * alpha)};
+    });
+    check_close("one after the other: radial", later.radial, .9, 1e-13);
+    check_close("one after the other: axial", later.axial, .1, 1e-13);
   }
 
   void circles()

@@ -7,6 +7,7 @@
 #include "pair_in_bearings.h"
 
 #include <vfife/fem/pair/coupled_modes.h>
+#include <vfife/mesh/primitives/primitives.h>
 
 #include <Eigen/Dense>
 
@@ -428,11 +429,48 @@ namespace
         check("unlike axes: few iterations", result.iterations <= 8);
       }
   }
+
+  /** A ring whose three circles of nodes turn by angles of their own: masses as radii times half
+   * the widths beside them. */
+  void turned_circles(Communicator &)
+  {
+    Model model;
+    Body  ring("ring", make_ring(10., 30., 2., {{2, 48, 1}}), Material());
+    ring.placement.rotation    = rotation_about(Vector3(1., -2., 1.).normalized(), .7);
+    ring.placement.translation = Vector3(4., 1., -9.);
+    ring.axis = {ring.placement(Vector3(0., 0., 5.)), ring.placement.rotation.col(2)};
+    model.add_body(std::move(ring));
+    const Discretization      d(model, {0}, FemElement::full);
+    const Body               &body = model.bodies[0];
+    std::vector<double>       u;
+    std::vector<unsigned int> nodes;
+    double                    sum = 0, mass = 0;
+    for (unsigned int n = 0; n < body.n_nodes(); ++n)
+      {
+        const Vector3 r      = d.points()[n] - body.axis.point,
+                      across = r - r.dot(body.axis.direction) * body.axis.direction;
+        const double radius  = across.norm();
+        const double turn    = radius < 15. ? 1e-3 : radius < 25. ? -4e-3 : 2e-3;
+        // Motion along the axis and away from it turns nothing.
+        const Vector3 way =
+          turn * body.axis.direction.cross(r) + .01 * across / radius + .02 * body.axis.direction;
+        u.insert(u.end(), way.data(), way.data() + 3);
+        nodes.push_back(n);
+        sum += body.node_masses()[n] * turn;
+        mass += body.node_masses()[n];
+      }
+    check_close("mean rotation of circles",
+                mean_rotation(d, 0, nodes, u) / (sum / mass),
+                1.,
+                1e-12);
+    check("they differ", std::abs(sum / mass) > 1e-4);
+  }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc,
-            argv,
-            {rigid_bodies, housing, spinning_bodies, moments, stiff_limit, unlike_axes});
+  run_parts(
+    argc,
+    argv,
+    {rigid_bodies, housing, spinning_bodies, moments, stiff_limit, unlike_axes, turned_circles});
 }

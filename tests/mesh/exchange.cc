@@ -192,6 +192,7 @@ namespace
     const auto points  = read_array(text, "NumberOfComponents=\"3\""),
                corners = read_array(text, "Name=\"connectivity\""),
                body    = read_array(text, "Name=\"body\""),
+               region  = read_array(text, "Name=\"region\""),
                inner   = read_array(text, "Name=\"surface ring inner\""),
                upper   = read_array(text, "Name=\"set block y+\"");
     const auto point   = [&points](const double node) {
@@ -227,6 +228,11 @@ namespace
           ++n_points;
         }
     check("vtu: faces of a surface", on_face && n_faces == 8);
+    // The block's cells are the first region, the ring's the second, faces are in none.
+    bool numbered = region.size() == body.size();
+    for (unsigned int cell = 0; numbered && cell < region.size(); ++cell)
+      numbered = region[cell] == (cell < 14 ? 1 + body[cell] : 0);
+    check("vtu: regions from 1 on, 0 on faces", numbered);
     check("vtu: points of a set", in_set && n_points == 8);
   }
 
@@ -382,8 +388,9 @@ namespace
             longest = std::max(longest, field.substr(field.find_first_not_of(' ')).size());
       }
     check("inp: numbers of twenty characters at most", longest <= 20 && longest > 15);
-    double x = 1.;
-    for (const auto &vertex : read_body("small.inp")->triangulation.get_vertices())
+    double     x    = 1.;
+    const auto body = read_body("small.inp");
+    for (const auto &vertex : body->triangulation.get_vertices())
       x = std::min(x, vertex[0]);
     check_close("inp: a small coordinate", x / -5.15672612069196e-05, 1., 1e-12);
   }

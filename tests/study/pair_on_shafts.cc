@@ -225,8 +225,9 @@ namespace
     // Of the first sample the bearings have the equilibrium of the whole pair, its inertia
     // included.
     check_balance("run at full speed, first sample", "whole", 0.01);
-    double energy_error = 0;
-    for (const double error : read_columns("whole/history.csv").at("energy error"))
+    double     energy_error = 0;
+    const auto history      = read_columns("whole/history.csv");
+    for (const double error : history.at("energy error"))
       energy_error = largest_of(energy_error, std::abs(error));
     check_below("energy error of the run", energy_error, 1e-3);
   }
