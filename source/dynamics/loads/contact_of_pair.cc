@@ -36,26 +36,27 @@ namespace vfife
     , velocities(3 * facets->nodes.size())
     , forces(3 * facets->nodes.size())
     , free_velocities(3 * facets->nodes.size())
+    , touched(facets->nodes.size(), 0)
   {
     for (const unsigned int node : facets->nodes)
       {
         // Masses are the whole nodes', also of nodes that this rank does not hold: all ranks vote
         // alike on the step and have the same penalty.
+        if (partition.find_owned(b.first_node + node) != Partition::absent)
+          owned.push_back(local.size());
         local.push_back(partition.local_node[b.first_node + node]);
         mass.push_back(b.node_masses()[node]);
       }
   }
 
-  double ContactSurface::largest_deformation(const Partition   &partition,
-                                             const RigidMotion &motion,
+  double ContactSurface::largest_deformation(const RigidMotion &motion,
                                              const NodeField   &all_positions) const
   {
     double largest = 0.;
-    for (std::size_t i = 0; i < local.size(); ++i)
-      if (local[i] != Partition::absent && partition.owned[local[i]])
-        largest =
-          std::max(largest,
-                   (all_positions.value(local[i]) - motion(facets->positions[i])).squaredNorm());
+    for (const unsigned int i : owned)
+      largest =
+        std::max(largest,
+                 (all_positions.value(local[i]) - motion(facets->positions[i])).squaredNorm());
     return std::sqrt(largest);
   }
 

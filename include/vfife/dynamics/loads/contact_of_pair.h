@@ -33,9 +33,7 @@ namespace vfife
 
     /** Largest distance of a surface node that this rank owns from where the rigid @p motion of the
      * body would put it [mm]. */
-    double largest_deformation(const Partition   &partition,
-                               const RigidMotion &motion,
-                               const NodeField   &positions) const;
+    double largest_deformation(const RigidMotion &motion, const NodeField &positions) const;
 
     unsigned int                     body;
     const FacetSurface              *facets;
@@ -45,6 +43,8 @@ namespace vfife
     std::vector<double>              free_velocities;  ///< after the step without contact
     const std::vector<unsigned int> *active = nullptr; ///< surface nodes, of the contact
     std::vector<unsigned int>        numbers;          ///< of each surface node among all pairs
+    std::vector<std::uint8_t>        touched;          ///< marks of nodes, zero between evaluations
+    std::vector<unsigned int>        owned; ///< surface nodes that this rank counts in sums
   };
 
   /** A contact pair of the model with its contact. */
