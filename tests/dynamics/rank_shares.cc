@@ -9,6 +9,7 @@
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/mesh/primitives/primitives.h>
+#include <vfife/model/model.h>
 
 #include <algorithm>
 

@@ -60,37 +60,6 @@ namespace vfife
     return std::sqrt(largest);
   }
 
-  void ContactSurface::collect_motion(const Partition &partition,
-                                      const NodeField &local_positions,
-                                      const NodeField &local_velocities,
-                                      const bool       with_velocities)
-  {
-    // The owner brings a node, all others zero: the sum over ranks is an exact copy.
-    for (const unsigned int i : *active)
-      {
-        const std::uint32_t node  = local[i];
-        const bool          owned = node != Partition::absent && partition.owned[node];
-        const auto          take  = [&](const NodeField &from, std::vector<double> &to) {
-          Eigen::Map<Vector3>(to.data() + 3 * i) = owned ? from.value(node) : Vector3(0, 0, 0);
-        };
-        take(local_positions, positions);
-        if (with_velocities)
-          take(local_velocities, velocities);
-        std::fill_n(forces.data() + 3 * i, 3, 0.);
-      }
-  }
-
-  void ContactSurface::distribute_forces(NodeField &local_forces) const
-  {
-    for (const unsigned int i : *active)
-      {
-        // Few active nodes carry force: the others' places in the large array are not touched.
-        const Eigen::Map<const Vector3> f(forces.data() + 3 * static_cast<std::size_t>(i));
-        if (local[i] != Partition::absent && !(f[0] == 0. && f[1] == 0. && f[2] == 0.))
-          local_forces.add(local[i], f);
-      }
-  }
-
   ContactOfPair::ContactOfPair(const ContactPair &pair,
                                const Model       &model,
                                const Partition   &partition,

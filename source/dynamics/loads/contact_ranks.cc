@@ -49,22 +49,24 @@ namespace vfife
 
   bool ContactRanks::choose(const Pairs &pairs)
   {
+    nodes_.clear();
+    for (const auto &pair : pairs)
+      for (ContactSurface *const surface : pair->surfaces())
+        for (const unsigned int i : *surface->active)
+          nodes_.push_back({surface, i});
     if (communicator_.size() == 1)
       return false;
     // 1. Who holds an active node; then the lowest ranks, until there are enough.
-    std::vector<std::uint8_t> chosen(communicator_.size(), 0);
-    nodes_.clear();
+    std::vector<std::uint8_t>  chosen(communicator_.size(), 0);
     std::vector<std::uint32_t> owners;
     for (std::size_t p = 0; p < pairs.size(); ++p)
       for (unsigned int side = 0; side < 2; ++side)
         {
-          ContactSurface *const surface = pairs[p]->surfaces()[side];
-          for (const unsigned int i : *surface->active)
+          for (const unsigned int i : *pairs[p]->surfaces()[side]->active)
             {
               const auto &holders = holders_[2 * p + side].of_node[i];
               for (const std::uint32_t rank : holders)
                 chosen[rank] = 1;
-              nodes_.push_back({surface, i});
               owners.push_back(holders.front());
             }
         }
@@ -112,6 +114,11 @@ namespace vfife
   const std::vector<ContactRanks::Node> &ContactRanks::nodes() const
   {
     return nodes_;
+  }
+
+  const std::vector<ContactRanks::Node> &ContactRanks::own_nodes() const
+  {
+    return communicator_.size() == 1 ? nodes_ : owned_[place_];
   }
 
   void ContactRanks::bring(const std::vector<std::vector<double> ContactSurface::*> &arrays)

@@ -190,8 +190,7 @@ namespace vfife
                                  s.forces.data(),
                                  m.forces.data());
       }
-    ranks_.add_up_forces(ranks_.nodes());
-    distribute_forces(forces);
+    hand_over_forces(ranks_.nodes(), forces);
   }
 
   void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,

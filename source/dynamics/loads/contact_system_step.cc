@@ -93,26 +93,27 @@ namespace vfife
                                    const NodeField *forces,
                                    const double     dt)
   {
+    // The owners' nodes; what others own comes from them.
     const bool with_velocities = needs_velocities_ || forces != nullptr;
-    for (const auto &pair : pairs_)
-      for (ContactSurface *surface : pair->surfaces())
-        {
-          surface->collect_motion(partition_, positions, velocities, with_velocities);
-          if (forces == nullptr)
-            continue;
-          for (const unsigned int i : *surface->active)
-            {
-              const std::uint32_t node  = surface->local[i];
-              const bool          owned = node != Partition::absent && partition_.owned[node];
-              Eigen::Map<Vector3> free(surface->free_velocities.data() + 3 * i);
-              if (!owned)
-                free.setZero();
-              else if (const unsigned int number = surface->numbers[i]; held_.empty())
-                free = velocities.value(node) + dt * inverse_masses_[number] * forces->value(node);
-              else
-                free = velocities.value(node) + dt * inverse_mass(number) * forces->value(node);
-            }
-        }
+    for (const auto &[surface, i] : ranks_.own_nodes())
+      {
+        const std::uint32_t node = surface->local[i];
+        const auto          at   = [i = i](std::vector<double> &array) {
+          return Eigen::Map<Vector3>(array.data() + 3 * static_cast<std::size_t>(i));
+        };
+        at(surface->positions) = positions.value(node);
+        if (with_velocities)
+          at(surface->velocities) = velocities.value(node);
+        if (forces == nullptr)
+          continue;
+        const unsigned int number = surface->numbers[i];
+        if (held_.empty())
+          at(surface->free_velocities) =
+            velocities.value(node) + dt * inverse_masses_[number] * forces->value(node);
+        else
+          at(surface->free_velocities) =
+            velocities.value(node) + dt * inverse_mass(number) * forces->value(node);
+      }
     std::vector<std::vector<double> ContactSurface::*> arrays = {&ContactSurface::positions};
     if (with_velocities)
       arrays.push_back(&ContactSurface::velocities);
@@ -207,8 +208,7 @@ namespace vfife
                                pairs_[i]->slave.forces.data(),
                                pairs_[i]->master.forces.data());
     // 3. The sums of all shares, at the nodes of points that touch where all ranks know these.
-    ranks_.add_up_forces(all_implicit ? touched_ : ranks_.nodes());
-    distribute_forces(forces);
+    hand_over_forces(all_implicit ? touched_ : ranks_.nodes(), forces);
   }
 
   void ContactSystem::find_pressures(const double                             dt,
@@ -302,10 +302,18 @@ namespace vfife
     sums_[5] = failure_.empty() ? 0. : 1.;
   }
 
-  void ContactSystem::distribute_forces(NodeField &forces) const
+  void ContactSystem::hand_over_forces(const std::vector<ContactRanks::Node> &nodes,
+                                       NodeField                             &forces)
   {
-    for (const auto &pair : pairs_)
-      for (const ContactSurface *surface : pair->surfaces())
-        surface->distribute_forces(forces);
+    // To all copies of the nodes. The arrays of the surfaces are zero again for the next time.
+    ranks_.add_up_forces(nodes);
+    for (const auto &[surface, i] : nodes)
+      {
+        Eigen::Map<Vector3> f(surface->forces.data() + 3 * static_cast<std::size_t>(i));
+        // Few active nodes carry force: the others' places in the large array are not touched.
+        if (surface->local[i] != Partition::absent && !(f[0] == 0. && f[1] == 0. && f[2] == 0.))
+          forces.add(surface->local[i], f);
+        f.setZero();
+      }
   }
 } // namespace vfife

@@ -57,8 +57,9 @@ namespace vfife
      * rank: all get the same to the last bit. */
     void add_up_forces(const std::vector<Node> &nodes);
 
-    /** The active nodes. */
+    /** The active nodes, and those of them that this rank owns. */
     const std::vector<Node> &nodes() const;
+    const std::vector<Node> &own_nodes() const;
 
     /** The records of all that take part, in the order of their places; lengths may differ. */
     template <typename Record>

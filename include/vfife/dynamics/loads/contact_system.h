@@ -181,7 +181,7 @@ namespace vfife
                           NodeField                      &forces);
     void find_pressures(double dt, std::vector<std::vector<TouchingPoint>> &points);
     void sum_results();
-    void distribute_forces(NodeField &forces) const;
+    void hand_over_forces(const std::vector<ContactRanks::Node> &nodes, NodeField &forces);
     /** To others than those that have taken part so far. Collective. */
     void                       move_points();
     std::vector<AnchorOfPoint> gather_anchors(const Contact &contact) const;
