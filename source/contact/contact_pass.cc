@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/machine_speed.h>
-#include <vfife/base/text/byte_stream.h>
 #include <vfife/contact/contact_pass.h>
 #include <vfife/contact/search/carried_area.h>
 
@@ -323,55 +322,22 @@ namespace vfife
       find_gaps(pair, look_ahead);
     add_time(&ContactTimes::projection);
 
-    touching_.clear();
-    touches_.clear();
-    results_.resize(pairs_.size());
+    clear_results();
     for (std::size_t i = 0; i < pairs_.size(); ++i)
-      {
-        results_[i]              = GroupPairResult();
-        results_[i].slave_group  = pairs_[i].slave_group;
-        results_[i].master_group = pairs_[i].master_group;
-        describe(i, interaction.damping > 0.);
-      }
+      describe(i, interaction.damping > 0.);
     add_time(&ContactTimes::forces);
   }
 
 
-  void ContactPass::serialize(ByteStream &stream)
+  void ContactPass::clear_results()
   {
-    std::size_t n = pairs_.size();
-    stream.pass(n, rank_, n_ranks_, n_wide_searches_);
-    stream.require(n <= static_cast<std::size_t>(slave_.n_groups()) * master_.n_groups(),
-                   "more pairs of groups than there are");
-    pairs_.resize(n);
-    for (Pair &pair : pairs_)
-      stream.pass(pair.slave_group,
-                  pair.master_group,
-                  pair.listed,
-                  pair.built_at,
-                  pair.points,
-                  pair.awake_at);
-    slave_path_.serialize(stream);
-    master_path_.serialize(stream);
-    if (stream.reads())
-      check_lists(stream);
-  }
-
-
-  void ContactPass::check_lists(const ByteStream &stream) const
-  {
-    for (const Pair &pair : pairs_)
+    touching_.clear();
+    touches_.clear();
+    results_.assign(pairs_.size(), GroupPairResult());
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
       {
-        stream.require(pair.slave_group < slave_.n_groups() &&
-                         pair.master_group < master_.n_groups() &&
-                         pair.awake_at.size() == pair.points.size(),
-                       "a list of points of groups that are not there");
-        for (const ListedPoint &point : pair.points)
-          stream.require(point.slave_facet < slave_.n_facets() && point.rule_point < rule_.size() &&
-                           point.projection.facet < master_.n_facets() &&
-                           std::isfinite(point.projection.xi + point.projection.eta +
-                                         point.projection.lambda),
-                         "a point on facets that are not there");
+        results_[i].slave_group  = pairs_[i].slave_group;
+        results_[i].master_group = pairs_[i].master_group;
       }
   }
 

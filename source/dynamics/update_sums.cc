@@ -5,8 +5,6 @@
 
 #include <Eigen/LU>
 
-#include <vector>
-
 namespace vfife
 {
   UpdateAxis UpdateAxis::of(const Body &body)
@@ -34,31 +32,43 @@ namespace vfife
       }
   }
 
-  void sum_over_ranks(BodySums &sums, const Communicator &communicator)
+  void append_numbers(BodySums &sums, std::vector<double *> &numbers)
   {
     // Every sum of a body is in the list: what is left out of it stays that of this rank.
-    UpdateSums           &update  = sums.update;
-    std::vector<double *> numbers = {&update.kinetic,
-                                     &update.damping_power,
-                                     &update.mesh_power,
-                                     &update.damping_torque,
-                                     &update.axial_momentum,
-                                     &update.axial_inertia,
-                                     &sums.drive_power,
-                                     &sums.drive_torque};
+    UpdateSums &update = sums.update;
+    numbers.insert(numbers.end(),
+                   {&update.kinetic,
+                    &update.damping_power,
+                    &update.mesh_power,
+                    &update.damping_torque,
+                    &update.axial_momentum,
+                    &update.axial_inertia,
+                    &sums.drive_power,
+                    &sums.drive_torque});
     for (unsigned int i = 0; i < 3; ++i)
       numbers.insert(numbers.end(),
                      {&update.momentum[i], &update.first_moment[i], &update.angular_momentum[i]});
     for (unsigned int i = 0; i < 9; ++i)
       numbers.push_back(update.second_moment.data() + i);
+  }
 
-    // One reduction for all of them.
+  void sum_over_ranks(const std::vector<double *> &numbers, const Communicator &communicator)
+  {
+    if (communicator.size() == 1)
+      return;
     std::vector<double> values;
     for (const double *number : numbers)
       values.push_back(*number);
     communicator.sum(values);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       *numbers[i] = values[i];
+  }
+
+  void sum_over_ranks(BodySums &sums, const Communicator &communicator)
+  {
+    std::vector<double *> numbers;
+    append_numbers(sums, numbers);
+    sum_over_ranks(numbers, communicator);
   }
 
   double compute_axial_inertia(const UpdateAxis &axis, const double mass, const UpdateSums &sums)

@@ -13,6 +13,7 @@
 #include <vfife/dynamics/watch/contact_watch.h>
 #include <vfife/dynamics/watch/damping_watch.h>
 #include <vfife/dynamics/watch/energy_book.h>
+#include <vfife/dynamics/watch/motion_sums.h>
 #include <vfife/mesh/primitives/primitives.h>
 
 #include <sstream>
@@ -429,9 +430,11 @@ namespace
             watch.observe_step({sums});
           };
         };
+        const std::vector<double> mean_speeds =
+          sum_motion(model, state, state.velocity, ring.node_masses(), self).mean_speeds;
         const auto sample = [&](const double omega) {
           return
-            [&, omega](DampingWatch &watch) { watch.observe_sample(state, rates(omega), self); };
+            [&, omega](DampingWatch &watch) { watch.observe_sample(mean_speeds, rates(omega)); };
         };
         const auto make = [&] {
           auto watch = std::make_unique<DampingWatch>(model);

@@ -41,6 +41,7 @@
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/study/benchmark/contact_benchmark.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
+#include <vfife/study/benchmark/rank_benchmark.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/damping_figures.h>
 #include <vfife/study/compare/comparison.h>
@@ -181,6 +182,8 @@ namespace
     add("comparison.csv", "compare", comparison_table({}));
     add("benchmark.csv", "benchmark", make_operator_table());
     add("contact_cost.csv", "benchmark", make_contact_cost_table());
+    add("messages.csv", "benchmark", make_message_table());
+    add("ranks.csv", "benchmark", make_rank_table());
     // A run that does not exist has the same figures as any other.
     NamedFigures figures = read_run_figures("").figures;
     for (const char *of_histories : {"FIGURE", "FIGURE error", "FIGURE order"})
@@ -201,6 +204,13 @@ namespace
     summary.bodies          = {{"pinion", 1, 8, 1., 1., 1., 1.}};
     summary.instruction_set = "scalar";
     summary.timers          = {{"SECTION", {1, "s"}}};
+    summary.traffic         = {{"SECTION",
+                                {{"messages", {1, "-"}},
+                                 {"bytes of messages", {1, "B"}},
+                                 {"reductions", {1, "-"}},
+                                 {"bytes of reductions", {1, "B"}},
+                                 {"most messages of a rank", {1, "-"}},
+                                 {"most bytes of messages of a rank", {1, "B"}}}}};
     summary.figures         = {{mesh_frequency, {1, "Hz"}},
                                {swing_frequency, {1, "Hz"}},
                                {speed_of("pinion"), {1, "rpm"}},

@@ -158,6 +158,9 @@ subsection Benchmark
   set cells          = 3
   set plain elements = 8
   set contact steps  = 2
+  set largest number of ranks = 16
+  set message latency         = 2 us
+  set message bandwidth       = 4
   set closing        = )" +
             closing + "\nend\n",
           world);
@@ -181,6 +184,15 @@ subsection Benchmark
           area(narrow) > 0 && area(wide) > 1.2 * area(narrow));
     const Table table = read_result_table("pair_benchmark/contact_cost.csv");
     check("contact steps: each part has its time", table.numbers("time").size() == 9);
+    const Table ranks   = read_result_table("pair_benchmark/ranks.csv");
+    const auto  of_last = [&](const char *column) { return ranks.numbers(column).back(); };
+    check("largest number of ranks", of_last("ranks") == 16 && ranks.n_rows() == 5);
+    check_close("message latency: four stages of a reduction [us]", of_last("reduction"), 8, 1e-9);
+    // Times of two ranks with one neighbour: no other has as much to send.
+    check_close("message latency and bandwidth: halo of two ranks [us]",
+                ranks.numbers("halo")[1],
+                2 + ranks.numbers("most sent")[1] / 4,
+                1e-9);
   }
 
   /** What summary.json says of a run, from the files beside it. */

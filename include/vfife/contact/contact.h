@@ -139,10 +139,13 @@ namespace vfife
                               unsigned int         rank    = 0,
                               unsigned int         n_ranks = 1);
 
-    /** Surface nodes (slave's, master's, each sorted) of the facets of candidate pairs that have a
-     * point nearer than @p reach [mm] to the other surface, found without warm start. */
+    /** Surface nodes (slave's, master's, each sorted) of facets of candidate pairs with a point
+     * nearer than @p reach [mm] to the other surface, found without warm start. */
     std::pair<std::vector<unsigned int>, std::vector<unsigned int>>
     find_near_nodes(const SurfaceMotion &slave, const SurfaceMotion &master, double reach);
+
+    /** Forgets points, anchors and results: other ranks go on with the candidate pairs. */
+    void leave_to_others();
 
     /** Undeformed tributary areas of the surface nodes [mm^2]. */
     const std::vector<double> &slave_node_areas() const
@@ -187,10 +190,8 @@ namespace vfife
      * damping); its position arrays must still be valid. */
     std::vector<ContactSpring> springs();
 
-    /**
-     * For checkpoints: what is known of the candidate pairs. An object of the same surfaces and
-     * options that reads it goes on to the last digit, if its rank is the same.
-     */
+    /** For checkpoints: what is known of the candidate pairs. An object of the same surfaces and
+     * options that reads it goes on to the last digit, if its rank is the same. */
     void serialize(ByteStream &stream);
 
     /** Whether points that slide take their anchors along (as it is at first), see FrictionMode. */
@@ -212,12 +213,12 @@ namespace vfife
     /** Motion between wide searches [mm]. */
     double search_skin() const;
 
-    /** Penetration beyond which nothing is taken for contact [mm]. A largest_penetration near it
-     * means runaway: stop the run, or the force will vanish. */
+    /** Penetration beyond which nothing is contact [mm]: a largest_penetration near it is runaway.
+     */
     double depth_limit() const;
 
-    /** From now on adds the processor time of the parts of add_forces() to @p times, which must
-     * outlive the object; nullptr ends it. */
+    /** From now on adds processor times of add_forces() to @p times, which outlive it, or nullptr.
+     */
     void measure_times(ContactTimes *times)
     {
       for (ContactPass &pass : passes_)

@@ -94,7 +94,8 @@ namespace vfife
 
     /** For checkpoints: lists with their last projections, and paths. */
     void serialize(ByteStream &stream);
-    /** See Contact::set_friction_mode, Contact::anchors. */
+    /** See Contact::leave_to_others, Contact::set_friction_mode, Contact::anchors. */
+    void leave_to_others();
     void set_friction_mode(FrictionMode mode);
     void append_anchors(unsigned int pass, std::vector<AnchorOfPoint> &anchors) const;
     void restore_anchors(const std::vector<AnchorOfPoint> &anchors);
@@ -194,6 +195,7 @@ namespace vfife
                       double                           reach,
                       Projection                      &projection);
     void list_points(unsigned int rank, unsigned int n_ranks);
+    void clear_results();
     void find_gaps(Pair &pair, double look_ahead);
     bool
     locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);

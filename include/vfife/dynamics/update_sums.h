@@ -4,6 +4,8 @@
 
 #include <vfife/dynamics/rigid_velocity.h>
 
+#include <vector>
+
 namespace vfife
 {
   class Body;
@@ -51,6 +53,12 @@ namespace vfife
 
   /** Replaces the sums by those over all ranks. Collective. */
   void sum_over_ranks(BodySums &sums, const Communicator &communicator);
+
+  /** The same for numbers wherever they stand, in one reduction for all. Collective. */
+  void sum_over_ranks(const std::vector<double *> &numbers, const Communicator &communicator);
+
+  /** Appends all numbers of the sums of a body. */
+  void append_numbers(BodySums &sums, std::vector<double *> &numbers);
 
   /** Inertia about the axis, whether the body is held on it or not [t mm^2]. */
   double compute_axial_inertia(const UpdateAxis &axis, double mass, const UpdateSums &sums);

@@ -5,11 +5,13 @@
 
 namespace vfife
 {
-  Timers::Timers()
+  Timers::Timers(const Traffic *const traffic)
     : start_(Clock::now())
     , last_(start_)
+    , traffic_(traffic)
+    , last_traffic_(traffic != nullptr ? *traffic : Traffic())
   {
-    sections_.push_back({"other", Clock::duration::zero(), 0});
+    sections_.push_back({"other", Clock::duration::zero(), 0, {}});
     // Deep enough for all nested sections, so that entering one never allocates.
     open_.reserve(32);
     open_.push_back(0);
@@ -20,7 +22,7 @@ namespace vfife
     for (unsigned int i = 0; i < sections_.size(); ++i)
       if (sections_[i].name == name)
         return i;
-    sections_.push_back({name, Clock::duration::zero(), 0});
+    sections_.push_back({name, Clock::duration::zero(), 0, {}});
     return sections_.size() - 1;
   }
 
@@ -33,16 +35,27 @@ namespace vfife
     return std::chrono::duration<double>(time).count();
   }
 
+  unsigned long long Timers::calls(const unsigned int section) const
+  {
+    return sections_.at(section).calls;
+  }
+
   double Timers::total() const
   {
     return std::chrono::duration<double>(Clock::now() - start_).count();
   }
 
-  Table Timers::report(const Communicator &communicator) const
+  void Timers::check_sections(const Communicator &communicator) const
   {
     const unsigned int n = sections_.size();
     if (communicator.min(n) != communicator.max(n))
       throw NumericalError("the ranks time different sections");
+  }
+
+  Table Timers::report(const Communicator &communicator) const
+  {
+    check_sections(communicator);
+    const unsigned int n = sections_.size();
 
     // Time and calls of each section and the total, reduced over the ranks at once.
     std::vector<double> figures;
@@ -72,6 +85,46 @@ namespace vfife
       add(i);
     add(0);
     table.add_row({"total", total_time, 100., 1});
+    return table;
+  }
+
+  Table Timers::report_traffic(const Communicator &communicator, const double n_steps) const
+  {
+    check_sections(communicator);
+    std::vector<double> sums, largest;
+    for (const Section &section : sections_)
+      {
+        const Traffic &t        = section.traffic;
+        const double   messages = static_cast<double>(t.messages),
+                     bytes      = static_cast<double>(t.message_bytes);
+        sums.insert(sums.end(),
+                    {messages,
+                     bytes,
+                     static_cast<double>(t.reductions),
+                     static_cast<double>(t.reduction_bytes)});
+        largest.insert(largest.end(), {messages, bytes});
+      }
+    communicator.sum(sums);
+    communicator.max(largest);
+
+    Table table;
+    table.add_text_column("section");
+    table.add_column("messages", "-");
+    table.add_column("bytes of messages", "B");
+    table.add_column("reductions", "-");
+    table.add_column("bytes of reductions", "B");
+    table.add_column("most messages of a rank", "-");
+    table.add_column("most bytes of messages of a rank", "B");
+    const double of_ranks = communicator.size() * n_steps;
+    for (std::size_t i = 1; i < sections_.size(); ++i)
+      if (const double *sum = sums.data() + 4 * i; sum[0] > 0 || sum[2] > 0)
+        table.add_row({sections_[i].name,
+                       sum[0] / of_ranks,
+                       sum[1] / of_ranks,
+                       sum[2] / of_ranks,
+                       sum[3] / of_ranks,
+                       largest[2 * i] / n_steps,
+                       largest[2 * i + 1] / n_steps});
     return table;
   }
 } // namespace vfife

@@ -36,58 +36,28 @@ namespace vfife
     , velocities(3 * facets->nodes.size())
     , forces(3 * facets->nodes.size())
     , free_velocities(3 * facets->nodes.size())
+    , touched(facets->nodes.size(), 0)
   {
     for (const unsigned int node : facets->nodes)
       {
         // Masses are the whole nodes', also of nodes that this rank does not hold: all ranks vote
         // alike on the step and have the same penalty.
+        if (partition.find_owned(b.first_node + node) != Partition::absent)
+          owned.push_back(local.size());
         local.push_back(partition.local_node[b.first_node + node]);
         mass.push_back(b.node_masses()[node]);
       }
   }
 
-  double ContactSurface::largest_deformation(const Partition   &partition,
-                                             const RigidMotion &motion,
+  double ContactSurface::largest_deformation(const RigidMotion &motion,
                                              const NodeField   &all_positions) const
   {
     double largest = 0.;
-    for (std::size_t i = 0; i < local.size(); ++i)
-      if (local[i] != Partition::absent && partition.owned[local[i]])
-        largest =
-          std::max(largest,
-                   (all_positions.value(local[i]) - motion(facets->positions[i])).squaredNorm());
+    for (const unsigned int i : owned)
+      largest =
+        std::max(largest,
+                 (all_positions.value(local[i]) - motion(facets->positions[i])).squaredNorm());
     return std::sqrt(largest);
-  }
-
-  void ContactSurface::collect_motion(const Partition &partition,
-                                      const NodeField &local_positions,
-                                      const NodeField &local_velocities,
-                                      const bool       with_velocities)
-  {
-    // The owner brings a node, all others zero: the sum over ranks is an exact copy.
-    for (const unsigned int i : *active)
-      {
-        const std::uint32_t node  = local[i];
-        const bool          owned = node != Partition::absent && partition.owned[node];
-        const auto          take  = [&](const NodeField &from, std::vector<double> &to) {
-          Eigen::Map<Vector3>(to.data() + 3 * i) = owned ? from.value(node) : Vector3(0, 0, 0);
-        };
-        take(local_positions, positions);
-        if (with_velocities)
-          take(local_velocities, velocities);
-        std::fill_n(forces.data() + 3 * i, 3, 0.);
-      }
-  }
-
-  void ContactSurface::distribute_forces(NodeField &local_forces) const
-  {
-    for (const unsigned int i : *active)
-      {
-        // Few active nodes carry force: the others' places in the large array are not touched.
-        const Eigen::Map<const Vector3> f(forces.data() + 3 * static_cast<std::size_t>(i));
-        if (local[i] != Partition::absent && !(f[0] == 0. && f[1] == 0. && f[2] == 0.))
-          local_forces.add(local[i], f);
-      }
   }
 
   ContactOfPair::ContactOfPair(const ContactPair &pair,

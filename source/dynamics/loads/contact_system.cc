@@ -20,6 +20,15 @@ namespace vfife
       const Matrix3 turn = rotation_about(rate.omega / omega, omega * duration);
       return {turn * motion.rotation, turn * motion.translation + duration * rate.velocity};
     }
+
+    ContactRanks::Pairs
+    make_pairs(const Model &model, const Partition &partition, const double safety)
+    {
+      ContactRanks::Pairs pairs;
+      for (const ContactPair &pair : model.contacts)
+        pairs.push_back(std::make_unique<ContactOfPair>(pair, model, partition, safety));
+      return pairs;
+    }
   } // namespace
 
   ContactSystem::ContactSystem(const Model        &model,
@@ -29,12 +38,13 @@ namespace vfife
     : model_(model)
     , partition_(partition)
     , communicator_(communicator)
+    , pairs_(make_pairs(model, partition, safety))
+    , ranks_(model, pairs_, communicator)
   {
-    for (const ContactPair &pair : model.contacts)
+    for (const auto &pair : pairs_)
       {
-        pairs_.push_back(std::make_unique<ContactOfPair>(pair, model, partition, safety));
-        needs_velocities_ = needs_velocities_ || pair.options.damping_ratio > 0.;
-        is_implicit_      = is_implicit_ || pairs_.back()->is_implicit();
+        needs_velocities_ = needs_velocities_ || pair->definition.options.damping_ratio > 0.;
+        is_implicit_      = is_implicit_ || pair->is_implicit();
       }
     number_nodes();
   }
@@ -88,8 +98,7 @@ namespace vfife
     std::vector<double> deformations;
     for (const auto &pair : pairs_)
       for (const ContactSurface *surface : pair->surfaces())
-        deformations.push_back(
-          surface->largest_deformation(partition_, body_motion[surface->body], positions));
+        deformations.push_back(surface->largest_deformation(body_motion[surface->body], positions));
     // Two entries a pair, slave and master, in the order of the pairs.
     communicator_.max(deformations);
     for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -104,14 +113,40 @@ namespace vfife
                                      2. * (deformations[2 * i] + deformations[2 * i + 1]) +
                                        pair.contact.search_skin());
       }
+    if (ranks_.choose(pairs_))
+      move_points();
     if (times_ != nullptr)
       times_->broad_search += processor_time() - start;
+  }
+
+  void ContactSystem::move_points()
+  {
+    // Who takes part now finds its points anew; where they stick is all that goes along.
+    for (const auto &pair : pairs_)
+      {
+        std::vector<AnchorOfPoint> anchors;
+        if (pair->definition.options.friction.acts())
+          anchors = gather_anchors(pair->contact);
+        pair->contact.leave_to_others();
+        pair->contact.restore_anchors(anchors);
+      }
+  }
+
+  std::vector<AnchorOfPoint> ContactSystem::gather_anchors(const Contact &contact) const
+  {
+    // Of a run that has just gone on each rank has those of all.
+    const std::vector<AnchorOfPoint> anchors = contact.anchors();
+    return communicator_.any(contact.has_restored_anchors()) ? anchors
+                                                             : communicator_.all_gather(anchors);
   }
 
   void ContactSystem::serialize(ByteStream &stream)
   {
     for (const auto &pair : pairs_)
       pair->contact.serialize(stream);
+    // The points that have been read are those of the same ranks.
+    if (stream.reads())
+      ranks_.choose(pairs_);
   }
 
   void ContactSystem::serialize_friction(ByteStream &stream)
@@ -119,10 +154,9 @@ namespace vfife
     for (const auto &pair : pairs_)
       {
         Contact                   &contact = pair->contact;
-        std::vector<AnchorOfPoint> anchors = contact.anchors();
-        // Of a run that has just gone on each rank has those of all.
-        if (!stream.reads() && !contact.has_restored_anchors())
-          anchors = communicator_.all_gather(anchors);
+        std::vector<AnchorOfPoint> anchors;
+        if (!stream.reads())
+          anchors = gather_anchors(contact);
         stream.pass_records(anchors);
         for (const AnchorOfPoint &anchor : anchors)
           stream.require(contact.has_place(anchor), "friction at a place that is not there");
@@ -137,14 +171,12 @@ namespace vfife
       pair->contact.set_friction_mode(mode);
   }
 
-  void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,
-                                 const NodeField                &positions,
-                                 const NodeField                &velocities,
-                                 const double                    dt,
-                                 NodeField                      &forces)
+  void ContactSystem::press_explicitly(const std::vector<RigidMotion> &body_motion,
+                                       const NodeField                &positions,
+                                       const NodeField                &velocities,
+                                       const double                    dt,
+                                       NodeField                      &forces)
   {
-    if (pairs_.empty())
-      return;
     bring_motion(positions, velocities, nullptr, dt);
     // Forces of this rank's share of the points.
     for (const auto &pair : pairs_)
@@ -153,12 +185,26 @@ namespace vfife
         pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion[s.body]},
                                  {m.positions.data(), m.velocities.data(), body_motion[m.body]},
                                  dt,
-                                 communicator_.rank(),
-                                 communicator_.size(),
+                                 ranks_.place(),
+                                 ranks_.number(),
                                  s.forces.data(),
                                  m.forces.data());
       }
-    add_up(forces);
+    hand_over_forces(ranks_.nodes(), forces);
+  }
+
+  void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,
+                                 const NodeField                &positions,
+                                 const NodeField                &velocities,
+                                 const double                    dt,
+                                 NodeField                      &forces)
+  {
+    if (pairs_.empty())
+      return;
+    evaluate([&] { press_explicitly(body_motion, positions, velocities, dt, forces); });
+    sum_results();
+    communicator_.sum(sums_.data(), sums_.size());
+    rethrow_failure();
   }
 
   void ContactSystem::add_relaxation_masses(const double         fraction,

@@ -69,6 +69,35 @@ namespace vfife
     }
   } // namespace
 
+  void ContactSystem::append_sums(std::vector<double *> &numbers)
+  {
+    for (double &sum : sums_)
+      numbers.push_back(&sum);
+  }
+
+  void ContactSystem::save_forces(const NodeField &forces)
+  {
+    saved_nodes_.clear();
+    saved_forces_.clear();
+    for (const auto &pair : pairs_)
+      for (const ContactSurface *surface : pair->surfaces())
+        for (const unsigned int i : *surface->active)
+          if (surface->local[i] != Partition::absent)
+            {
+              saved_nodes_.push_back(surface->local[i]);
+              saved_forces_.push_back(forces.value(surface->local[i]));
+            }
+  }
+
+  void ContactSystem::find_added(const NodeField &forces, NodeField &added)
+  {
+    for (const std::uint32_t node : shown_nodes_)
+      added.set(node, Vector3::Zero());
+    for (std::size_t k = 0; k < saved_nodes_.size(); ++k)
+      added.set(saved_nodes_[k], forces.value(saved_nodes_[k]) - saved_forces_[k]);
+    shown_nodes_ = saved_nodes_;
+  }
+
   bool ContactSystem::is_pressed() const
   {
     return sums_[4] > 0;
@@ -177,18 +206,12 @@ namespace vfife
 
   std::vector<ToothContact> ContactSystem::collect_results() const
   {
-    std::vector<ToothContact> teeth;
+    // Pairs of groups are the same on all ranks: one sum and one maximum over the ranks for all.
+    std::vector<std::vector<PatchMoments>> patches;
+    std::vector<double>                    sums, maxima;
     for (const auto &pair : pairs_)
       {
-        // Pairs of groups are the same on all ranks: one sum and one maximum over the ranks for
-        // all.
-        const auto &results = pair->contact.results();
-        // How wide contacts are is asked of general models: Hertz tells of gear pairs.
-        std::vector<PatchMoments> patches;
-        if (!model_.transmission)
-          patches = add_patches(*pair);
-        std::vector<double> sums, maxima;
-        for (const GroupPairResult &r : results)
+        for (const GroupPairResult &r : pair->contact.results())
           {
             // Forces, moments and areas are parts of the ranks' shares of points and add up;
             // pressure and penetration are those of the worst point.
@@ -203,15 +226,24 @@ namespace vfife
                          r.area});
             maxima.insert(maxima.end(), {r.largest_pressure, r.largest_penetration});
           }
-        communicator_.sum(sums);
-        communicator_.max(maxima);
-        for (PatchMoments &patch : patches)
-          communicator_.sum(patch.data(), patch.size());
+        // How wide contacts are is asked of general models: Hertz tells of gear pairs.
+        if (!model_.transmission)
+          patches.push_back(add_patches(*pair));
+      }
+    communicator_.sum(sums);
+    communicator_.max(maxima);
+    for (auto &of_pair : patches)
+      for (PatchMoments &patch : of_pair)
+        communicator_.sum(patch.data(), patch.size());
 
+    std::vector<ToothContact> teeth;
+    const double             *s = sums.data(), *largest = maxima.data();
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      {
+        const auto &results = pairs_[p]->contact.results();
         // Those that press, s[6] being the normal force.
-        for (std::size_t i = 0; i < results.size(); ++i)
+        for (std::size_t i = 0; i < results.size(); ++i, s += 8, largest += 2)
           {
-            const double *s = sums.data() + 8 * i;
             if (!(s[6] > 0))
               continue;
             GroupPairResult sum     = results[i];
@@ -219,11 +251,11 @@ namespace vfife
             sum.moment              = Vector3(s[3], s[4], s[5]);
             sum.normal_force        = s[6];
             sum.area                = s[7];
-            sum.largest_pressure    = maxima[2 * i];
-            sum.largest_penetration = maxima[2 * i + 1];
-            teeth.push_back(make_tooth_contact(model_, pair->definition, sum));
+            sum.largest_pressure    = largest[0];
+            sum.largest_penetration = largest[1];
+            teeth.push_back(make_tooth_contact(model_, pairs_[p]->definition, sum));
             if (!patches.empty())
-              teeth.back().width = compute_width(patches[i]);
+              teeth.back().width = compute_width(patches[p][i]);
           }
       }
     return teeth;

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // One evaluation of ContactSystem: motion of the surfaces to all ranks, pressures, forces back.
+#include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/contact/pressure_solver.h>
 #include <vfife/dynamics/loads/contact_of_pair.h>
@@ -15,38 +16,12 @@ namespace vfife
   namespace
   {
     constexpr unsigned int no_place = static_cast<unsigned int>(-1);
-
-    /** Adds up over the ranks what belongs to the active nodes of all surfaces, 3 numbers a node:
-     * the owner of a node has it, all others zero, so that sums are exact copies. */
-    void sum_over_ranks(const std::vector<std::unique_ptr<ContactOfPair>>        &pairs,
-                        const std::vector<std::vector<double> ContactSurface::*> &fields,
-                        std::vector<double>                                      &buffer,
-                        const Communicator                                       &communicator)
-    {
-      if (communicator.size() == 1)
-        return;
-      buffer.clear();
-      const auto visit = [&](const auto &at_node) {
-        for (const auto &pair : pairs)
-          for (ContactSurface *surface : pair->surfaces())
-            for (const auto field : fields)
-              for (const unsigned int i : *surface->active)
-                at_node((surface->*field).data() + 3 * static_cast<std::size_t>(i));
-      };
-      visit([&buffer](const double *values) { buffer.insert(buffer.end(), values, values + 3); });
-      communicator.sum(buffer);
-      const double *record = buffer.data();
-      visit([&record](double *values) {
-        std::copy_n(record, 3, values);
-        record += 3;
-      });
-    }
   } // namespace
 
   struct ContactSystem::SharedPoint
   {
     TouchingPoint point;
-    unsigned int  pair, rank, index;
+    unsigned int  pair, place, index; ///< place: of its rank among those that take part
 
     /** The order in which pressures are solved for: the same for any number of ranks. */
     bool operator<(const SharedPoint &other) const
@@ -118,32 +93,64 @@ namespace vfife
                                    const NodeField *forces,
                                    const double     dt)
   {
+    // The owners' nodes; what others own comes from them.
     const bool with_velocities = needs_velocities_ || forces != nullptr;
-    for (const auto &pair : pairs_)
-      for (ContactSurface *surface : pair->surfaces())
-        {
-          surface->collect_motion(partition_, positions, velocities, with_velocities);
-          if (forces == nullptr)
-            continue;
-          for (const unsigned int i : *surface->active)
-            {
-              const std::uint32_t node  = surface->local[i];
-              const bool          owned = node != Partition::absent && partition_.owned[node];
-              Eigen::Map<Vector3> free(surface->free_velocities.data() + 3 * i);
-              if (!owned)
-                free.setZero();
-              else if (const unsigned int number = surface->numbers[i]; held_.empty())
-                free = velocities.value(node) + dt * inverse_masses_[number] * forces->value(node);
-              else
-                free = velocities.value(node) + dt * inverse_mass(number) * forces->value(node);
-            }
-        }
-    std::vector<std::vector<double> ContactSurface::*> fields = {&ContactSurface::positions};
+    for (const auto &[surface, i] : ranks_.own_nodes())
+      {
+        const std::uint32_t node = surface->local[i];
+        const auto          at   = [i = i](std::vector<double> &array) {
+          return Eigen::Map<Vector3>(array.data() + 3 * static_cast<std::size_t>(i));
+        };
+        at(surface->positions) = positions.value(node);
+        if (with_velocities)
+          at(surface->velocities) = velocities.value(node);
+        if (forces == nullptr)
+          continue;
+        const unsigned int number = surface->numbers[i];
+        if (held_.empty())
+          at(surface->free_velocities) =
+            velocities.value(node) + dt * inverse_masses_[number] * forces->value(node);
+        else
+          at(surface->free_velocities) =
+            velocities.value(node) + dt * inverse_mass(number) * forces->value(node);
+      }
+    std::vector<std::vector<double> ContactSurface::*> arrays = {&ContactSurface::positions};
     if (with_velocities)
-      fields.push_back(&ContactSurface::velocities);
+      arrays.push_back(&ContactSurface::velocities);
     if (forces != nullptr)
-      fields.push_back(&ContactSurface::free_velocities);
-    sum_over_ranks(pairs_, fields, buffer_, communicator_);
+      arrays.push_back(&ContactSurface::free_velocities);
+    ranks_.bring(arrays);
+  }
+
+  void ContactSystem::evaluate(const std::function<void()> &work)
+  {
+    failure_.clear();
+    if (!ranks_.takes_part())
+      {
+        for (const auto &pair : pairs_)
+          pair->contact.leave_to_others();
+        return;
+      }
+    // Those that take part fail alike; others would wait for them in the next operation of all.
+    try
+      {
+        work();
+      }
+    catch (const NumericalError &error)
+      {
+        if (ranks_.number() == communicator_.size())
+          throw;
+        failure_ = error.what();
+      }
+  }
+
+  void ContactSystem::rethrow_failure() const
+  {
+    if (!(sums_[5] > 0.))
+      return;
+    for (const std::string &text : communicator_.all_gather(failure_))
+      if (!text.empty())
+        throw NumericalError(text);
   }
 
   void ContactSystem::add_step_forces(const std::vector<RigidMotion> &body_motion,
@@ -152,15 +159,27 @@ namespace vfife
                                       const double                    dt,
                                       NodeField                      &forces)
   {
-    if (!is_implicit_)
-      {
-        add_forces(body_motion, positions, velocities, dt, forces);
-        return;
-      }
-    // 1. The active nodes' motion, on every rank: where they are and how they would go on without
-    // contact.
+    if (pairs_.empty())
+      return;
+    evaluate([&] {
+      if (is_implicit_)
+        press_implicitly(body_motion, positions, velocities, dt, forces);
+      else
+        press_explicitly(body_motion, positions, velocities, dt, forces);
+    });
+    sum_results();
+  }
+
+  void ContactSystem::press_implicitly(const std::vector<RigidMotion> &body_motion,
+                                       const NodeField                &positions,
+                                       const NodeField                &velocities,
+                                       const double                    dt,
+                                       NodeField                      &forces)
+  {
+    // 1. The active nodes' motion: where they are and how they would go on without contact.
     bring_motion(positions, velocities, &forces, dt);
     // 2. This rank's points that touch, their pressures, and what these do.
+    bool                                    all_implicit = true;
     std::vector<std::vector<TouchingPoint>> points;
     for (const auto &pair : pairs_)
       {
@@ -174,10 +193,13 @@ namespace vfife
                                               motion_of(pair->master),
                                               dt,
                                               pair->is_implicit() ? .5 * dt : 0.,
-                                              communicator_.rank(),
-                                              communicator_.size()));
+                                              ranks_.place(),
+                                              ranks_.number()));
         if (!pair->is_implicit())
-          pair->contact.find_explicit_pressures(dt, points.back());
+          {
+            pair->contact.find_explicit_pressures(dt, points.back());
+            all_implicit = false;
+          }
       }
     find_pressures(dt, points);
     for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -185,8 +207,8 @@ namespace vfife
                                dt,
                                pairs_[i]->slave.forces.data(),
                                pairs_[i]->master.forces.data());
-    // 3. The sums of all ranks' shares.
-    add_up(forces);
+    // 3. The sums of all shares, at the nodes of points that touch where all ranks know these.
+    hand_over_forces(all_implicit ? touched_ : ranks_.nodes(), forces);
   }
 
   void ContactSystem::find_pressures(const double                             dt,
@@ -197,16 +219,22 @@ namespace vfife
     for (unsigned int p = 0; p < pairs_.size(); ++p)
       if (pairs_[p]->is_implicit())
         for (unsigned int i = 0; i < points[p].size(); ++i)
-          shared.push_back({points[p][i], p, communicator_.rank(), i});
-    if (communicator_.size() > 1)
-      shared = communicator_.all_gather(shared);
+          shared.push_back({points[p][i], p, ranks_.place(), i});
+    if (ranks_.number() > 1)
+      shared = ranks_.exchange(shared);
     std::sort(shared.begin(), shared.end());
 
-    // 2. Every rank solves for all. Few nodes are touched: they get their places as they come.
+    // 2. Every one solves for all. Few nodes are touched: they get their places as they come.
     std::vector<PressureSolver::Node> nodes;
     std::vector<unsigned int>         used;
-    const auto place_of = [&](const ContactSurface &surface, const unsigned int i) {
+    touched_.clear();
+    const auto place_of = [&](ContactSurface &surface, const unsigned int i) {
       const unsigned int number = surface.numbers[i];
+      if (surface.touched[i] == 0)
+        {
+          surface.touched[i] = 1;
+          touched_.push_back({&surface, i});
+        }
       if (places_[number] == no_place)
         {
           places_[number] = nodes.size();
@@ -221,10 +249,10 @@ namespace vfife
       master_places(shared.size());
     for (std::size_t p = 0; p < shared.size(); ++p)
       {
-        const TouchingPoint  &point  = shared[p].point;
-        const ContactOfPair  &pair   = *pairs_[shared[p].pair];
-        const ContactSurface &slave  = point.pass == 0 ? pair.slave : pair.master,
-                             &master = point.pass == 0 ? pair.master : pair.slave;
+        const TouchingPoint &point = shared[p].point;
+        ContactOfPair       &pair  = *pairs_[shared[p].pair];
+        ContactSurface      &slave = point.pass == 0 ? pair.slave : pair.master,
+                       &master     = point.pass == 0 ? pair.master : pair.slave;
         for (unsigned int k = 0; k < 4; ++k)
           {
             slave_places[p][k]  = place_of(slave, point.slave_nodes[k]);
@@ -233,6 +261,8 @@ namespace vfife
       }
     for (const unsigned int number : used)
       places_[number] = no_place;
+    for (const ContactRanks::Node &node : touched_)
+      node.surface->touched[node.number] = 0;
 
     PressureSolver             solver(dt, std::move(nodes));
     std::vector<TouchingPoint> solved;
@@ -249,13 +279,13 @@ namespace vfife
       }
     solver.solve(solved);
     for (std::size_t i = 0; i < shared.size(); ++i)
-      if (shared[i].rank == communicator_.rank())
+      if (shared[i].place == ranks_.place())
         points[shared[i].pair][shared[i].index] = solved[i];
   }
 
   void ContactSystem::sum_results()
   {
-    // Energy, lost power, whether a point is too deep, friction loss, pressure.
+    // Energy, lost power, whether a point is too deep, friction loss, pressure, failure.
     largest_penetration_ = 0;
     sums_                = {};
     for (const auto &pair : pairs_)
@@ -269,15 +299,21 @@ namespace vfife
           if (result.largest_penetration > pair->penetration_limit())
             sums_[2] = 1;
         }
-    communicator_.sum(sums_.data(), sums_.size());
+    sums_[5] = failure_.empty() ? 0. : 1.;
   }
 
-  void ContactSystem::add_up(NodeField &forces)
+  void ContactSystem::hand_over_forces(const std::vector<ContactRanks::Node> &nodes,
+                                       NodeField                             &forces)
   {
-    sum_results();
-    sum_over_ranks(pairs_, {&ContactSurface::forces}, buffer_, communicator_);
-    for (const auto &pair : pairs_)
-      for (const ContactSurface *surface : pair->surfaces())
-        surface->distribute_forces(forces);
+    // To all copies of the nodes. The arrays of the surfaces are zero again for the next time.
+    ranks_.add_up_forces(nodes);
+    for (const auto &[surface, i] : nodes)
+      {
+        Eigen::Map<Vector3> f(surface->forces.data() + 3 * static_cast<std::size_t>(i));
+        // Few active nodes carry force: the others' places in the large array are not touched.
+        if (surface->local[i] != Partition::absent && !(f[0] == 0. && f[1] == 0. && f[2] == 0.))
+          forces.add(surface->local[i], f);
+        f.setZero();
+      }
   }
 } // namespace vfife

@@ -168,16 +168,21 @@ namespace vfife
 
   double NodalLoads::compute_spring_energy(const NodeField &positions) const
   {
+    // Groups are the same on all ranks: without a spring nothing is to be summed.
     double energy = 0;
+    bool   found  = false;
     for (const Group &group : groups_)
       if (group.load->kind == LoadKind::spring)
-        for (const Node &node : group.nodes)
-          if (node.owned)
-            {
-              const Vector3 way = positions.value(node.local) - node.start;
-              energy += 0.5 * node.weight * group.load->vector.dot(way.cwiseAbs2());
-            }
-    return communicator_.sum(energy);
+        {
+          found = true;
+          for (const Node &node : group.nodes)
+            if (node.owned)
+              {
+                const Vector3 way = positions.value(node.local) - node.start;
+                energy += 0.5 * node.weight * group.load->vector.dot(way.cwiseAbs2());
+              }
+        }
+    return found ? communicator_.sum(energy) : 0.;
   }
 
   void NodalLoads::add_spring_reactions(const NodeField       &positions,

@@ -156,6 +156,7 @@ namespace vfife
     energy_.reset();
     damping_watch_.reset(rigid_);
     contact_watch_.reset();
+    observe_from(state);
   }
 
   void ExplicitSolver::integrate(State              &state,
@@ -165,6 +166,7 @@ namespace vfife
   {
     for (unsigned int substep = 0;;)
       {
+        const auto scope = timers_.time(timers_.section("rest of the steps"));
         // Checkpoints, signals and observers see the state before its step and nothing of substeps.
         const bool whole = substep == 0;
         if (whole && before_step)
@@ -176,18 +178,15 @@ namespace vfife
         // Forces of the state at t_n, and what is seen of it while it is there: the update moves
         // it.
         const ElementMeasures measures = compute_forces(state, due);
+        if (due)
+          take_measurements(state);
+        // From v- at t_n - dt/2 to v+ at t_n + dt/2, positions to t_n + dt.
+        set_damping(state);
+        const StepPowers powers = update_nodes(state, due);
         watch_contact(state);
         // What friction took before the beginning is no loss of this run.
         if (!first)
           energy_.add_friction_loss(contact_.friction_loss() + walls_.friction_loss());
-        if (due)
-          {
-            take_measurements(state);
-            damping_watch_.observe_sample(state, rigid_, communicator_);
-          }
-        // From v- at t_n - dt/2 to v+ at t_n + dt/2, positions to t_n + dt.
-        set_damping(state);
-        const StepPowers powers = update_nodes(state);
 
         // Work by the trapezoidal rule: of the first and of the last step half is counted. Energies
         // of a state need the velocities on both sides, so observers wait for the update.
@@ -195,6 +194,7 @@ namespace vfife
           energy_.add_work(powers, 0.5 * dt_);
         if (due)
           {
+            take_motion(state);
             take_energies(measures);
             take_reactions(state);
             show(observers, last);
@@ -216,7 +216,7 @@ namespace vfife
       }
   }
 
-  ElementMeasures ExplicitSolver::compute_forces(State &state, const bool measured)
+  ElementMeasures ExplicitSolver::compute_forces(const State &state, const bool measured)
   {
     // 1. Internal forces set the field; all others are added.
     ElementMeasures measures;
@@ -228,10 +228,13 @@ namespace vfife
         operator_.compute_internal_forces(state.position, forces_);
     }
     // 2. Walls, torques, other loads, bearings.
-    walls_.add_forces(state.position, forces_);
-    torques_.add_forces(state.time, state.position, forces_);
-    loads_.add_forces(state.time, state.position, forces_);
-    bearings_.add_forces(state.time, state.position, state.velocity, forces_);
+    {
+      const auto scope = timers_.time(timers_.section("loads"));
+      walls_.add_forces(state.position, forces_);
+      torques_.add_forces(state.time, state.position, forces_);
+      loads_.add_forces(state.time, state.position, forces_);
+      bearings_.add_forces(state.time, state.position, state.velocity, forces_);
+    }
     // 3. Contact, which may ask where all else leads: candidates every so many steps, forces in
     // each. Observers get its part of the forces.
     {
@@ -239,10 +242,10 @@ namespace vfife
       if (state.step % search_interval == 0)
         contact_.search(state.body_motion, rigid_, state.position, search_interval * state.dt);
       if (measured)
-        state.contact_force = forces_;
+        contact_.save_forces(forces_);
       contact_.add_step_forces(state.body_motion, state.position, state.velocity, dt_, forces_);
       if (measured)
-        state.contact_force = forces_ - std::move(state.contact_force);
+        contact_.find_added(forces_, observed_.contact_force);
     }
     return measures;
   }
@@ -283,7 +286,7 @@ namespace vfife
       }
   }
 
-  StepPowers ExplicitSolver::update_nodes(State &state)
+  StepPowers ExplicitSolver::update_nodes(State &state, const bool keeps)
   {
     const auto scope = timers_.time(timers_.section("nodal update"));
     StepPowers powers;
@@ -293,6 +296,9 @@ namespace vfife
     powers.torque       = torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
     double damper_power = bearings_.half_damper_power(state.velocity);
     constraints_.save(state.position, state.velocity);
+    if (keeps)
+      keep_for_observers(state);
+    const State &before = keeps ? observed_ : state;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         sums_[b]        = BodySums();
@@ -303,6 +309,8 @@ namespace vfife
                                               UpdateAxis::of(model_.bodies[b]),
                                               state.partition->owned.data(),
                                               forces_.data(),
+                                              before.position.data(),
+                                              before.velocity.data(),
                                               state.position.data(),
                                               state.velocity.data());
       }
@@ -317,16 +325,18 @@ namespace vfife
     powers.torque += torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
     damper_power += bearings_.half_damper_power(state.velocity);
 
-    // Sums and powers over all ranks. What drives give through the bearings' dampers and these do
-    // not give to the bodies is lost.
-    std::vector<double> of_ranks = {powers.torque, damper_power};
-    communicator_.sum(of_ranks);
-    powers.torque  = of_ranks[0];
-    powers.drive   = bearings_.drive_power();
-    powers.damping = bearings_.damper_drive_power() - of_ranks[1];
+    // Sums and powers over all ranks, with those of the contact, in the one reduction of a step.
+    std::vector<double *> numbers = {&powers.torque, &damper_power};
+    contact_.append_sums(numbers);
     for (BodySums &sums : sums_)
+      append_numbers(sums, numbers);
+    sum_over_ranks(numbers, communicator_);
+    contact_.rethrow_failure();
+    // What drives give through the bearings' dampers and these do not give to the bodies is lost.
+    powers.drive   = bearings_.drive_power();
+    powers.damping = bearings_.damper_drive_power() - damper_power;
+    for (const BodySums &sums : sums_)
       {
-        sum_over_ranks(sums, communicator_);
         powers.drive += sums.drive_power;
         powers.damping += sums.update.damping_power;
         powers.mesh += sums.update.mesh_power;

@@ -2,7 +2,6 @@
 // The part of ExplicitSolver that knows of steps beyond that of the worst element.
 #include <vfife/base/errors.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
-#include <vfife/dynamics/watch/alternating_energy.h>
 #include <vfife/dynamics/watch/guards.h>
 
 namespace vfife
@@ -34,15 +33,9 @@ namespace vfife
 
   void ExplicitSolver::check_stability(const State &state, const ElementMeasures &measures)
   {
-    const double alternating = compute_alternating_energy(model_,
-                                                          operator_.masses(),
-                                                          *state.partition,
-                                                          observed_.velocity,
-                                                          state.velocity,
-                                                          communicator_);
-    const double elastic     = measures.strain_energy + contact_.energy() + walls_.energy();
-    alternating_share_       = alternating > 0 ? alternating / elastic : 0;
-    if (stability_watch_.exceeds(alternating_share_, alternating, 1.))
+    const double elastic = measures.strain_energy + contact_.energy() + walls_.energy();
+    alternating_share_   = alternating_energy_ > 0 ? alternating_energy_ / elastic : 0;
+    if (stability_watch_.exceeds(alternating_share_, alternating_energy_, 1.))
       throw NumericalError(
         "the step is too long: a motion that alternates from step to step grows " +
         describe_instant(state) + "; a smaller Dynamics/safety may help");

@@ -6,6 +6,7 @@
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
 #include <vfife/dynamics/watch/measurement.h>
+#include <vfife/dynamics/watch/motion_sums.h>
 #include <vfife/model/constraints/supports.h>
 
 #include <algorithm>
@@ -124,18 +125,44 @@ namespace vfife
     return rates;
   }
 
-  void ExplicitSolver::take_measurements(const State &state)
+  void ExplicitSolver::take_measurements(State &state)
   {
-    // Of a copy of the state: observers wait for the energies, and the update moves the state on
-    // before.
     const auto scope = timers_.time(timers_.section("measurement"));
-    observed_        = state;
-    measure_transmission(model_, observed_, communicator_);
-    observed_.measured.probes =
-      measure_probes(model_, model_.probes, observed_, operator_, communicator_);
-    measure_momentum(observed_, operator_.masses(), communicator_);
-    measure_contact(contact_, walls_, observed_.measured);
-    observed_.measured.bearings = bearings_.bearing_states();
+    measure_transmission(model_, state, communicator_);
+    state.measured.probes = measure_probes(model_, model_.probes, state, operator_, communicator_);
+    measure_contact(contact_, walls_, state.measured);
+    state.measured.bearings = bearings_.bearing_states();
+  }
+
+  void ExplicitSolver::keep_for_observers(State &state)
+  {
+    // The update reads the arrays that are kept and writes into those of the sample before: no
+    // field is copied.
+    observed_.time        = state.time;
+    observed_.step        = state.step;
+    observed_.dt          = state.dt;
+    observed_.partition   = state.partition;
+    observed_.body_motion = state.body_motion;
+    observed_.measured    = state.measured;
+    std::swap(observed_.position, state.position);
+    std::swap(observed_.velocity, state.velocity);
+  }
+
+  void ExplicitSolver::observe_from(const State &state)
+  {
+    observed_               = state;
+    observed_.contact_force = operator_.make_field();
+  }
+
+  void ExplicitSolver::take_motion(const State &state)
+  {
+    const auto       scope = timers_.time(timers_.section("measurement"));
+    const MotionSums motion =
+      sum_motion(model_, observed_, state.velocity, operator_.masses(), communicator_);
+    observed_.measured.momentum         = motion.momentum;
+    observed_.measured.angular_momentum = motion.angular_momentum;
+    alternating_energy_                 = motion.alternating_energy;
+    damping_watch_.observe_sample(motion.mean_speeds, rigid_);
   }
 
   void ExplicitSolver::take_energies(const ElementMeasures &measures)
@@ -149,6 +176,7 @@ namespace vfife
   void ExplicitSolver::take_reactions(const State &state)
   {
     // Of the time of the forces: the update has moved the nodes, and knows both velocities.
+    const auto            scope = timers_.time(timers_.section("measurement"));
     std::vector<Reaction> reactions(list_supports(model_).size());
     constraints_.add_reactions(dt_, damping_, forces_, state.velocity, reactions);
     loads_.add_spring_reactions(observed_.position, reactions);
@@ -190,7 +218,6 @@ namespace vfife
 
     // At rest there are stored energies only.
     take_measurements(state);
-    state.measured        = observed_.measured;
     state.measured.energy = EnergyLedger();
     state.measured.energy.strain =
       measures.strain_energy + loads_.compute_spring_energy(state.position) + bearings_.energy();
@@ -253,7 +280,7 @@ namespace vfife
     if (own == nullptr) // other ranks know other parts of the pairs
       contact_.search(state.body_motion, rigid_, state.position, search_interval * state.dt);
     // What a failure before the next measurement would show.
-    observed_                 = state;
+    observe_from(state);
     observed_.measured.energy = energy_.ledger();
     measure_transmission(model_, observed_, communicator_);
   }

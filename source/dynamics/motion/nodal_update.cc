@@ -68,6 +68,8 @@ namespace vfife
                           const UpdateAxis    &axis,
                           const unsigned char *owned,
                           const double        *forces,
+                          const double        *old_positions,
+                          const double        *old_velocities,
                           double              *positions,
                           double              *velocities,
                           const InstructionSet instruction_set)
@@ -78,6 +80,8 @@ namespace vfife
                                    last,
                                    owned,
                                    forces,
+                                   old_positions,
+                                   old_velocities,
                                    positions,
                                    velocities,
                                    found);
@@ -105,5 +109,30 @@ namespace vfife
         sums.second_moment(i, j) = sums.second_moment(j, i) = found[sum_of_second_moment + 3 + i];
       }
     return sums;
+  }
+
+  UpdateSums update_nodes(const std::size_t    first,
+                          const std::size_t    last,
+                          const double         dt,
+                          const BodyDamping   &damping,
+                          const UpdateAxis    &axis,
+                          const unsigned char *owned,
+                          const double        *forces,
+                          double              *positions,
+                          double              *velocities,
+                          const InstructionSet instruction_set)
+  {
+    return update_nodes(first,
+                        last,
+                        dt,
+                        damping,
+                        axis,
+                        owned,
+                        forces,
+                        positions,
+                        velocities,
+                        positions,
+                        velocities,
+                        instruction_set);
   }
 } // namespace vfife

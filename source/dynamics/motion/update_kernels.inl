@@ -162,6 +162,8 @@ namespace vfife
     VFIFE_INLINE void update_block(const UpdateCoefficients &coefficients,
                                    const unsigned char      *owned,
                                    const double             *forces,
+                                   const double             *old_positions,
+                                   const double             *old_velocities,
                                    double                   *positions,
                                    double                   *velocities,
                                    Vec<double, N> (&sums)[n_update_sums])
@@ -169,8 +171,8 @@ namespace vfife
       // 1. Positions (and 1/m), velocities (and m), forces.
       using V = Vec<double, N>;
       V x[4], v[4], f[4];
-      load_nodes<N>(positions, x);
-      load_nodes<N>(velocities, v);
+      load_nodes<N>(old_positions, x);
+      load_nodes<N>(old_velocities, v);
       load_nodes<N>(forces, f);
 
       // 2. The mass that counts in sums: zero where another rank owns the node.
@@ -221,6 +223,8 @@ namespace vfife
                                            const std::size_t         last,
                                            const unsigned char      *owned,
                                            const double             *forces,
+                                           const double             *old_positions,
+                                           const double             *old_velocities,
                                            double                   *positions,
                                            double                   *velocities,
                                            double                   *sums)
@@ -233,6 +237,8 @@ namespace vfife
         update_block<N, use_axis>(coefficients,
                                   owned + node,
                                   forces + 4 * node,
+                                  old_positions + 4 * node,
+                                  old_velocities + 4 * node,
                                   positions + 4 * node,
                                   velocities + 4 * node,
                                   block_sums);
@@ -254,14 +260,32 @@ namespace vfife
                                  const std::size_t         last,
                                  const unsigned char      *owned,
                                  const double             *forces,
+                                 const double             *old_positions,
+                                 const double             *old_velocities,
                                  double                   *positions,
                                  double                   *velocities,
                                  double                   *sums)
     {
-      const std::size_t rest = update_blocks<VFIFE_KERNEL_WIDTH, use_axis>(
-        coefficients, first, last, owned, forces, positions, velocities, sums);
-      update_blocks<1, use_axis>(
-        coefficients, rest, last, owned, forces, positions, velocities, sums);
+      const std::size_t rest = update_blocks<VFIFE_KERNEL_WIDTH, use_axis>(coefficients,
+                                                                           first,
+                                                                           last,
+                                                                           owned,
+                                                                           forces,
+                                                                           old_positions,
+                                                                           old_velocities,
+                                                                           positions,
+                                                                           velocities,
+                                                                           sums);
+      update_blocks<1, use_axis>(coefficients,
+                                 rest,
+                                 last,
+                                 owned,
+                                 forces,
+                                 old_positions,
+                                 old_velocities,
+                                 positions,
+                                 velocities,
+                                 sums);
     }
 
 
@@ -270,6 +294,8 @@ namespace vfife
                        std::size_t               last,
                        const unsigned char      *owned,
                        const double             *forces,
+                       const double             *old_positions,
+                       const double             *old_velocities,
                        double                   *positions,
                        double                   *velocities,
                        double                   *sums);
@@ -279,14 +305,34 @@ namespace vfife
                        const std::size_t         last,
                        const unsigned char      *owned,
                        const double             *forces,
+                       const double             *old_positions,
+                       const double             *old_velocities,
                        double                   *positions,
                        double                   *velocities,
                        double                   *sums)
     {
       if (coefficients.use_axis)
-        update_all<true>(coefficients, first, last, owned, forces, positions, velocities, sums);
+        update_all<true>(coefficients,
+                         first,
+                         last,
+                         owned,
+                         forces,
+                         old_positions,
+                         old_velocities,
+                         positions,
+                         velocities,
+                         sums);
       else
-        update_all<false>(coefficients, first, last, owned, forces, positions, velocities, sums);
+        update_all<false>(coefficients,
+                          first,
+                          last,
+                          owned,
+                          forces,
+                          old_positions,
+                          old_velocities,
+                          positions,
+                          velocities,
+                          sums);
     }
   } // namespace VFIFE_SIMD_NAMESPACE
 } // namespace vfife

@@ -9,6 +9,11 @@
 
 namespace vfife
 {
+  namespace
+  {
+    constexpr int halo_tag = 0;
+  }
+
   HaloExchange::HaloExchange(const Model                      &model,
                              const Partition                  &partition,
                              const std::vector<std::uint32_t> &rank_of_element,
@@ -66,20 +71,14 @@ namespace vfife
         Neighbour &n = neighbours_[i];
         for (std::size_t k = 0; k < n.nodes.size(); ++k)
           Eigen::Map<Vector3>(n.sent.data() + 3 * k) = values.value(n.nodes[k]);
-        MPI_Irecv(n.received.data(),
-                  n.received.size(),
-                  MPI_DOUBLE,
-                  n.rank,
-                  0,
-                  communicator_.mpi(),
-                  &requests_[2 * i]);
-        MPI_Isend(n.sent.data(),
-                  n.sent.size(),
-                  MPI_DOUBLE,
-                  n.rank,
-                  0,
-                  communicator_.mpi(),
-                  &requests_[2 * i + 1]);
+        requests_[2 * i]     = communicator_.start_receiving(n.received.data(),
+                                                         n.received.size() * sizeof(double),
+                                                         n.rank,
+                                                         halo_tag);
+        requests_[2 * i + 1] = communicator_.start_sending(n.sent.data(),
+                                                           n.sent.size() * sizeof(double),
+                                                           n.rank,
+                                                           halo_tag);
       }
 
     // ... and are put aside: the sum begins at zero with the lowest rank's part.
@@ -94,7 +93,7 @@ namespace vfife
   {
     // Sums of floating point numbers depend on their order. Copies of a node whose forces differed
     // in the last digit would drift apart, as positions are never sent.
-    MPI_Waitall(requests_.size(), requests_.data(), MPI_STATUSES_IGNORE);
+    Communicator::wait(requests_);
 
     // Parts in ascending order of rank, this rank's own among them: the same additions on all
     // ranks.

@@ -90,7 +90,65 @@ namespace vfife
           body.n_own_at_border += at_border[own[i]];
         }
     }
+
+    /** Element of a body with its middle. */
+    struct Place
+    {
+      Vector3       middle;
+      std::uint32_t element;
+    };
+
+    /** Gives places [@p first, @p last) to @p n ranks from @p rank on: cut across the longest
+     * extent of the middles into shares for the half of the ranks each, and so on. */
+    void bisect(const std::vector<Place>::iterator first,
+                const std::vector<Place>::iterator last,
+                const std::uint32_t                rank,
+                const std::uint32_t                n,
+                std::vector<std::uint32_t>        &ranks)
+    {
+      if (n == 1 || first == last)
+        {
+          for (auto place = first; place != last; ++place)
+            ranks[place->element] = rank;
+          return;
+        }
+      Vector3 least = first->middle, most = first->middle;
+      for (auto place = first; place != last; ++place)
+        {
+          least = least.cwiseMin(place->middle);
+          most  = most.cwiseMax(place->middle);
+        }
+      Eigen::Index axis = 0;
+      (most - least).maxCoeff(&axis);
+      // Numbers decide between elements that lie abreast: all ranks cut alike.
+      const std::uint32_t n_below = n / 2;
+      const auto          middle  = first + (last - first) * n_below / n;
+      std::nth_element(first, middle, last, [axis](const Place &a, const Place &b) {
+        return std::make_pair(a.middle[axis], a.element) <
+               std::make_pair(b.middle[axis], b.element);
+      });
+      bisect(first, middle, rank, n_below, ranks);
+      bisect(middle, last, rank + n_below, n - n_below, ranks);
+    }
+
+    void bisect(const Body &body, const unsigned int n_ranks, std::vector<std::uint32_t> &ranks)
+    {
+      if (n_ranks == 1)
+        return;
+      std::vector<Place> places;
+      for (std::uint32_t e = 0; e < body.n_elements(); ++e)
+        places.push_back({body.element_nodes(e).rowwise().mean(), e});
+      bisect(places.begin(), places.end(), 0, n_ranks, ranks);
+    }
   } // namespace
+
+  bool keeps_sectors(const Body &body, const unsigned int n_ranks)
+  {
+    // The copies of an element, one a sector, then fill at least half the lanes of a pack. Fewer
+    // sectors a rank would also leave ranks with half as many again as others.
+    const unsigned int n_sectors = body.mesh().n_sectors;
+    return n_ranks > 1 && n_sectors >= std::uint64_t(least_shared_size) * n_ranks;
+  }
 
   std::vector<std::uint32_t> assign_elements(const Model &model, const unsigned int n_ranks)
   {
@@ -98,22 +156,24 @@ namespace vfife
     rank_of_element.reserve(model.n_elements());
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
-        const Body &body = model.bodies[b];
-        // Part p of n goes to rank p n_ranks/n, rounded down: shares that differ by one part at
-        // most.
-        // Whole sectors stay together: then the copies of an element, one a sector, fill packs.
-        const std::uint64_t n_sectors  = body.mesh().n_sectors;
-        const bool          by_sectors = n_sectors >= n_ranks && n_sectors > 1;
-        const std::uint64_t n          = by_sectors ? n_sectors : body.n_elements();
-        for (std::uint64_t e = 0; e < body.n_elements(); ++e)
+        const Body                &body = model.bodies[b];
+        std::vector<std::uint32_t> parts(body.n_elements(), 0);
+        if (keeps_sectors(body, n_ranks))
           {
-            std::uint64_t part = by_sectors ? body.mesh().sector[e] : e;
-            // Every second body from the other end: a rank with one part more has one less there.
-            if (b % 2 == 1)
-              part = n - 1 - part;
-            const std::uint32_t rank = (part * n_ranks) / n;
-            rank_of_element.push_back(b % 2 == 1 ? n_ranks - 1 - rank : rank);
+            // Part p of n goes to rank p n_ranks/n, rounded down: shares that differ by one part at
+            // most.
+            const std::uint64_t n = body.mesh().n_sectors;
+            for (std::uint32_t e = 0; e < parts.size(); ++e)
+              {
+                const std::uint64_t sector = body.mesh().sector[e];
+                parts[e]                   = ((b % 2 == 1 ? n - 1 - sector : sector) * n_ranks) / n;
+              }
           }
+        else
+          bisect(body, n_ranks, parts);
+        // Every second body from the other end: a rank with one part more has one less there.
+        for (const std::uint32_t part : parts)
+          rank_of_element.push_back(b % 2 == 1 ? n_ranks - 1 - part : part);
       }
     return rank_of_element;
   }

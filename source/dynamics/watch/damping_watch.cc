@@ -1,6 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/byte_stream.h>
-#include <vfife/dynamics/motion/mean_speed.h>
 #include <vfife/dynamics/watch/damping_watch.h>
 #include <vfife/model/model.h>
 
@@ -32,9 +31,8 @@ namespace vfife
       }
   }
 
-  void DampingWatch::observe_sample(const State                      &state,
-                                    const std::vector<RigidVelocity> &rates,
-                                    const Communicator               &communicator)
+  void DampingWatch::observe_sample(const std::vector<double>        &mean_speeds,
+                                    const std::vector<RigidVelocity> &rates)
   {
     ++n_samples_;
     for (unsigned int b = 0; b < sums_.size(); ++b)
@@ -42,11 +40,10 @@ namespace vfife
         const Body &body = model_.bodies[b];
         if (!body.turns_on_axis)
           continue;
-        // Sums over all nodes and ranks, hence in samples only.
-        const RigidVelocity mean_speed = compute_mean_speed_rate(body, state, b, communicator);
         // In the sense of the body's own rate, as the mean speed is unsigned.
+        const double sense = body.rate < 0 ? -1. : 1.;
         sums_[b].rate_difference +=
-          (body.rate < 0 ? -1. : 1.) * body.axis.direction.dot(mean_speed.omega - rates[b].omega);
+          mean_speeds[b] - sense * body.axis.direction.dot(rates[b].omega);
       }
   }
 

@@ -8,35 +8,39 @@
 #include <vfife/model/body_frame.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vfife
 {
-  double measure_rotation(const Body                      &body,
-                          const std::vector<unsigned int> &nodes,
-                          const double                     turned,
-                          const State                     &state,
-                          const Communicator              &communicator)
+  namespace
   {
-    const Vector3      &a        = body.axis.direction;
-    const Matrix3       rotation = rotation_about(a, turned);
-    std::vector<double> sums(2, 0.);
-    for (const unsigned int node : nodes)
-      {
-        const std::uint32_t local = state.partition->find_owned(body.first_node + node);
-        if (local == Partition::absent)
-          continue;
-        // The angle in the plane across the axis from where the whole body's turn has the node.
-        const Vector3 expected =
-          rotation * (body.placement(body.node_positions()[node]) - body.axis.point);
-        const Vector3 r    = state.node_position(local) - body.axis.point;
-        const Vector3 flat = expected - a.dot(expected) * a;
-        sums[0] += body.node_masses()[node] * std::atan2(a.dot(flat.cross(r)), flat.dot(r));
-        sums[1] += body.node_masses()[node];
-      }
-    communicator.sum(sums);
-    return sums[0] / sums[1];
-  }
+    /** Of nodes of a body on this rank: sum of mass times rotation about its axis beyond the turn
+     * @p turned of the whole body since time zero, and sum of the masses. */
+    std::array<double, 2> add_rotations(const Body                      &body,
+                                        const std::vector<unsigned int> &nodes,
+                                        const double                     turned,
+                                        const State                     &state)
+    {
+      const Vector3        &a        = body.axis.direction;
+      const Matrix3         rotation = rotation_about(a, turned);
+      std::array<double, 2> sums     = {};
+      for (const unsigned int node : nodes)
+        {
+          const std::uint32_t local = state.partition->find_owned(body.first_node + node);
+          if (local == Partition::absent)
+            continue;
+          // The angle in the plane across the axis from where the whole body's turn has the node.
+          const Vector3 expected =
+            rotation * (body.placement(body.node_positions()[node]) - body.axis.point);
+          const Vector3 r    = state.node_position(local) - body.axis.point;
+          const Vector3 flat = expected - a.dot(expected) * a;
+          sums[0] += body.node_masses()[node] * std::atan2(a.dot(flat.cross(r)), flat.dot(r));
+          sums[1] += body.node_masses()[node];
+        }
+      return sums;
+    }
+  } // namespace
 
   void measure_transmission(const Model &model, State &state, const Communicator &communicator)
   {
@@ -50,44 +54,29 @@ namespace vfife
     const double        turned = t.driven_turn(state.time); // in the drive direction
 
     // Differences from the kinematic turn are measured, so that no digits are lost in large angles.
-    const auto lead = [&](const std::vector<unsigned int> &nodes) {
-      return t.driven_sense *
-             measure_rotation(driven, nodes, t.driven_sense * turned, state, communicator);
-    };
-    Measurements &m     = state.measured;
-    const double  bore  = lead(t.driven_bore);
-    const double  rim   = lead(t.driven_rim);
-    double        drive = 0;
+    // Mass-weighted means over bore and rim of the driven body and the driver's bore.
+    std::vector<double> sums;
+    const auto          append =
+      [&](const Body &body, const std::vector<unsigned int> &nodes, const double turn) {
+        const auto found = add_rotations(body, nodes, turn, state);
+        sums.insert(sums.end(), found.begin(), found.end());
+      };
+    for (const auto *nodes : {&t.driven_bore, &t.driven_rim})
+      append(driven, *nodes, t.driven_sense * turned);
     if (!t.driver_bore.empty())
-      drive = t.driver_sense * measure_rotation(model.bodies[t.driver],
-                                                t.driver_bore,
-                                                t.driver_sense * t.driver_turn(state.time),
-                                                state,
-                                                communicator);
-    const double start       = t.driven_start - t.ratio() * (t.driver_start + drive);
+      append(model.bodies[t.driver], t.driver_bore, t.driver_sense * t.driver_turn(state.time));
+    communicator.sum(sums);
+    const double  bore       = t.driven_sense * (sums[0] / sums[1]);
+    const double  rim        = t.driven_sense * (sums[2] / sums[3]);
+    const double  drive      = t.driver_bore.empty() ? 0. : t.driver_sense * (sums[4] / sums[5]);
+    Measurements &m          = state.measured;
+    const double  start      = t.driven_start - t.ratio() * (t.driver_start + drive);
     m.driver_angle           = t.driver_start + t.driver_turn(state.time) + drive;
     m.rate_factor            = t.rate_history.value(state.time);
     m.driven_angle           = t.driven_start + turned + bore;
     m.rim_angle              = t.driven_start + turned + rim;
     m.transmission_error     = start + bore;
     m.rim_transmission_error = start + rim;
-  }
-
-  void measure_momentum(State                     &state,
-                        const std::vector<double> &masses,
-                        const Communicator        &communicator)
-  {
-    std::vector<double> sums(6, 0.);
-    for (const std::uint32_t i : state.partition->owned_nodes())
-      {
-        // Velocities are those at t - dt/2; angular momentum is about the fixed frame's origin.
-        const Vector3 momentum = masses[i] * state.node_velocity(i);
-        Eigen::Map<Vector3>(sums.data()) += momentum;
-        Eigen::Map<Vector3>(sums.data() + 3) += state.node_position(i).cross(momentum);
-      }
-    communicator.sum(sums);
-    state.measured.momentum         = Eigen::Map<const Vector3>(sums.data());
-    state.measured.angular_momentum = Eigen::Map<const Vector3>(sums.data() + 3);
   }
 
   void

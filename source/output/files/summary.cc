@@ -69,6 +69,8 @@ namespace vfife
         run["instruction set"] = summary.instruction_set;
       if (!summary.timers.empty())
         run["timers"] = figures_json(summary.timers);
+      for (const auto &[section, figures] : summary.traffic)
+        run["sent in a step"][section] = figures_json(figures);
     }
 
     Json ripple_json(const Ripple &ripple)

@@ -10,10 +10,12 @@
 #include <vfife/study/benchmark/benchmark_study.h>
 #include <vfife/study/benchmark/contact_benchmark.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
+#include <vfife/study/benchmark/rank_benchmark.h>
 #include <vfife/study/cases/gear_case.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -46,6 +48,41 @@ namespace vfife
       return model;
     }
 
+    /** Seconds of an element and step of the gear pair with incompatible modes in the polar frame,
+     * by the fastest instruction set. */
+    double find_element_time(const Table &table, const std::string &layout)
+    {
+      double rate = 0;
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        if (const auto is =
+              [&](const char *column, const std::string &word) {
+                return table.column(column).texts[row] == word;
+              };
+            is("mesh", "gear pair") && is("layout", layout) && is("frame", "polar") &&
+            is("stiffness", word_of(StiffnessKind::incompatible_modes, stiffness_choices())))
+          rate = std::max(rate, table.numbers("element-steps")[row]);
+      return 1e-6 / rate;
+    }
+
+    CoreTimes find_core_times(const Table &operators, const Table &contact)
+    {
+      CoreTimes core;
+      core.shared = find_element_time(operators, "shared");
+      core.own    = find_element_time(operators, "own");
+      for (std::size_t row = 0; row < contact.n_rows(); ++row)
+        {
+          const std::string &part = contact.column("part").texts[row];
+          const double       time = 1e-6 * contact.numbers("time")[row];
+          if (part == "contact: broad search" || part == "contact: motion of the groups" ||
+              part == "contact: nodes to and fro")
+            core.contact_all += time;
+          else if (part == "contact: wide search" || part == "contact: projection" ||
+                   part == "contact: forces")
+            core.contact_shared += time;
+        }
+      return core;
+    }
+
     /** The table as the files have it, in columns. */
     void log_table(const Table &table, Log &log)
     {
@@ -75,6 +112,7 @@ namespace vfife
         gear_case_.declare(prm, file);
         benchmark_.declare(prm);
         contact_.declare(prm);
+        ranks_.declare(prm);
       }
 
       void check() const override
@@ -94,6 +132,7 @@ namespace vfife
       GearCase                gear_case_;
       BenchmarkOptions        benchmark_;
       ContactBenchmarkOptions contact_;
+      RankBenchmarkOptions    ranks_;
     };
   } // namespace
 
@@ -182,8 +221,14 @@ namespace vfife
     cases.clear();
     const Table cost = measure_contact_cost(pair, contact_, benchmark_.repeats, alone, log);
     log_table(cost, log);
+    const Table messages = measure_messages(folder.communicator());
+    log_table(messages, log);
+    const Table ranks = reckon_ranks(pair, ranks_, find_core_times(table, cost));
+    log_table(ranks, log);
     if (!folder.is_writer())
       return;
+    write_tables(folder, "messages", messages);
+    write_tables(folder, "ranks", ranks);
     write_tables(folder, "benchmark", table);
     write_tables(folder, "contact_cost", cost);
   }

@@ -72,16 +72,6 @@ namespace vfife
                  " ms");
     }
 
-    /** Seconds by section. */
-    NamedFigures list_times(const Table &report)
-    {
-      NamedFigures times;
-      for (std::size_t i = 0; i < report.n_rows(); ++i)
-        times.emplace_back(report.column("section").texts[i],
-                           Figure{report.numbers("time")[i], "s"});
-      return times;
-    }
-
     /** nullptr without a gear pair. */
     const Transmission *transmission_of(const Model &model)
     {
@@ -303,7 +293,7 @@ namespace vfife
         pair->write_edges(*case_, folder, log);
       if (probes)
         summary.probes = probes->judge(stepping.state().time, pair->probe_rows());
-      summary.timers = list_times(stepped.timers.report(communicator));
+      stepped.add_times(communicator, summary, log);
       log_early_end(end_time, whole_time, log);
     };
     stepping.run(

@@ -1,9 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/output/files/summary.h>
 #include <vfife/study/run/stepped_solver.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace vfife
 {
@@ -20,6 +25,40 @@ namespace vfife
         vfife.compute_internal_forces(state.position, forces);
       return seconds_since(start) / n;
     }
+
+    /** Parts of a run that are no parts of a step. */
+    bool is_of_steps(const std::string &section)
+    {
+      return section != "other" && section != "total";
+    }
+
+    void log_times(const Table &times, const double n_steps, Log &log)
+    {
+      std::ostringstream text;
+      text << std::setprecision(3);
+      for (std::size_t i = 0; i < times.n_rows(); ++i)
+        if (const std::string &section = times.column("section").texts[i]; is_of_steps(section))
+          text << (text.tellp() > 0 ? ", " : "") << section << ' '
+               << 1e3 * times.numbers("time")[i] / n_steps;
+      log.line("Timers, a step [ms]: ", text.str());
+    }
+
+    void log_traffic(const Table &traffic, Log &log)
+    {
+      std::ostringstream text;
+      text << std::setprecision(3);
+      for (std::size_t i = 0; i < traffic.n_rows(); ++i)
+        {
+          const auto number = [&](const char *column) { return traffic.numbers(column)[i]; };
+          text << (i > 0 ? "; " : "") << traffic.column("section").texts[i] << ' '
+               << number("messages") << " messages of " << 1e-3 * number("bytes of messages")
+               << " kB (most of a rank " << number("most messages of a rank") << ", "
+               << 1e-3 * number("most bytes of messages of a rank") << " kB), "
+               << number("reductions") << " reductions of " << 1e-3 * number("bytes of reductions")
+               << " kB";
+        }
+      log.line("Timers, sent by a rank in a step: ", text.str());
+    }
   } // namespace
 
   SteppedSolver::SteppedSolver(const Model           &model,
@@ -27,7 +66,8 @@ namespace vfife
                                const Communicator    &communicator,
                                Log                   &log,
                                const ChooseStep      &choose_step)
-    : solver(model, options, communicator, log, timers)
+    : timers(&communicator.traffic())
+    , solver(model, options, communicator, log, timers)
     , dt(choose_step(solver.stable_step()))
   {
     // With it the contact finds its penalties.
@@ -75,5 +115,36 @@ namespace vfife
   {
     // Contact, update and measurement cost about a fifth of the element forces.
     return 1.2 * n_steps * time_forces(solver.vfife_operator(), state);
+  }
+
+  void
+  SteppedSolver::add_times(const Communicator &communicator, RunSummary &summary, Log &log) const
+  {
+    const Table times = timers.report(communicator);
+    for (std::size_t i = 0; i < times.n_rows(); ++i)
+      summary.timers.emplace_back(times.column("section").texts[i],
+                                  Figure{times.numbers("time")[i], "s"});
+
+    // The steps of this part of the run, each with one update.
+    double      n_steps  = 0;
+    const auto &sections = times.column("section").texts;
+    if (const auto update = std::find(sections.begin(), sections.end(), "nodal update");
+        update != sections.end())
+      n_steps = times.numbers("calls")[update - sections.begin()];
+    if (!(n_steps > 0))
+      return;
+    log_times(times, n_steps, log);
+    if (communicator.size() == 1)
+      return;
+    const Table traffic = timers.report_traffic(communicator, n_steps);
+    log_traffic(traffic, log);
+    for (std::size_t i = 0; i < traffic.n_rows(); ++i)
+      {
+        NamedFigures figures;
+        for (const Table::Column &column : traffic.columns())
+          if (!column.is_text)
+            figures.emplace_back(column.name, Figure{column.numbers[i], column.unit});
+        summary.traffic.emplace_back(traffic.column("section").texts[i], figures);
+      }
   }
 } // namespace vfife

@@ -6,6 +6,8 @@
 #ifndef OMPI_SKIP_MPICXX
 #  define OMPI_SKIP_MPICXX 1
 #endif
+#include <vfife/base/process/traffic.h>
+
 #include <mpi.h>
 
 #include <string>
@@ -16,8 +18,8 @@ namespace vfife
 {
   /**
    * The ranks that work together, passed by reference to whoever needs them. All functions but
-   * rank(), size() and mpi() are collective: every rank must call them. With one rank they cost
-   * nothing.
+   * rank(), size(), mpi(), traffic() and those for messages to single ranks are collective: every
+   * rank must call them. With one rank they cost nothing. What is sent is counted.
    */
   class Communicator
   {
@@ -93,13 +95,40 @@ namespace vfife
 
     void barrier() const;
 
+    /**
+     * Begins to send @p n_bytes to @p rank, which receives as many with the same @p tag; messages
+     * of one tag between two ranks arrive in the order in which they were sent. The bytes must stay
+     * until the request is waited for.
+     */
+    MPI_Request
+    start_sending(const void *data, std::size_t n_bytes, unsigned int rank, int tag) const;
+
+    /** Begins to receive what start_sending() sends. */
+    MPI_Request start_receiving(void *data, std::size_t n_bytes, unsigned int rank, int tag) const;
+
+    /** Waits for the next message of @p rank with that @p tag and receives it, whatever its length.
+     */
+    std::vector<char> receive(unsigned int rank, int tag) const;
+
+    static void wait(std::vector<MPI_Request> &requests);
+
+    /** What this rank has sent through this object so far. */
+    const Traffic &traffic() const
+    {
+      return traffic_;
+    }
+
   private:
+    /** Whether there is anybody to talk to; if so the operation of all ranks is counted. */
+    bool              reduces(std::size_t n_bytes) const;
     std::vector<char> gather_bytes(const void *data, std::size_t n_bytes) const;
     static void       copy_bytes(const std::vector<char> &bytes, void *target);
 
     MPI_Comm     comm_;
     unsigned int rank_;
     unsigned int size_;
+    /** Counting is no part of what the object is to others. */
+    mutable Traffic traffic_;
   };
 } // namespace vfife
 

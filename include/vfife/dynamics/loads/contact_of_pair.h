@@ -21,30 +21,21 @@ namespace vfife
                    const std::string &surface_name,
                    const Partition   &partition);
 
-    /** Brings the active nodes' motion from the fields of this rank, zero where another rank owns
-     * the node, and clears their forces. */
-    void collect_motion(const Partition &partition,
-                        const NodeField &local_positions,
-                        const NodeField &local_velocities,
-                        bool             with_velocities);
-
-    /** Adds the active nodes' forces to those of this rank (all copies). */
-    void distribute_forces(NodeField &local_forces) const;
-
     /** Largest distance of a surface node that this rank owns from where the rigid @p motion of the
      * body would put it [mm]. */
-    double largest_deformation(const Partition   &partition,
-                               const RigidMotion &motion,
-                               const NodeField   &positions) const;
+    double largest_deformation(const RigidMotion &motion, const NodeField &positions) const;
 
     unsigned int                     body;
     const FacetSurface              *facets;
     std::vector<std::uint32_t>       local; ///< local node of each surface node, or absent
     std::vector<double>              mass;  ///< [t]
-    std::vector<double>              positions, velocities, forces;
+    std::vector<double>              positions, velocities;
+    std::vector<double>              forces;           ///< zero between evaluations
     std::vector<double>              free_velocities;  ///< after the step without contact
     const std::vector<unsigned int> *active = nullptr; ///< surface nodes, of the contact
     std::vector<unsigned int>        numbers;          ///< of each surface node among all pairs
+    std::vector<std::uint8_t>        touched;          ///< marks of nodes, zero between evaluations
+    std::vector<unsigned int>        owned; ///< surface nodes that this rank counts in sums
   };
 
   /** A contact pair of the model with its contact. */

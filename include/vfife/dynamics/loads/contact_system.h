@@ -2,12 +2,15 @@
 #ifndef vfife_dynamics_loads_contact_system_h
 #define vfife_dynamics_loads_contact_system_h
 
+#include <vfife/contact/contact_anchor.h>
 #include <vfife/contact/law/coulomb_slider.h>
 #include <vfife/contact/touching_point.h>
+#include <vfife/dynamics/loads/contact_ranks.h>
 #include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/model/state.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,14 +20,15 @@ namespace vfife
 {
   class ByteStream;
   class Communicator;
+  class Contact;
   struct ContactOfPair;
   struct ContactTimes;
   struct Model;
 
   /**
    * All contact pairs of a model in the explicit loop: brings the surface nodes that may touch
-   * together on every rank, lets each rank treat its share of the points, and returns the forces to
-   * all copies of the nodes.
+   * together on the ranks that work on them (ContactRanks), lets each of these treat its share of
+   * the points, and returns the forces to all copies of the nodes.
    */
   class ContactSystem
   {
@@ -84,13 +88,28 @@ namespace vfife
     /**
      * The same in a step of explicit dynamics, where pairs may be integrated implicitly: their
      * pressures follow from the gaps at both ends of the step (PressureSolver). @p forces: all
-     * others on the nodes. Collective.
+     * others on the nodes. Energy, powers and flags are those of this rank until append_sums() have
+     * been summed over the ranks, with whatever else is summed in the step, and rethrow_failure()
+     * has been called. Collective.
      */
     void add_step_forces(const std::vector<RigidMotion> &body_motion,
                          const NodeField                &positions,
                          const NodeField                &velocities,
                          double                          dt,
                          NodeField                      &forces);
+
+    /** Appends the numbers that add_step_forces() leaves to be summed over the ranks, in place. */
+    void append_sums(std::vector<double *> &numbers);
+
+    /** Throws NumericalError on all ranks where add_step_forces() has failed on some. Collective if
+     * it has. */
+    void rethrow_failure() const;
+
+    /** Remembers @p forces where add_step_forces() may add to them. */
+    void save_forces(const NodeField &forces);
+
+    /** Sets @p added, zero at first, to what has been added to @p forces since save_forces(). */
+    void find_added(const NodeField &forces, NodeField &added);
 
     /** Whether anything pressed at the last add_forces(); all ranks. */
     bool is_pressed() const;
@@ -148,28 +167,48 @@ namespace vfife
                          const NodeField &velocities,
                          const NodeField *forces,
                          double           dt);
-    void    find_pressures(double dt, std::vector<std::vector<TouchingPoint>> &points);
-    void    sum_results();
-    void    add_up(NodeField &forces);
+    /** Does the work on the ranks that take part, and notes where it fails. */
+    void evaluate(const std::function<void()> &work);
+    void press_explicitly(const std::vector<RigidMotion> &body_motion,
+                          const NodeField                &positions,
+                          const NodeField                &velocities,
+                          double                          dt,
+                          NodeField                      &forces);
+    void press_implicitly(const std::vector<RigidMotion> &body_motion,
+                          const NodeField                &positions,
+                          const NodeField                &velocities,
+                          double                          dt,
+                          NodeField                      &forces);
+    void find_pressures(double dt, std::vector<std::vector<TouchingPoint>> &points);
+    void sum_results();
+    void hand_over_forces(const std::vector<ContactRanks::Node> &nodes, NodeField &forces);
+    /** To others than those that have taken part so far. Collective. */
+    void                       move_points();
+    std::vector<AnchorOfPoint> gather_anchors(const Contact &contact) const;
 
-    const Model                                &model_;
-    const Partition                            &partition_;
-    const Communicator                         &communicator_;
-    std::vector<std::unique_ptr<ContactOfPair>> pairs_;
-    bool                                        needs_velocities_ = false; ///< a pair has damping
-    bool                                        is_implicit_      = false; ///< a pair is
+    const Model        &model_;
+    const Partition    &partition_;
+    const Communicator &communicator_;
+    ContactRanks::Pairs pairs_;
+    ContactRanks        ranks_;
+    bool                needs_velocities_ = false; ///< a pair has damping
+    bool                is_implicit_      = false; ///< a pair is
     /** Of the nodes of all surfaces by their numbers: 1/m [1/t]; instead, of nodes with held
      * directions, a matrix that is zero along these. */
     std::vector<double>             inverse_masses_;
     std::map<unsigned int, Matrix3> held_;
     /** Place of a node in the solution for the pressures, while there is one. */
-    std::vector<unsigned int> places_;
-    std::vector<double>       buffer_;
-    double                    largest_penetration_ = 0;
+    std::vector<unsigned int>       places_;
+    std::vector<ContactRanks::Node> touched_; ///< by points of the last solution
+    double                          largest_penetration_ = 0;
     /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
-     * that is too deep, friction loss, integral of the pressure. */
-    std::array<double, 5> sums_  = {};
-    ContactTimes         *times_ = nullptr;
+     * that is too deep, friction loss, integral of the pressure, number of ranks that failed. */
+    std::array<double, 6> sums_ = {};
+    std::string           failure_; ///< of this rank
+    /** Local nodes of save_forces(), what it has found there, and nodes set by find_added(). */
+    std::vector<std::uint32_t> saved_nodes_, shown_nodes_;
+    std::vector<Vector3>       saved_forces_;
+    ContactTimes              *times_ = nullptr;
   };
 } // namespace vfife
 

@@ -137,18 +137,24 @@ namespace vfife
                               std::uint64_t     last_step,
                               Observers        &observers,
                               const BeforeStep &before_step);
-    ElementMeasures compute_forces(State &state, bool measured);
+    ElementMeasures compute_forces(const State &state, bool measured);
     void            watch_contact(const State &state);
-    /** Copies the state for the observers and measures it. */
-    void       take_measurements(const State &state);
-    void       set_damping(const State &state);
-    StepPowers update_nodes(State &state);
-    void       take_energies(const ElementMeasures &measures);
-    void       take_reactions(const State &state);
-    void       show(Observers &observers, bool last);
-    void       check(const State &state, bool measured, const ElementMeasures &measures);
-    void       check_stability(const State &state, const ElementMeasures &measures);
-    void       advance_bodies(State &state);
+    /** Of the state before the update; State::measured. */
+    void take_measurements(State &state);
+    void set_damping(const State &state);
+    /** @p keeps: the state before becomes the one that observers see. */
+    StepPowers update_nodes(State &state, bool keeps);
+    void       keep_for_observers(State &state);
+    /** Observers see this state until there is a sample. */
+    void observe_from(const State &state);
+    /** What needs the velocities after the update. */
+    void take_motion(const State &state);
+    void take_energies(const ElementMeasures &measures);
+    void take_reactions(const State &state);
+    void show(Observers &observers, bool last);
+    void check(const State &state, bool measured, const ElementMeasures &measures);
+    void check_stability(const State &state, const ElementMeasures &measures);
+    void advance_bodies(State &state);
 
     const Model           &model_;
     const DynamicsOptions &options_;
@@ -180,7 +186,8 @@ namespace vfife
     EnergyBook               energy_;
     DampingWatch             damping_watch_;
     ContactWatch             contact_watch_;
-    double                   alternating_share_ = 0;
+    double                   alternating_energy_ = 0; ///< MotionSums, of the last sample [mJ]
+    double                   alternating_share_  = 0;
     EnergyWatch              stability_watch_; ///< of what alternates from step to step
     State                    observed_;        ///< measured last
   };

@@ -26,7 +26,22 @@ namespace vfife
    * and inverse mass of constrained nodes are zero there, so that they add nothing; whoever
    * constrains them sets them afterwards.
    * @p owned: 1 where a node counts in the sums. Instruction sets differ by round-off.
+   * New positions and velocities may go where the old ones are, or elsewhere.
    */
+  UpdateSums update_nodes(std::size_t          first,
+                          std::size_t          last,
+                          double               dt,
+                          const BodyDamping   &damping,
+                          const UpdateAxis    &axis,
+                          const unsigned char *owned,
+                          const double        *forces,
+                          const double        *old_positions,
+                          const double        *old_velocities,
+                          double              *positions,
+                          double              *velocities,
+                          InstructionSet       instruction_set = best_instruction_set());
+
+  /** The same in place. */
   UpdateSums update_nodes(std::size_t          first,
                           std::size_t          last,
                           double               dt,

@@ -47,6 +47,8 @@ namespace vfife
                               std::size_t               last,
                               const unsigned char      *owned,
                               const double             *forces,
+                              const double             *old_positions,
+                              const double             *old_velocities,
                               double                   *positions,
                               double                   *velocities,
                               double                   *sums);

@@ -9,6 +9,7 @@
 
 namespace vfife
 {
+  class Body;
   struct Model;
 
   /** The elements of one body on this rank, in packs of eight lanes. */
@@ -26,10 +27,15 @@ namespace vfife
     std::size_t n_shared_at_border = 0, n_own_at_border = 0;
   };
 
+  /** Whether a body's sectors (teeth) stay whole on so many ranks: with at least four of them a
+   * rank. */
+  bool keeps_sectors(const Body &body, unsigned int n_ranks);
+
   /**
-   * Rank that computes each element of the model: whole sectors (teeth) of each body in contiguous
-   * shares, cells where there are more ranks than sectors. Bodies are dealt in alternating order so
-   * that the remainders even out.
+   * Rank that computes each element of the model: whole sectors of a body in contiguous shares, or,
+   * of a body with few sectors for so many ranks, shares of equal size by recursive bisection
+   * across the longest extent (Berger and Bokhari 1987), whose borders are short. Bodies are dealt
+   * in alternating order so that the remainders even out.
    */
   std::vector<std::uint32_t> assign_elements(const Model &model, unsigned int n_ranks);
 

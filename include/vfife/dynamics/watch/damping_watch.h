@@ -11,7 +11,6 @@
 namespace vfife
 {
   class ByteStream;
-  class Communicator;
   struct Model;
 
   /** Adds up over a run what the dampers do to each body, and how its two rates differ
@@ -27,10 +26,10 @@ namespace vfife
     /** Looks at a step with its @p sums over all ranks. */
     void observe_step(const std::vector<BodySums> &sums);
 
-    /** Looks at the mean speed rates of a sample beside the momentum @p rates. Collective. */
-    void observe_sample(const State                      &state,
-                        const std::vector<RigidVelocity> &rates,
-                        const Communicator               &communicator);
+    /** Looks at the mean speeds of the bodies in a sample, MotionSums::mean_speeds, beside their
+     * momentum @p rates. */
+    void observe_sample(const std::vector<double>        &mean_speeds,
+                        const std::vector<RigidVelocity> &rates);
 
     /** Means over the steps and samples so far, and the drift to the present @p rates. */
     std::vector<DampingAudit> compute_audit(const std::vector<RigidVelocity> &rates) const;

@@ -14,24 +14,8 @@ namespace vfife
   class RigidWalls;
   class VfifeOperator;
 
-  /**
-   * Mass-weighted mean rotation of @p nodes of a body about its axis beyond the turn @p turned of
-   * the whole body since time zero [rad]. Collective.
-   */
-  double measure_rotation(const Body                      &body,
-                          const std::vector<unsigned int> &nodes,
-                          double                           turned,
-                          const State                     &state,
-                          const Communicator              &communicator);
-
   /** Sets angles and transmission errors of the measurements from positions. Collective. */
   void measure_transmission(const Model &model, State &state, const Communicator &communicator);
-
-  /** Sets momentum and angular momentum of the measurements from the lumped @p masses of the local
-   * nodes. x x v with v half a step back is what central differences conserve. Collective. */
-  void measure_momentum(State                     &state,
-                        const std::vector<double> &masses,
-                        const Communicator        &communicator);
 
   /** Sets what the measurements say of contact pairs and walls, of the forces added last.
    * Collective. */

@@ -52,7 +52,9 @@ namespace vfife
     std::optional<EnergyLedger> energy;
     std::vector<DampingAudit>   damping;
     ContactLosses               contact_losses;
-    NamedFigures                timers;      ///< seconds by section
+    NamedFigures                timers; ///< seconds by section
+    /** What a rank sends in a step, by section. */
+    std::vector<std::pair<std::string, NamedFigures>> traffic;
     std::vector<std::string> contradictions; ///< checks of figures against each other that failed
     std::vector<std::string> warnings;
 

@@ -9,6 +9,8 @@
 
 namespace vfife
 {
+  struct RunSummary;
+
   /** The explicit solver of a model, ready for its first step: the step is chosen and set, and with
    * it the penalties that follow from it. */
   struct SteppedSolver
@@ -32,6 +34,10 @@ namespace vfife
 
     /** Seconds that @p n_steps will take, from some evaluations of the internal forces. */
     double expect_run_time(const State &state, double n_steps);
+
+    /** Adds to @p summary the time of each part of a run and, on several ranks, what a rank sends
+     * in a step; logs both by step. Collective. */
+    void add_times(const Communicator &communicator, RunSummary &summary, Log &log) const;
   };
 } // namespace vfife
 
