@@ -16,24 +16,17 @@ from vfife import gear
 
 PAIR = """
 subsection Gear pair
+  set mesh = coarse
   subsection Proposal
     set pinion teeth = 17
     set gear teeth   = 43
     set module       = 4 mm
-  end
-  subsection Pinion
-    subsection Mesh
-      set element size = 4 mm
-    end
   end
   subsection Gear
     subsection Body
       set web           = conical
       set web thickness = 4 mm
       set web angle     = 60 deg
-    end
-    subsection Mesh
-      set element size = 4 mm
     end
   end
 end
@@ -98,7 +91,8 @@ place, course = search((0.25, 25), (0.05, -3), rounds=2)
 print(f"from {course[0]:.2f} to {course[-1]:.2f} arcsec at ellipse length {place[0]:.3g}, path angle {place[1]:g} deg")
 
 # %% [markdown]
-# Without load both have the same transmission error, which says nothing of the loaded one: what helps is the larger
+# The coarse mesh is for the search. It exaggerates the ripple: with `mesh = medium` it is 9.69 arcsec at the start and
+# 3.71 at the end. Without load both have the same transmission error, which says nothing of the loaded one: what helps is the larger
 # contact, along the face and by contact ratio. Flank points of the result go to whoever cuts or measures them.
 
 # %%

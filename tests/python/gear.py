@@ -23,16 +23,7 @@ PROPOSED = ROOT / "prm/gear/proposed_17_43.prm"
 LOADED = """
 include {file}
 subsection Gear pair
-  subsection Pinion
-    subsection Mesh
-      set element size = 7 mm
-    end
-  end
-  subsection Gear
-    subsection Mesh
-      set element size = 7 mm
-    end
-  end
+  set mesh = coarse
 end
 subsection Operation
   set speed  = 12000 rpm
