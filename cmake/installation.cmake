@@ -35,6 +35,9 @@ file(MAKE_DIRECTORY \"\${folder}\")
 file(CREATE_LINK \"${report_from_python}/${package}\" \"\${folder}/${package}\" SYMBOLIC)"
     COMPONENT report)
 endforeach()
+if(python_module)
+  install(TARGETS ${python_module} LIBRARY DESTINATION ${VFIFE_PYTHON_FOLDER})
+endif()
 install(
   DIRECTORY prm meshes examples
   DESTINATION ${CMAKE_INSTALL_DATADIR}/vfife

@@ -20,6 +20,10 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # Libraries by what the programs are linked with; beside them mpirun, and the report's Python.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "openmpi-bin, python3, python3-numpy")
+if(python_module)
+  # Its module is for one version of Python.
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", ${python_versions}")
+endif()
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib, python3-jinja2, python3-meshio")
 # For programs of one's own with the library (find_package(vfife)).
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS

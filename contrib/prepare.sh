@@ -9,9 +9,9 @@ required_packages=(g++ cmake make perl git python3 ninja-build libdeal.ii-dev li
 # Faster BLAS, compiling and linking, the report, the check of docstrings: done without where they cannot be had.
 wanted_packages=(libopenblas0-pthread ccache mold python3-numpy python3-matplotlib python3-jinja2
   python3-meshio doxygen)
-# Wanted by ./check only: CalculiX (ccx), which reads exported meshes in a test.
+# Wanted by ./check only: CalculiX (ccx), which reads exported meshes in a test; what Python's module _vfife is built of.
 # shellcheck disable=SC2034
-check_packages=(calculix-ccx)
+check_packages=(calculix-ccx pybind11-dev python3-dev)
 
 say() {
   printf '%s\n' "$*" >&2
@@ -89,6 +89,7 @@ install_packages() {
     mapfile -t wanted < <(missing_packages "${all_wanted[@]}")
     [ ${#wanted[@]} -eq 0 ] || say "$program: without ${wanted[*]} (see $log)"
   fi
+  installed_packages=1
 }
 
 # Whole processors that a control group (version 2 or 1) grants; nothing if it sets no limit.
@@ -184,8 +185,10 @@ build_targets() {
     rm -rf $build
     mkdir -p $build
   fi
-  if [ ! -f $build/build.ninja ]; then
+  [ -f $build/build.ninja ] ||
     say "Building vfife with $(count_jobs) compilers: some minutes the first time ..."
+  # What can be built depends on the packages that there are.
+  if [ ! -f $build/build.ninja ] || [ -n "${installed_packages:-}" ]; then
     if ! cmake --preset release >$build/configure.log 2>&1 </dev/null; then
       sed -n '/CMake Error/,$p' $build/configure.log >&2
       fail "the configuration failed (all of it: $build/configure.log)"

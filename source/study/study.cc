@@ -4,10 +4,12 @@
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/gear/spiral_bevel/gear_pair.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/case_runner.h>
@@ -149,37 +151,39 @@ namespace vfife
       study->run(folder, log);
     }
 
-    /** Knows the kinds by their table. Messages get file and line of the entry they are about. */
+    /** Whatever @p what returns; messages get file and line of the entry they are about. */
+    template <typename What>
+    auto explained(const ParameterFile &file, const What &what)
+    {
+      try
+        {
+          return what();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(file.explain(error));
+        }
+    }
+
+    /** Knows the kinds by their table. */
     class StudyRunner : public CaseRunner
     {
     public:
       CaseFile read(const CommandLine &line) const override
       {
         const ParameterFile file(line.parameter_file, line.overrides);
-        try
-          {
-            ReadStudy parsed(file, *this);
-            parsed.study->check();
-            const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
-            return {find_declared(parsed.prm).list_values(), parsed.options.kind.last_file};
-          }
-        catch (const InputError &error)
-          {
-            throw InputError(file.explain(error));
-          }
+        return explained(file, [&]() -> CaseFile {
+          ReadStudy parsed(file, *this);
+          parsed.study->check();
+          const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
+          return {find_declared(parsed.prm).list_values(), parsed.options.kind.last_file};
+        });
       }
 
       void run(const CommandLine &line, Communicator &communicator, Log &log) const override
       {
         const ParameterFile file(line.parameter_file, line.overrides);
-        try
-          {
-            read_and_run(line, file, *this, communicator, log);
-          }
-        catch (const InputError &error)
-          {
-            throw InputError(file.explain(error));
-          }
+        explained(file, [&] { read_and_run(line, file, *this, communicator, log); });
       }
     };
   } // namespace
@@ -192,5 +196,38 @@ namespace vfife
   void run_study(const CommandLine &command_line, Communicator &communicator, Log &log)
   {
     StudyRunner().run(command_line, communicator, log);
+  }
+
+  void compute_study(const ParameterFile &file,
+                     ResultKeeper        &keeper,
+                     Communicator        &communicator,
+                     Log                 &log)
+  {
+    explained(file, [&] {
+      const StudyRunner runner;
+      ReadStudy         read(file, runner);
+      read.study->check();
+      OutputFolder folder(keeper, communicator);
+      log_passed_over(read.others, log);
+      if (const auto geometry = find_geometry(file, read.prm))
+        {
+          geometry->show(log);
+          write_json(folder, "geometry.json", geometry->json());
+        }
+      read.study->run(folder, log);
+    });
+  }
+
+  GearPair read_gear_pair(const ParameterFile &file)
+  {
+    return explained(file, [&] {
+      const StudyRunner runner;
+      const ReadStudy   read(file, runner);
+      read.study->check();
+      GearPairOptions options;
+      file.read_known(
+        [&](dealii::ParameterHandler &known) { declare_section(known, "Gear pair", options); });
+      return GearPair(options);
+    });
   }
 } // namespace vfife

@@ -8,6 +8,10 @@
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/mesh/gear/gear_body_options.h>
 
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+
 using namespace vfife;
 
 namespace
@@ -35,6 +39,29 @@ namespace
     given               = given.with_open_sizes(paper::gear().blank());
     check("given sizes stay, the bore follows the hub",
           given.hub_radius == 48 && given.web_thickness == 4 && given.bore_radius == 40);
+  }
+
+  /** The word of a pair's section for both bodies, beside an element size of the gear's own. */
+  void fineness()
+  {
+    const auto sizes = [](const std::string &word, const double of_gear) {
+      GearBodyOptions          pinion, gear;
+      dealii::ParameterHandler prm;
+      GearBodyOptions::declare_fineness(prm, pinion, gear);
+      prm.set("mesh", word);
+      gear.element_size = of_gear;
+      return Vector2(pinion.with_open_sizes(paper::pinion().blank()).element_size,
+                     gear.with_open_sizes(paper::gear().blank()).element_size);
+    };
+    // 79 teeth on a pitch diameter of 249 mm
+    const double module = 2. * paper::gear().blank().outer_cone_distance *
+                          std::sin(paper::gear().blank().pitch_angle) / 79.;
+    check("coarse, medium, fine: a module, a half, a third",
+          (sizes("coarse", 0) - module * Vector2::Ones()).norm() < 1e-3 * module &&
+            (sizes("medium", 0) - sizes("coarse", 0) / 2.).norm() < 1e-12 &&
+            (sizes("fine", 0) - sizes("coarse", 0) / 3.).norm() < 1e-12);
+    check("by members: numbers of cells hold", sizes("by members", 0).norm() == 0.);
+    check("a member's own size holds", sizes("medium", 1.5)[1] == 1.5);
   }
 
   /** Whether both bodies of a proposed pair fit; else why not. */
@@ -75,5 +102,6 @@ namespace
 int main()
 {
   reference_pair();
+  fineness();
   proposed_pairs();
 }

@@ -184,6 +184,16 @@ class Passages(unittest.TestCase):
         self.assertAlmostEqual(found.least, 58 - 0.9 - 19, places=6)
         self.assertTrue(found.is_dip)
 
+    def test_part_of_turn(self):
+        """A record that has little besides the passage: by its own median the stress dips, by that of the turn it rises."""
+        time = np.linspace(0, 4, 2001)
+        stress = 22 + 36 * np.sin(np.pi * time / 8) ** 0.5
+        self.assertTrue(find_passage(time, stress).is_dip)
+        found = find_passage(time, stress, 26)
+        self.assertFalse(found.is_dip)
+        self.assertEqual(found.steady, 26)
+        self.assertFalse(found.whole)
+
     def test_cut(self):
         time = np.linspace(0, 3.05, 1000)
         self.assertFalse(find_passage(time, 20 + 80 * np.exp(-0.5 * ((time - 3) / 0.1) ** 2)).whole)

@@ -9,12 +9,14 @@ from pathlib import Path
 
 import made_up_run  # first: ends the test without the libraries
 
+import numpy as np
 import vfife_report
 from vfife_report import plot_table
 from vfife_report.page.folder_chapters import LEDGER, TABLE_CHAPTERS
 from vfife_report.page.page import TEMPLATES
 from vfife_report.page.run_chapters import RUN_CHAPTERS
 from vfife_report.page.study_chapters import STUDY_CHAPTERS
+from vfife_report.plots import style
 
 PACKAGE = Path(vfife_report.__file__).parent
 # What is listed in a room's place may be used in it, beside what stands before it.
@@ -102,6 +104,24 @@ class Sources(unittest.TestCase):
         for name in TEMPLATES.list_templates():
             text = (PACKAGE / "page" / "templates" / name).read_text(encoding="utf-8")
             self.assertNotRegex(text, r"[|]\s*safe|autoescape|Markup")
+
+
+class Ticks(unittest.TestCase):
+    def test_steps(self):
+        """1, 2 or 5 in every size of plot; matplotlib's own steps of 2.5 are met among these."""
+        usual, own = set(), set()
+        for high in (3.1, 7.6, 11, 14.9, 21):
+            for size in (1.2, 1.8, 2.6, 3.5):
+                plot, axes = style.plt.subplots(figsize=(size, size))
+                axes.set(xlim=(0, high), ylim=(0, high))
+                for steps, axis in ((usual, axes.xaxis), (own, axes.yaxis)):
+                    if axis is axes.yaxis:
+                        style.round_ticks(axes)
+                    step = np.diff(axis.get_major_locator()()).min()
+                    steps.add(round(step / 10 ** np.floor(np.log10(step)), 6))
+                style.plt.close(plot)
+        self.assertIn(2.5, usual)
+        self.assertLessEqual(own, {1, 2, 5})
 
 
 if __name__ == "__main__":

@@ -172,6 +172,12 @@ class Pages(unittest.TestCase):
                             (float("nan"), "–"), (-1e-6, "\u22121e-06")):
             self.assertEqual(format_number(value), text)
 
+    def test_rows_made_on_the_way(self):
+        """A table is looked at more than once: for what its columns are, then for what is in them."""
+        cells = Cells(["body", "value"], (["pinion", 1.0] for _ in range(2)))
+        self.assertEqual(cells.columns(), [("body", False), ("value", True)])
+        self.assertEqual(cells.rows, [["pinion", 1.0]] * 2)
+
     def test_digits(self):
         """Figures have three significant digits, tables to be compared or taken over five."""
         row = [["dte", -78.4104, "arcsec"], ["force", 8909.31, "N"], ["energy", 0.0123456, "J"]]

@@ -23,6 +23,7 @@ from vfife_report.measures.run_lines import describe_resolution, list_other_line
 from vfife_report.measures.sidebands import list_sidebands
 from vfife_report.page.sweep_chapter import list_sentences
 from vfife_report.plots.curves import draw_curves
+from vfife_report.page.error_chapter import tell_error_bars
 from vfife_report.plots.error_bars import draw_error_bars
 from vfife_report.plots.resonance import draw_resonance
 from vfife_report.plots.spectra import draw_sidebands
@@ -221,6 +222,18 @@ class Errors(unittest.TestCase):
                       "without run_03"):
             self.assertIn(words, text)
         self.assertNotIn("Lost.", text)
+
+    def test_single_case(self):
+        """A case on several meshes, without variants: a row a quantity, nothing is told apart."""
+        (self.path / "error_bars.csv").write_text(
+            "quantity,variant,run,unit,value [unit],error [unit],error by cells [unit],method\n"
+            "dte mean,the case,run_02,arcsec,-80.25,2.14,2.14,cells: spread of 2 values\n"
+            "ripple,the case,run_02,-,3,0.012,0.012,cells: spread of 2 values\n")
+        (self.path / "differences.csv").unlink()
+        *_, table = tell_error_bars(Study(self.path), [])
+        self.assertEqual(table.header, ["quantity", "value", "unit", "error by cells", "method"])
+        self.assertEqual([row[:4] for row in table.rows],
+                         [["dte mean", "\u221280.2 ± 2.1", "arcsec", 2.14], ["ripple", "3.000 ± 0.012", "-", 0.012]])
 
     def test_verdicts(self):
         ripple = Study(self.path).error_bars.quantities[1]

@@ -2,6 +2,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """installation.py CMAKE BUILD_FOLDER: what is installed, and a case run from there: it finds its mesh, the program its
 second half. What the project says of itself in several files is the same in all."""
+import os
 import re
 import subprocess
 import sys
@@ -15,7 +16,7 @@ INSTALLED = ("bin/vfife", "bin/vfife-study", "lib*/**/libvfife.a", "lib*/**/vfif
              "include/vfife/revision.h", "lib/python3/dist-packages/vfife/__init__.py", "share/vfife/report/make_report.py",
              "share/vfife/prm/spiral_bevel_quick.prm", "share/vfife/prm/errors/pitch_error.csv",
              "share/vfife/meshes/plate_with_hole.msh", "share/vfife/examples/proposed_pair.py",
-             "share/doc/vfife/README.md", "share/doc/vfife/copyright", "share/doc/vfife/doc/user_guide.md",
+             "share/vfife/examples/quieter_pair.py", "share/doc/vfife/README.md", "share/doc/vfife/copyright", "share/doc/vfife/doc/user_guide.md",
              "share/doc/vfife/doc/pictures/pair_stress.png", "share/bash-completion/completions/vfife")
 LINK = re.compile(r"\]\(([^)\s:#]+)(?:#[^)]*)?\)")
 
@@ -40,6 +41,17 @@ class Installation(unittest.TestCase):
             with self.subTest(name):
                 self.assertTrue(list(self.prefix.glob(name)))
         self.assertEqual(list(self.prefix.rglob("__pycache__")), [])
+
+    def test_python(self):
+        """The module of Python where it is built: beside the package, which finds it."""
+        if not list((Path(BUILD) / "python").glob("_vfife.*")):
+            self.skipTest("the module _vfife is not built")
+        packages = self.prefix / "lib/python3/dist-packages"
+        case = self.prefix / "share/vfife/prm/gear/proposed_17_43.prm"
+        ask = f"from vfife import gear; print(gear.Pair({str(case)!r}).flank_points('gear')['convex'].points.shape)"
+        done = subprocess.run([sys.executable, "-c", ask], env={**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"}, check=True,
+                              cwd=self.folder.name, stdout=subprocess.PIPE, text=True)
+        self.assertEqual(done.stdout, "(15, 9, 3)\n")
 
     def test_links(self):
         """Pages link to what is installed with them; what stays in the tree is code."""

@@ -9,7 +9,10 @@ namespace vfife
   struct CommandLine;
   class CaseRunner;
   class Communicator;
+  class GearPair;
   class Log;
+  class ParameterFile;
+  class ResultKeeper;
 
   /** Knows all kinds of studies. */
   std::unique_ptr<CaseRunner> make_case_runner();
@@ -19,6 +22,20 @@ namespace vfife
    * InputError (complete message) and NumericalError. Collective.
    */
   void run_study(const CommandLine &command_line, Communicator &communicator, Log &log);
+
+  /**
+   * Does the study of @p file and hands its files to @p keeper: nothing is written, Study/output
+   * folder is not looked at. For kinds that compute first and write at the end; those that write as
+   * they go, as `run`, throw std::logic_error. Throws as run_study(). Collective.
+   */
+  void compute_study(const ParameterFile &file,
+                     ResultKeeper        &keeper,
+                     Communicator        &communicator,
+                     Log                 &log);
+
+  /** The gear pair of a file that run_study() would take, with everything derived. Throws
+   * InputError (complete message). */
+  GearPair read_gear_pair(const ParameterFile &file);
 } // namespace vfife
 
 #endif

@@ -121,8 +121,22 @@ namespace vfife
   } // namespace
 
   ParameterFile::ParameterFile(const std::string &path, const std::vector<std::string> &overrides)
+    : ParameterFile(path, read_statements(path), overrides)
+  {
+  }
+
+  ParameterFile ParameterFile::of_text(const std::string              &text,
+                                       const std::string              &path,
+                                       const std::vector<std::string> &overrides)
+  {
+    return ParameterFile(path, read_statements_of_text(text, path), overrides);
+  }
+
+  ParameterFile::ParameterFile(const std::string              &path,
+                               std::vector<ParameterStatement> statements,
+                               const std::vector<std::string> &overrides)
     : path_(path)
-    , statements_(read_statements(path))
+    , statements_(std::move(statements))
   {
     // Behind those of the file, so that they win.
     for (const std::string &text : overrides)

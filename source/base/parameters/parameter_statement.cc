@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <system_error>
 
 namespace vfife
@@ -30,7 +31,10 @@ namespace vfife
         open_files_.push_back(file_name);
       }
 
-      std::vector<ParameterStatement> read(const std::string &included_from);
+      /** @p included_from begins the message where the file cannot be read. */
+      std::vector<ParameterStatement> read_file(const std::string &included_from);
+      /** What the stream has stands for the file's content. */
+      std::vector<ParameterStatement> read(std::istream &file);
 
     private:
       void        read_line(const std::string &line);
@@ -53,9 +57,7 @@ namespace vfife
       return file_name_ + ":" + std::to_string(line_number_);
     }
 
-    // Lines are joined to statements, statements are put to read_line(); @p included_from begins
-    // the message where the file cannot be read.
-    std::vector<ParameterStatement> StatementReader::read(const std::string &included_from)
+    std::vector<ParameterStatement> StatementReader::read_file(const std::string &included_from)
     {
       const std::string prefix = included_from.empty() ? "" : included_from + ": ";
       std::error_code   none; // a name that no file can have, too long a one, is not there
@@ -66,7 +68,12 @@ namespace vfife
         throw InputError(
           prefix + "the parameter file \"" + file_name_ + "\" cannot be read" +
           (std::filesystem::exists(file_name_, none) ? "" : ": there is no such file"));
+      return read(file);
+    }
 
+    // Lines are joined to statements, statements are put to read_line().
+    std::vector<ParameterStatement> StatementReader::read(std::istream &file)
+    {
       std::string  line, statement;
       unsigned int n_lines   = 0;
       bool         continued = false;
@@ -186,7 +193,7 @@ namespace vfife
 
       // Its statements stand here, in the sections that are open here.
       StatementReader reader(name, sections_, open_files_);
-      for (const ParameterStatement &statement : reader.read(place()))
+      for (const ParameterStatement &statement : reader.read_file(place()))
         statements_.push_back(statement);
     }
   } // namespace
@@ -213,7 +220,14 @@ namespace vfife
 
   std::vector<ParameterStatement> read_statements(const std::string &file_name)
   {
-    return StatementReader(file_name, {}, {}).read("");
+    return StatementReader(file_name, {}, {}).read_file("");
+  }
+
+  std::vector<ParameterStatement> read_statements_of_text(const std::string &text,
+                                                          const std::string &file_name)
+  {
+    std::istringstream lines(text);
+    return StatementReader(file_name, {}, {}).read(lines);
   }
 
   ParameterStatement read_override(const std::string &text)

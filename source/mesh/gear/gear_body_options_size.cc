@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/parameters.h>
 #include <vfife/mesh/gear/gear_body_options.h>
 
 #include <algorithm>
@@ -29,6 +30,30 @@ namespace vfife
     return teeth * n * std::pow(8., refinements);
   }
 
+  void GearBodyOptions::declare_fineness(dealii::ParameterHandler &prm,
+                                         GearBodyOptions          &pinion,
+                                         GearBodyOptions          &gear)
+  {
+    // Edges in modules. A third is about what the counts of the full mesh make of most blanks.
+    static const Choices<double> edges = {{"by members", 0.},
+                                          {"coarse", 1.},
+                                          {"medium", 1. / 2.},
+                                          {"fine", 1. / 3.}};
+    std::vector<std::string>     words;
+    for (const auto &edge : edges)
+      words.push_back(edge.first);
+    declare_choice(
+      prm,
+      "mesh",
+      words,
+      words.front(),
+      [&pinion, &gear](const unsigned int chosen) {
+        pinion.edge_in_modules = gear.edge_in_modules = edges[chosen].second;
+      },
+      "Cells of both bodies where a member states no element size: as its numbers of cells say, or "
+      "edges of one outer transverse module, a half, a third. Coarse is for a first look");
+  }
+
   void GearBodyOptions::leave_sizes_open()
   {
     web_thickness = rim_thickness = hub_radius = hub_length = bore_radius = 0.;
@@ -50,6 +75,8 @@ namespace vfife
     fill(sized.hub_radius, 0.632 * root);
     fill(sized.hub_length, 0.379 * root);
     fill(sized.bore_radius, web == WebKind::solid ? 0.64 * root : sized.hub_radius * 5. / 6.);
+    if (element_size == 0.)
+      sized.element_size = edge_in_modules * module;
     return sized;
   }
 

@@ -5,6 +5,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/json.h>
+#include <vfife/base/text/table.h>
 #include <vfife/output/files/output_folder.h>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 
 namespace vfife
@@ -97,14 +99,32 @@ namespace vfife
     create_on_root(path_, communicator_);
   }
 
+  OutputFolder::OutputFolder(ResultKeeper &keeper, const Communicator &communicator)
+    : keeper_(&keeper)
+    , communicator_(communicator)
+  {
+  }
+
   OutputFolder::~OutputFolder()
   {
     if (log_ != nullptr)
       log_->stop_file();
   }
 
+  bool OutputFolder::is_on_disk() const
+  {
+    return keeper_ == nullptr;
+  }
+
+  void OutputFolder::require_disk() const
+  {
+    if (!is_on_disk())
+      throw std::logic_error("these results need a folder: they cannot be kept in memory");
+  }
+
   const std::string &OutputFolder::path() const
   {
+    require_disk();
     return path_;
   }
 
@@ -115,7 +135,7 @@ namespace vfife
 
   std::string OutputFolder::file(const std::string &name) const
   {
-    return path_ + "/" + name;
+    return path() + "/" + name;
   }
 
   bool OutputFolder::is_writer() const
@@ -125,12 +145,20 @@ namespace vfife
 
   void OutputFolder::make_subfolder(const std::string &name) const
   {
-    create_on_root(file(name), communicator_);
+    if (is_on_disk())
+      create_on_root(file(name), communicator_);
   }
 
   void OutputFolder::write_file(const std::string                         &name,
                                 const std::function<void(std::ostream &)> &write) const
   {
+    if (keeper_ != nullptr)
+      {
+        std::ostringstream text;
+        write(text);
+        keeper_->keep_text(name, text.str());
+        return;
+      }
     // Closed before it is renamed: a full disk shows at the latest when the last bytes go out.
     const std::string path      = file(name);
     const std::string temporary = path + ".part";
@@ -159,6 +187,14 @@ namespace vfife
       throw std::runtime_error("cannot write \"" + path + "\": " + error.message());
   }
 
+  void OutputFolder::write_table(const std::string &name, const Table &table) const
+  {
+    if (keeper_ != nullptr)
+      keeper_->keep_table(name, table);
+    else
+      write_file(name, [&table](std::ostream &out) { table.write_csv(out); });
+  }
+
   void OutputFolder::copy_file(const std::string &from, const std::string &name) const
   {
     const std::string temporary = file(name) + ".part";
@@ -174,7 +210,7 @@ namespace vfife
   void OutputFolder::remove_file(const std::string &name) const
   {
     std::error_code error;
-    if (is_writer())
+    if (is_writer() && is_on_disk())
       fs::remove(file(name), error);
   }
 
@@ -201,6 +237,7 @@ namespace vfife
 
   void OutputFolder::attach_log(Log &log, const std::optional<std::size_t> kept)
   {
+    require_disk();
     log_ = &log;
     if (!is_writer())
       return;

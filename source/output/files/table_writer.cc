@@ -8,13 +8,14 @@ namespace vfife
   void write_csv(const OutputFolder &folder, const std::string &name, const Table &table)
   {
     if (folder.is_writer())
-      folder.write_file(name, [&table](std::ostream &out) { table.write_csv(out); });
+      folder.write_table(name, table);
   }
 
   void write_tables(const OutputFolder &folder, const std::string &name, const Table &table)
   {
     write_csv(folder, name + ".csv", table);
-    if (folder.is_writer())
+    // in memory it would say the same again
+    if (folder.is_writer() && folder.is_on_disk())
       folder.write_file(name + ".json", [&table](std::ostream &out) { table.write_json(out); });
   }
 } // namespace vfife

@@ -15,9 +15,9 @@ class InputError(VfifeError):
 
 
 class ComputationFailed(VfifeError):
-    """Exit code 2: the computation failed. `result` has what there is up to then."""
+    """Exit code 2: the computation failed. `result` has what there is up to then, None without files."""
 
-    def __init__(self, message, result):
+    def __init__(self, message, result=None):
         super().__init__(message)
         self.result = result
 

@@ -65,9 +65,9 @@ namespace vfife
     text << "edges carry: ";
     for (unsigned int i = 0; i < 2; ++i)
       text << (i == 0 ? "before" : ", after") << " the path of contact (" << borders_[i].name
-           << ", " << borders_[i].place << " pitches) a tooth pair has up to " << borders_[i].force
-           << " N";
-    text << " of " << largest_
+           << ", " << borders_[i].place << " pitches) a tooth pair has up to "
+           << std::lround(borders_[i].force) << " N";
+    text << " of " << std::lround(largest_)
          << " N. Hertz's pressure holds inside the flanks only; at a sharp edge it is larger and "
             "depends on the mesh (Contact/edge relief)";
     return text.str();

@@ -90,6 +90,7 @@ namespace vfife
     {
       Subsection section(prm, "Gear pair");
       pair_.declare(prm);
+      GearBodyOptions::declare_fineness(prm, members_[0].body, members_[1].body);
       Subsection housing(prm, "Housing");
       declare_file_name(prm,
                         "stiffness",

@@ -212,9 +212,8 @@ namespace vfife
              communicator.size() == 1 ? " rank" : " ranks",
              dynamics_.start == Start::undeformed ? "" : ", and the equilibrium before it");
     if (model.transmission && run_time > long_wait)
-      log.line(
-        "for a first look: an element size of about the module (Gear pair/Pinion/Mesh/element "
-        "size, Gear pair/Gear/Mesh/element size) and 14 tooth meshes (Operation/tooth meshes)");
+      log.line("for a first look: coarse meshes (Gear pair/mesh = coarse) and 14 tooth meshes "
+               "(Operation/tooth meshes)");
     report_contradictions(model, stepped, run_time, log);
   }
 

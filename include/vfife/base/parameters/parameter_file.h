@@ -40,6 +40,12 @@ namespace vfife
      */
     explicit ParameterFile(const std::string &path, const std::vector<std::string> &overrides = {});
 
+    /** The same of a text in memory, which stands for a file @p path that need not be there:
+     * messages name it, and names of files in it are relative to its folder. */
+    static ParameterFile of_text(const std::string              &text,
+                                 const std::string              &path,
+                                 const std::vector<std::string> &overrides = {});
+
     /** Sets what @p prm (at its top level) declares; entries and sections that it does not declare
      * are ignored. */
     void read_known(dealii::ParameterHandler &prm) const;
@@ -82,6 +88,10 @@ namespace vfife
     }
 
   private:
+    ParameterFile(const std::string              &path,
+                  std::vector<ParameterStatement> statements,
+                  const std::vector<std::string> &overrides);
+
     void                      set_declared(const ParameterStatement &statement,
                                            const DeclaredSection    &top,
                                            const OtherSections      &others,

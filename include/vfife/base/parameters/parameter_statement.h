@@ -39,6 +39,11 @@ namespace vfife
    */
   std::vector<ParameterStatement> read_statements(const std::string &file_name);
 
+  /** Those of a text in memory, which stands for a file of the name @p file_name: places name it,
+   * and names of files are relative to its folder. */
+  std::vector<ParameterStatement> read_statements_of_text(const std::string &text,
+                                                          const std::string &file_name);
+
   /**
    * The statement of a text "Section/Sub/name=value".
    * @throws InputError naming the option if '=' or the name is missing.

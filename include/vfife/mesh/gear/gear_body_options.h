@@ -34,7 +34,8 @@ namespace vfife
     double  hub_length =
       36.; ///< along the axis, centred where the mid-surface of the web meets the hub [mm]
 
-    double element_size = 0.; ///< target edge length [mm]; 0: the counts below, as they stand
+    double element_size    = 0.; ///< target edge length [mm]; 0: the counts below, as they stand
+    double edge_in_modules = 0.; ///< where that is open: the same in modules of the blank; 0: none
 
     unsigned int cells_lengthwise = 12; ///< along the face width
     unsigned int cells_across     = 5;  ///< across a tooth
@@ -82,6 +83,11 @@ namespace vfife
       return columns() % 3 == 0;
     }
 
+    /** Declares in the current section, that of a pair, the choice of a mesh in modules for both
+     * its bodies: edge_in_modules. */
+    static void
+    declare_fineness(dealii::ParameterHandler &prm, GearBodyOptions &pinion, GearBodyOptions &gear);
+
     /** Leaves the sizes of the body open, to follow from the blank: web, rim, hub, bore. */
     void leave_sizes_open();
 
@@ -89,7 +95,8 @@ namespace vfife
      * The same with the sizes that are open (0), in tenths of a millimetre and in the proportions
      * of the reference pair 27/79, whose own come out: thicknesses of web and rim 1.587 and 2.7
      * outer transverse modules; hub radius and length 0.632 and 0.379 of the root's radius at the
-     * toe; the bore 5/6 of the hub radius, or 0.64 of that radius of a solid body.
+     * toe; the bore 5/6 of the hub radius, or 0.64 of that radius of a solid body. An element size
+     * that is open follows from edge_in_modules.
      */
     GearBodyOptions with_open_sizes(const BlankOutline &blank) const;
 

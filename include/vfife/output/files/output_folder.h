@@ -20,6 +20,20 @@ namespace vfife
 {
   class Communicator;
   class Log;
+  class Table;
+
+  /** Takes results in the place of a folder. */
+  class ResultKeeper
+  {
+  public:
+    virtual ~ResultKeeper() = default;
+
+    /** A table that a folder would have as the file @p name ("path.csv"). */
+    virtual void keep_table(const std::string &name, const Table &table) = 0;
+
+    /** Any other file with its content. */
+    virtual void keep_text(const std::string &name, const std::string &text) = 0;
+  };
 
   /**
    * The folder of one run's results, on a file system that all ranks see. Whole files are written
@@ -34,10 +48,16 @@ namespace vfife
      * the path is a file, std::runtime_error when it cannot be created or written to.
      */
     OutputFolder(std::string path, const Communicator &communicator);
+    /** No folder: @p keeper, which must outlive this, takes all files, and nothing is written. What
+     * files on a disk are needed for throws std::logic_error: path(), file(), copy_file(),
+     * attach_log(). */
+    OutputFolder(ResultKeeper &keeper, const Communicator &communicator);
     ~OutputFolder();
     OutputFolder(const OutputFolder &)            = delete;
     OutputFolder &operator=(const OutputFolder &) = delete;
 
+    /** Whether there is a folder. */
+    bool                is_on_disk() const;
     const std::string  &path() const;
     const Communicator &communicator() const;
     /** Path of a file of the folder. */
@@ -54,6 +74,9 @@ namespace vfife
      */
     void write_file(const std::string                         &name,
                     const std::function<void(std::ostream &)> &write) const;
+
+    /** Writes a table as the file @p name, as write_file(). */
+    void write_table(const std::string &name, const Table &table) const;
 
     /**
      * Puts a copy of the file @p from into the folder; on the calling rank only. Throws
@@ -99,7 +122,10 @@ namespace vfife
     std::size_t log_size() const;
 
   private:
+    void require_disk() const;
+
     std::string                    path_;
+    ResultKeeper                  *keeper_ = nullptr; ///< in the place of a folder
     const Communicator            &communicator_;
     std::unique_ptr<std::ofstream> log_file_;
     Log                           *log_ = nullptr;

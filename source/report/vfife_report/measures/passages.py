@@ -13,21 +13,23 @@ class Passage:
     peak: float  # largest of the record
     peak_time: float  # [s]
     least: float  # of the record
-    steady: float  # median of the record outside the passage
+    steady: float  # median of a whole turn, or of the record outside the passage
     is_dip: bool  # the passage is where the stress is least
     duration: float  # time around the largest deviation with |stress - steady| above the level [s]
     whole: bool  # begins and ends within the record
 
 
-def find_passage(time, stress):
-    """The passage with the largest deviation from the median. The steady value and the passage
-    depend on each other: both are repeated until they stay. None without at least ten samples."""
+def find_passage(time, stress, median_of_turn=None):
+    """The passage with the largest deviation from the median: that of a whole turn where it is known, since a record of a
+    part of one may have little outside the passage; else the steady value and the passage depend on each other, and both
+    are repeated until they stay. None without at least ten samples."""
     if len(time) < 10 or np.ptp(stress) == 0:
         return None
     outside = np.ones(len(time), dtype=bool)
-    top = np.argmax(np.abs(stress - np.median(stress)))
+    top = np.argmax(np.abs(stress - (np.median(stress) if median_of_turn is None else median_of_turn)))
     for _ in range(20):
         steady = np.median(stress[outside]) if np.any(outside) else np.median(stress)
+        steady = steady if median_of_turn is None else median_of_turn
         quiet = np.abs(stress - steady) < DURATION_LEVEL * abs(stress[top] - steady)
         before, after = np.flatnonzero(quiet[:top]), np.flatnonzero(quiet[top:])
         first = before[-1] + 1 if len(before) else 0
@@ -47,7 +49,9 @@ def find_passages(run):
         return
     for name in dict.fromkeys(run.probes["probe"]):
         rows = run.probes["probe"] == name
-        passage = find_passage(run.probes["time"][rows], run.probes["von mises"][rows])
+        turn = run.summary.get("probes", {}).get(name)
+        passage = find_passage(run.probes["time"][rows], run.probes["von mises"][rows],
+                               turn["median of a turn"]["value"] if turn else None)
         if passage:
             yield name, passage
 

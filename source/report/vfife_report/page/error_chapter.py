@@ -30,8 +30,9 @@ def tell_error_bars(study, plots):
         yield Paragraph("Without results, and missing in the errors: " + ", ".join(
             f"{run} ({status})" for run, status in bars.unfinished) + ".", "alarm")
     yield from plots
+    yield tell_single_variant(bars)
     for one in bars.quantities:
-        if one.is_constant():
+        if len(one.variants) == 1 or one.is_constant():
             continue
         unit = "" if one.unit in ("", "-") else f" [{one.unit}]"
         # Others by their numbers: names of variants are long.
@@ -43,3 +44,12 @@ def tell_error_bars(study, plots):
                 + [one.methods[k]] for k, variant in enumerate(one.variants)]
         yield Cells(["", "variant", f"{one.name}{unit}"] + [f"error by {name}" for name in one.parts]
                     + ["order told from", "not told apart from", "method"], rows, f"{one.name[:1].upper()}{one.name[1:]}.")
+
+
+def tell_single_variant(bars):
+    """Of a case without variants, which nothing is to be told apart from: a row a quantity."""
+    single = [one for one in bars.quantities if len(one.variants) == 1]
+    parts = list(single[0].parts) if single else []
+    return Cells(["quantity", "value", "unit"] + [f"error by {name}" for name in parts] + ["method"],
+                 [[one.name, format_with_error(one.values[0], one.errors[0]), one.unit]
+                  + [float(one.parts[name][0]) for name in parts] + [one.methods[0]] for one in single])

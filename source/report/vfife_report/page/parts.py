@@ -46,6 +46,9 @@ class Cells:
     digits: int = DIGITS
     template = "cells"
 
+    def __post_init__(self):
+        self.rows = list(self.rows)  # looked at more than once
+
     def is_empty(self):
         return not self.rows
 

@@ -82,7 +82,8 @@ def tell_probes(run, plots):
                   "whole passage" if p.whole else "passage cut by the record"]
                  for name, p in find_passages(run)],
                 "Peak and least: of the whole record. The passage through the mesh is where the stress is farthest from the "
-                "steady stress, the median of the record outside it: a rise above it or a dip below it; duration: "
+                "steady stress, the median of a whole turn (without copies in all sectors: of the record outside the passage): "
+                "a rise above it or a dip below it; duration: "
                 f"farther than {DURATION_LEVEL_IN_WORDS} of that.")
     for probe in run.summary.get("probes", {}).values():
         yield Paragraph(probe["explanation"] + ".")

@@ -18,16 +18,22 @@ ROWS = (("speed of the pinion", "Operation/speed"),
         ("contact: discretization, surface", "Contact/discretization", "Contact/surface"),
         ("friction coefficient", "Contact/friction coefficient"),
         ("element frame, stiffness", "Dynamics/frame", "Dynamics/stiffness"))
+# Their files are those of runs: what they read of one and do not use.
+OF_RUNS = {"tooth meshes", "start", "damping, mesh damping", "element frame, stiffness"}
+WITHOUT_LOAD = OF_RUNS | {"torque on the gear", "contact: discretization, surface", "friction coefficient"}
+NOT_USED = {"loaded tooth contact analysis": OF_RUNS, "modal": WITHOUT_LOAD, "linear static": WITHOUT_LOAD}
 
 
 def make_title(run):
     """What a run or study is, in one line; the folder's name where it is no gear pair."""
     parameters = run.parameters
+    kind = parameters.get("Study/kind", "run")
     parts = [describe_pair(parameters), describe_web(parameters)]
     if "Operation/speed" in parameters:
-        parts += [parameters["Operation/speed"], parameters["Operation/torque"]]
+        parts.append(parameters["Operation/speed"])
+        if "torque on the gear" not in NOT_USED.get(kind, ()):
+            parts.append(parameters["Operation/torque"])
     title = ", ".join(part for part in parts if part) or run.path.resolve().name
-    kind = parameters.get("Study/kind", "run")
     return title if kind == "run" else f"{title}: {kind}"
 
 
@@ -38,7 +44,7 @@ def list_case_rows(run):
     given = not run.geometry and parameters.get("Gear pair/Proposal/pinion teeth", "0") == "0"
     for name, *keys in (BLANK_ROWS if given else ()) + ROWS:
         values = [parameters[key] for key in keys if key in parameters]
-        if values and any(value != "0" for value in values):
+        if any(value != "0" for value in values) and name not in NOT_USED.get(parameters.get("Study/kind"), ()):
             yield name, ", ".join(values)
     web = describe_web(parameters)
     if web.startswith("web"):

@@ -1,6 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Plots over time: transmission error, forces of the teeth, energies, probes."""
 import numpy as np
+from matplotlib.patheffects import withStroke
 
 from ..data.columns import CONTACT_FORCE
 from ..measures.periodicity import compute_mesh_average
@@ -8,8 +9,11 @@ from .style import COLOURS, GREY, PALE, add_legend, label_ends, plt
 
 
 def mark_steady_part(run, axes):
+    """To be called when the curves are drawn: the words stand in a strip above all of them."""
     part = run.steady_part()
     if part:
+        low, high = axes.get_ylim()
+        axes.set_ylim(low, high + 0.08 * (high - low))
         start, end, found = part
         axes.axvspan(1e3 * start, 1e3 * end, color=PALE, zorder=0)
         text = "last third (not steady)" if not found else (
@@ -35,7 +39,6 @@ def draw_transmission_error(run):
     history, samples = run.history, run.samples_per_mesh()
     time = 1e3 * history["time"]
     plot, (axes, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 7))
-    mark_steady_part(run, axes)
     curves = (("dte", "hub", COLOURS[1]), ("rim dte", "rim", COLOURS[2]))
     for name, text, colour in curves:
         axes.plot(time, history[name], color=colour, linewidth=0.7, alpha=0.55, label=text)
@@ -47,6 +50,7 @@ def draw_transmission_error(run):
                    label=f"{text} less its mean")
     axes.set_ylabel(history.label("dte"))
     axes.set_title("Dynamic transmission error: as it is (thin), mean over a tooth mesh (thick)")
+    mark_steady_part(run, axes)
     finish_time_axis(run, axes)
     axes.set_xlabel("")
     label_ends(axes, [(time[-1], history[name][-1], text, colour)
@@ -62,7 +66,6 @@ def draw_contact_force(run):
     history, teeth = run.history, run.teeth
     time = 1e3 * history["time"]
     plot, axes = plt.subplots()
-    mark_steady_part(run, axes)
     axes.plot(time, history[CONTACT_FORCE], color=COLOURS[0], label="total")
     title = "Contact force"
     if teeth is not None and "pinion tooth" in teeth:
@@ -70,6 +73,7 @@ def draw_contact_force(run):
         title += " and its share on tooth pairs (pinion tooth/gear tooth)"
     axes.set_ylabel("contact force [N]")
     axes.set_ylim(bottom=0)
+    mark_steady_part(run, axes)
     axes.set_title(title)
     finish_time_axis(run, axes)
     label_ends(axes, [(time[-1], history[CONTACT_FORCE][-1], "total", COLOURS[0])])
@@ -93,16 +97,16 @@ def draw_tooth_pairs(axes, history, teeth):
                   label=f"teeth {pinion:.0f}/{gear:.0f}, {side}")
         top = np.argmax(force)
         axes.annotate(f"{pinion:.0f}/{gear:.0f}", (1e3 * history["time"][top], force[top]),
-                      xytext=(0, 3), textcoords="offset points", color=colour, ha="center",
-                      fontsize=8)
+                      xytext=(0, 3), textcoords="offset points", color=colour, ha="center", fontsize=8,
+                      path_effects=[withStroke(linewidth=2, foreground="white")])
 
 
 def draw_energies(run):
     history = run.history
     time = 1e3 * history["time"]
     plot, (above, below) = plt.subplots(2, 1, sharex=True, figsize=(8, 6.5))
-    mark_steady_part(run, above)
     above.plot(time, 100 * history["energy error"], color=COLOURS[0])
+    mark_steady_part(run, above)
     above.set_ylabel("energy error [%]")
     above.set_title("Residual of the energy ledger over the largest energy so far")
     shown = ("strain energy", "contact energy", "relative kinetic energy", "damping loss",
@@ -122,7 +126,6 @@ def draw_energies(run):
 def draw_probes(run):
     probes = run.probes
     plot, axes = plt.subplots()
-    mark_steady_part(run, axes)
     curves = []
     for number, name in enumerate(dict.fromkeys(probes["probe"])):
         rows = probes["probe"] == name
@@ -132,6 +135,7 @@ def draw_probes(run):
         curves.append((time[-1], probes["von mises"][rows][-1], name, colour))
     axes.set_ylabel(probes.label("von mises"))
     axes.set_ylim(bottom=0)
+    mark_steady_part(run, axes)
     axes.set_title("Stress at the probes (averaged to nodes)")
     finish_time_axis(run, axes)
     label_ends(axes, curves)

@@ -17,7 +17,7 @@ def plot_deviations(axes, table, names):
     """Ripples of different means on one scale; the means are in the names."""
     for name in names:
         mean = table[name].mean()
-        axes.plot(table["position"], table[name] - mean, ".-", label=f"{name}, mean {mean:.2f}")
+        axes.plot(table["position"], table[name] - mean, ".-", label=f"{name}, mean {mean:.3g}")
     axes.set(xlabel=POSITION, ylabel="arcsec less the mean")
     add_legend(axes)
 

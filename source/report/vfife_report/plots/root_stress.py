@@ -60,8 +60,7 @@ def draw_root_stress(run):
         near = np.abs(at) <= SHOWN
         axes.plot(at[near], tension[near], color=colour, label=f"{fillet} fillet, tension")
         axes.plot(at[near], compression[near], "--", color=colour, label=f"{fillet} fillet, compression")
-    for axes in plot.axes:
-        add_legend(axes, fontsize=8)
+    add_legend(plot.axes[-1], fontsize=8)  # the same of all members
     return plot
 
 
@@ -99,9 +98,7 @@ def draw_sections(run):
         for stress, line in (("tension", "-"), ("compression", "--")):
             axes.stairs(table[stress][rows], sides, baseline=None, color=colour, linestyle=line,
                         label=f"{fillet} fillet, {stress}")
-    for axes in plot.axes:
-        # Below: steps are everywhere.
-        add_legend(axes, fontsize=8, ncol=2, loc="upper center", bbox_to_anchor=(0.5, -0.14))
+    add_legend(plot.axes[-1], fontsize=8)
     return plot
 
 

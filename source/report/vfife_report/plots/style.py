@@ -6,6 +6,7 @@ import numpy as np
 matplotlib.use("Agg")  # no display is needed
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
+from matplotlib.ticker import AutoLocator, MaxNLocator  # noqa: E402
 
 # Okabe and Ito's colours, told apart by colour-blind readers too; black first.
 COLOURS = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]
@@ -41,8 +42,19 @@ plt.rcParams.update({
 WIDE = {"font.size": 15, "axes.titlesize": 15}
 
 
+def round_ticks(axes):
+    """Ticks in steps of 1, 2 or 5: matplotlib takes 2.5 as well, whose ticks have digits that are not round."""
+    for axis in (axes.xaxis, axes.yaxis):
+        if type(axis.get_major_locator()) is AutoLocator:
+            axis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10]))
+    for inner in axes.child_axes:
+        round_ticks(inner)
+
+
 def save(plot, path):
     """Writes the plot or picture beside its place and renames it, so that nobody meets half a file."""
+    for axes in plot.axes:
+        round_ticks(axes)
     temporary = path.with_name("." + path.name)
     metadata = {"Date": None} if path.suffix == ".svg" else None
     plot.savefig(temporary, format=path.suffix[1:], metadata=metadata)
@@ -51,14 +63,16 @@ def save(plot, path):
 
 
 def add_legend(axes, **options):
-    """A frameless legend of the curves that have names, where there are any: beside the axes, where no curve is, unless others
-    stand there."""
+    """A frameless legend of the curves that have names, where there are any and no curve is: beside the axes, above them
+    where others stand there."""
     if not axes.get_legend_handles_labels()[0]:
         return
     place = axes.get_subplotspec()
     if place is None or place.is_last_col():
-        options = {**options, "loc": "upper left", "bbox_to_anchor": (1.01, 1), "borderaxespad": 0, "ncol": 1}
-    axes.legend(frameon=False, **options)
+        options = {**options, "loc": "upper left", "bbox_to_anchor": (1.01, 1), "ncol": 1}
+    else:
+        options = {"fontsize": 8, **options, "loc": "lower left", "bbox_to_anchor": (0, 1.01)}
+    axes.legend(frameon=False, borderaxespad=0, **options)
 
 
 def darken_edges(colour, edge):
