@@ -22,28 +22,38 @@ namespace vfife
                   double                    *all,
                   double                    *own)
     {
+      // Sums in variables of their own stay in registers: the loop then waits for memory alone.
+      Vector3 momentum = Eigen::Map<Vector3>(all), angular = Eigen::Map<Vector3>(all + 3),
+              change      = Vector3::Zero();
+      double        speed = 0., turning_mass = 0., mass = 0., square_of_change = 0.;
+      const Vector3 axis = body.axis.direction, point = body.axis.point;
+      const bool    turns = body.turns_on_axis;
       for (const std::uint32_t i : nodes)
         {
-          const double  mass     = masses[i];
-          const Vector3 x        = state.node_position(i);
-          const Vector3 v        = state.node_velocity(i);
-          const Vector3 momentum = mass * v;
-          Eigen::Map<Vector3>(all) += momentum;
-          Eigen::Map<Vector3>(all + 3) += x.cross(momentum);
+          const double  m = masses[i];
+          const Vector3 x = state.node_position(i), v = state.node_velocity(i);
+          const Vector3 of_node = m * v;
+          momentum += of_node;
+          angular += x.cross(of_node);
 
-          const double square =
-            body.turns_on_axis ? body.axis.direction.cross(x - body.axis.point).squaredNorm() : 0.;
+          const double square = turns ? axis.cross(x - point).squaredNorm() : 0.;
           if (square > 0)
             {
-              own[0] += mass * std::sqrt(v.squaredNorm() / square);
-              own[1] += mass;
+              speed += m * std::sqrt(v.squaredNorm() / square);
+              turning_mass += m;
             }
-          const Vector3 change = next.value(i) - v;
-          own[2] += mass;
-          for (unsigned int c = 0; c < 3; ++c)
-            own[3 + c] += mass * change[c];
-          own[6] += mass * change.squaredNorm();
+          const Vector3 to_next = next.value(i) - v;
+          mass += m;
+          change += m * to_next;
+          square_of_change += m * to_next.squaredNorm();
         }
+      Eigen::Map<Vector3>{all}     = momentum;
+      Eigen::Map<Vector3>{all + 3} = angular;
+      own[0]                       = speed;
+      own[1]                       = turning_mass;
+      own[2]                       = mass;
+      Eigen::Map<Vector3>{own + 3} = change;
+      own[6]                       = square_of_change;
     }
   } // namespace
 
