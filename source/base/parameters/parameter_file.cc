@@ -122,6 +122,7 @@ namespace vfife
 
   ParameterFile::ParameterFile(const std::string &path, const std::vector<std::string> &overrides)
     : path_(path)
+    , overrides_(overrides)
     , statements_(read_statements(path))
   {
     // Behind those of the file, so that they win.

@@ -80,6 +80,11 @@ namespace vfife
     {
       return path_;
     }
+    /** The settings of the command line as given. */
+    const std::vector<std::string> &overrides() const
+    {
+      return overrides_;
+    }
 
   private:
     void                      set_declared(const ParameterStatement &statement,
@@ -92,6 +97,7 @@ namespace vfife
     const ParameterStatement *find(const std::string &entry_path) const;
 
     std::string                     path_;
+    std::vector<std::string>        overrides_;
     std::vector<ParameterStatement> statements_;
   };
 
