@@ -368,6 +368,9 @@ end
     print_refusal([&]() {
       run_pair("waves.prm", "refused", world, {"Waves/solver=run", "Dynamics/start=ramp"});
     });
+    print_refusal([&]() {
+      run_pair("waves.prm", "refused", world, {"Waves/solver=run", "Reduced/settling meshes=2"});
+    });
     print_refusal([&]() { run_pair("waves.prm", "driven", world, {}, true); });
   }
 } // namespace

@@ -96,6 +96,13 @@ namespace vfife
                  " with modes below ",
                  least_cutoff(),
                  " Hz");
+        if (drives_runs())
+          log.line("each line: ",
+                   options_.offsets.size(),
+                   " runs of ",
+                   reduced_.settling_meshes + reduced_.counted_meshes,
+                   " tooth meshes or more; what a run takes is said by --check with Study/kind = "
+                   "run");
       }
 
       std::size_t
@@ -174,6 +181,11 @@ namespace vfife
     {
       if (dynamics_.start != Start::static_preload)
         throw InputError("Dynamics/start", "runs that drive waves start from their static preload");
+      // Before hours of runs, not behind them.
+      constexpr unsigned int least = 8;
+      if (reduced_.settling_meshes + reduced_.counted_meshes < least)
+        throw InputError("Reduced/settling meshes",
+                         "a build-up needs at least eight tooth meshes, settling and counted ones");
       runner_.read(WaveRuns::command_line(own_,
                                           options_.highest_speed,
                                           reduced_.settling_meshes + reduced_.counted_meshes,
