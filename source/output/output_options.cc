@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/quantity.h>
 #include <vfife/model/transmission.h>
 #include <vfife/output/output_options.h>
 
@@ -25,6 +26,19 @@ namespace vfife
       return 1. / (transmission.largest_mesh_frequency() * dt);
     }
   } // namespace
+
+  std::vector<unsigned int> parse_diameters(const std::vector<std::string> &texts)
+  {
+    std::vector<unsigned int> numbers;
+    for (const std::string &text : texts)
+      {
+        const double value = parse_quantity(text, "-");
+        if (!(value >= 1 && value <= 1000) || value != std::floor(value))
+          throw InputError("\"" + text + "\" is no number of nodal diameters: 1, 2, 3 ...");
+        numbers.push_back(static_cast<unsigned int>(value));
+      }
+    return numbers;
+  }
 
   void OutputOptions::declare(dealii::ParameterHandler &prm)
   {
@@ -55,6 +69,14 @@ namespace vfife
                     "Tooth meshes of which these amplitudes are taken, in windows half of which "
                     "overlap",
                     2);
+    declare_names(
+      prm,
+      "stress waves",
+      stress_waves,
+      "Of a gear pair: numbers of nodal diameters of waves of stress over the sectors of "
+      "the driven member, at its probes (probe_waves.csv) and in its fillets "
+      "(fillet_waves.csv, with Fillets/teeth), at the start and over the last tooth "
+      "mesh");
     declare_quantity(
       prm,
       "checkpoint every",
@@ -84,6 +106,21 @@ namespace vfife
                        "must be a number of tooth meshes or samples, 0 for none");
     if (!(checkpoint_every >= 0) || !std::isfinite(checkpoint_every))
       throw InputError(section + "/checkpoint every", "must be a wall time in seconds, 0 for none");
+    try
+      {
+        parse_diameters(stress_waves);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "/stress waves", error.what());
+      }
+  }
+
+  void OutputOptions::refuse_stress_waves(const std::string &section) const
+  {
+    if (!stress_waves.empty())
+      throw InputError(section + "/stress waves",
+                       "waves of stress are those of a gear pair's sectors");
   }
 
   unsigned int OutputOptions::count_tracked_orders() const

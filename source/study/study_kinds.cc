@@ -35,7 +35,7 @@ namespace vfife
     static const Choices<KnownStudy> kinds = {
       {"run", {&alone<make_run_study>, "summary.json"}},
       {"reduced", {&alone<make_reduced_study>, "summary.json"}},
-      {"waves", {&alone<make_waves_study>, "summary.json"}},
+      {"waves", {&make_waves_study, "summary.json"}},
       {"static", {&alone<make_static_study>, "summary.json"}},
       {"tooth contact analysis", {&alone<make_tooth_contact_study>, "tca.json"}},
       {"flank fit", {&alone<make_flank_fit_study>, "flank_fit.json"}},

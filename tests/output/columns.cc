@@ -50,6 +50,7 @@
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/gear/lumped_study.h>
 #include <vfife/study/reduced/speed_response.h>
+#include <vfife/study/stress_waves/stress_wave_writers.h>
 #include <vfife/study/sweep/sweep_study.h>
 #include <vfife/study/waves/contact_meetings.h>
 #include <vfife/study/waves/wave_line.h>
@@ -119,6 +120,8 @@ namespace
     };
     tables.push_back({"root_stress.csv", "run", over_time(list_root_stress_columns())});
     tables.push_back({"gauges.csv", "run", over_time(list_gauge_columns())});
+    tables.push_back({"probe_waves.csv", "gear pair", over_time(list_probe_wave_columns())});
+    tables.push_back({"fillet_waves.csv", "gear pair", over_time(list_fillet_wave_columns())});
     tables.push_back({"bearings.csv", "run", BearingWriter(folder, 1).table()});
     tables.push_back({"bearing_curves.csv", "pair or model in bearings", make_bearing_curves({})});
     tables.push_back(

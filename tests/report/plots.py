@@ -205,33 +205,33 @@ class Bearings(unittest.TestCase):
 
 
 class DrivenWaves(unittest.TestCase):
-    LINE = "backward,4,1,1"
-    NAMES = "wave,nodal diameter [-],order [-],mesh order [-]"
+    NAMES = "wave,nodal diameter [-],order [-],mesh order [-],solver"
 
-    def write(self, folder, driven):
+    def write(self, folder, solvers):
         def table(name, columns, *rows):
+            rows = [f"backward,4,1,1,{solver},{row}" for solver in solvers or ["none"] for row in rows]
             (folder / name).write_text("\n".join([f"{self.NAMES},{columns}", *rows, ""]))
         frequencies = [f"{wave},4,1,{speed},{3600 + sign * speed / 100}" for wave, sign in
                        (("forward", 1), ("backward", -1)) for speed in (0, 12000)]
         (folder / "waves_frequencies.csv").write_text("\n".join(
             ["wave,nodal diameter [-],order [-],speed [rpm],fixed frequency [Hz]", *frequencies, ""]))
-        measured = "7810,5,0.02,0.01,0.011,1.2" if driven else ",".join(["nan"] * 6)
+        measured = "7810,5,0.02,0.01,0.011,1.2" if solvers else ",".join(["nan"] * 6)
         table("waves_lines.csv",
               "speed [rpm],speed in contact [rpm],mesh frequency [Hz],frequency [Hz],damping ratio [-],predicted width [-],"
               "predicted amplitude [um],peak speed [rpm],amplitude [um],width [-],damping ratio of the width [-],"
               "damping ratio of the build-up [-],stress amplification [-]",
-              f"{self.LINE},7750,7800,3510,3660,0.01,0.02,4.8,{measured}")
-        if not driven:
+              f"7750,7800,3510,3660,0.01,0.02,4.8,{measured}")
+        if not solvers:
             return
         table("waves_response.csv", "speed [rpm],amplitude [um],linear amplitude [um],fitted amplitude [um]",
-              *(f"{self.LINE},{7800 + x},{5 - abs(x) / 50},{4.8 - abs(x) / 50},{5 - abs(x) / 50}" for x in (-50, 0, 50)))
+              *(f"{7800 + x},{5 - abs(x) / 50},{4.8 - abs(x) / 50},{5 - abs(x) / 50}" for x in (-50, 0, 50)))
         table("waves_build_up.csv", "time [s],amplitude [um],fitted amplitude [um]",
-              *(f"{self.LINE},{k * 1e-3},{5 - 5 / (k + 1)},{5 - 5 / (k + 1)}" for k in range(4)))
+              *(f"{k * 1e-3},{5 - 5 / (k + 1)},{5 - 5 / (k + 1)}" for k in range(4)))
         (folder / "speeds_to_avoid.csv").write_text(
             "from [rpm],to [rpm],stress amplification [-],waves\n7600,8000,1.2,wave of 4 diameters\n")
 
     def test_predicted_and_driven(self):
-        for driven in (False, True):
+        for driven in ((), ("reduced",), ("run", "reduced")):
             with tempfile.TemporaryDirectory() as name:
                 self.write(Path(name), driven)
                 run = RunFolder(name)
@@ -244,13 +244,18 @@ class DrivenWaves(unittest.TestCase):
                 self.assertEqual(speed, 7810 if driven else 7800)
                 self.assertAlmostEqual(height, speed * 27 / 60e3, places=12)
                 if driven:
-                    panel = draw_driven_waves(run).axes[0]
+                    panel, = draw_driven_waves(run).axes
                     self.assertEqual(list(panel.lines[1].get_ydata()), [4, 5, 4])
-                    self.assertEqual(list(draw_growth(run).axes[0].lines[0].get_xdata()), [0, 1, 2, 3])
+                    labels = [line.get_label() for line in panel.lines]
+                    for solver, label in (("reduced", "reduced pair"), ("run", "run")):
+                        self.assertEqual(labels.count(label), driven.count(solver))
+                    growth, = draw_growth(run).axes
+                    self.assertEqual(len(growth.lines), 2 * len(driven))
+                    self.assertEqual(list(growth.lines[0].get_xdata()), [0, 1, 2, 3])
                 main([name])
                 page = (Path(name) / "report.html").read_text()
                 self.assertIn("Travelling waves", page)
-                self.assertEqual("Pinion speeds to avoid" in page, driven)
+                self.assertEqual("Pinion speeds to avoid" in page, bool(driven))
 
 
 class RunUp(unittest.TestCase):

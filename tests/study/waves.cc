@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Study kind `waves` on the coarsest pair: prediction, a wave driven on its line and around it,
-// what is refused.
+// Study kind `waves` on the coarsest pair: prediction, a wave driven on its line and around it by
+// the reduced pair and by runs, what is refused.
 #include "../parts.h"
 #include "../refusal.h"
 #include "../tests.h"
@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <sstream>
 
 using namespace vfife;
 
@@ -236,6 +237,116 @@ end
             avoided.at("from")[0] < .98 * peak && avoided.at("to")[0] > 1.02 * peak);
   }
 
+  const std::vector<std::string> by_runs = {"Waves/solver=run",
+                                            "Fillets/teeth=all",
+                                            "Dynamics/damping=3000",
+                                            "Reduced/settling meshes=8",
+                                            "Reduced/counted meshes=2",
+                                            "Waves/decay times=1.5",
+                                            "Waves/offsets=-4 %, 0 %, 4 %",
+                                            "Waves/allowed amplification=1.02"};
+
+  /** The largest tension of the gear's teeth at the start by another file of the run. */
+  double tension_at_start(const std::string &folder, const std::string &side)
+  {
+    const Table roots   = read_result_table(folder + "/root_stress.csv");
+    double      tension = 0;
+    for (std::size_t m = 0; m < roots.n_rows(); ++m)
+      if (roots.numbers("time")[m] == 0 && roots.column("body").texts[m] == "gear" &&
+          roots.column("fillet").texts[m] == side)
+        tension = std::max(tension, roots.numbers("tension")[m]);
+    return tension;
+  }
+
+  /** Runs of whole bodies beside reduced pairs: three speeds over the wave's width, ten tooth
+   * meshes each. */
+  void driven_by_runs(Communicator &world)
+  {
+    run_pair("waves.prm", "runs", world, by_runs);
+    const Table   table  = read_result_table("runs/waves_lines.csv");
+    const Columns lines  = read_columns("runs/waves_lines.csv"),
+                  waves  = read_columns("runs/waves_response.csv"),
+                  stress = read_columns("runs/waves_stress.csv"),
+                  growth = read_columns("runs/waves_build_up.csv");
+    check("a row of the line by each solver, runs first",
+          table.n_rows() == 2 && table.column("solver").texts[0] == "run" &&
+            table.column("solver").texts[1] == "reduced");
+    check("and of speeds, places and meshes",
+          waves.at("speed").size() == 6 && stress.at("speed").size() == 24 &&
+            growth.at("speed").size() == 20);
+    for (const char *name : {"peak speed",
+                             "width",
+                             "amplitude",
+                             "damping ratio of the build-up",
+                             "stress amplification",
+                             "root amplification",
+                             "web amplification"})
+      check_close(std::string("run over reduced: ") + name,
+                  lines.at(name)[0] / lines.at(name)[1],
+                  1.,
+                  2e-2);
+    check_close("width of the run over its prediction",
+                lines.at("width")[0] / lines.at("predicted width")[0],
+                1.,
+                5e-2);
+    check("forces on modes are not known of runs",
+          std::isnan(lines.at("amplitude by the forces")[0]));
+    for (const std::size_t k : {0, 1, 2})
+      {
+        check_close("run over reduced: amplitude at a speed",
+                    waves.at("amplitude")[k] / waves.at("amplitude")[3 + k],
+                    1.,
+                    2e-2);
+        check_close("phases [deg]", waves.at("phase")[k], waves.at("phase")[3 + k], 2.);
+      }
+    // At the line: places are two probes and two fillets.
+    for (const std::size_t p : {0, 1, 2, 3})
+      {
+        check_close("stress without waves, run over reduced",
+                    stress.at("stress without waves")[4 + p] /
+                      stress.at("stress without waves")[16 + p],
+                    1.,
+                    4e-2);
+        check_close("stress of the wave",
+                    stress.at("stress of the wave")[4 + p] /
+                      stress.at("stress of the wave")[16 + p],
+                    1.,
+                    2e-2);
+      }
+    for (const std::size_t p : {2, 3})
+      check_close("tension of a fillet in the equilibrium by root_stress.csv",
+                  stress.at("stress without waves")[4 + p] /
+                    tension_at_start("runs/line_1_speed_2", p == 2 ? "concave" : "convex"),
+                  1.,
+                  1e-12);
+    const Columns avoided = read_columns("runs/speeds_to_avoid.csv");
+    check("speeds to avoid", avoided.at("from").size() == 1);
+  }
+
+  /** Of the runs one is finished, and one has lost its end but has a checkpoint. */
+  void runs_go_on(Communicator &world)
+  {
+    namespace fs           = std::filesystem;
+    const std::string kept = "runs/line_1_speed_1/summary.json",
+                      lost = "runs/line_1_speed_2/summary.json";
+    const auto    time     = fs::last_write_time(kept);
+    const Columns before   = read_columns("runs/waves_response.csv");
+    fs::remove(lost);
+    fs::remove("runs/waves_response.csv");
+    run_pair("waves.prm", "runs", world, by_runs, true);
+    check("a finished run is kept", fs::last_write_time(kept) == time);
+    check("the other one goes on to its end", fs::exists(lost));
+    check("with the same results",
+          read_columns("runs/waves_response.csv").at("amplitude") == before.at("amplitude"));
+    std::ifstream     file("runs/run.log");
+    std::stringstream log;
+    log << file.rdbuf();
+    check("one was finished, one has gone on from its checkpoint",
+          log.str().find("line_1_speed_1 finished: was finished before") != std::string::npos &&
+            log.str().find("line_1_speed_2 finished: went on from a checkpoint") !=
+              std::string::npos);
+  }
+
   void refusals(Communicator &world)
   {
     const auto refuse = [&](const std::string &entry, const std::string &value) {
@@ -253,11 +364,19 @@ end
     refuse("Fillets/teeth", "named");
     refuse("Dynamics/damping", "0");
     refuse("Operation/driving member", "gear");
+    refuse("Waves/solver", "explicit");
+    print_refusal([&]() {
+      run_pair("waves.prm", "refused", world, {"Waves/solver=run", "Dynamics/start=ramp"});
+    });
+    print_refusal([&]() {
+      run_pair("waves.prm", "refused", world, {"Waves/solver=run", "Reduced/settling meshes=2"});
+    });
+    print_refusal([&]() { run_pair("waves.prm", "driven", world, {}, true); });
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
   write_file();
-  run_parts(argc, argv, {prediction, in_contact, driven, refusals});
+  run_parts(argc, argv, {prediction, in_contact, driven, driven_by_runs, runs_go_on, refusals});
 }

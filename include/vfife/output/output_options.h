@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -15,6 +16,9 @@ namespace dealii
 namespace vfife
 {
   struct Transmission;
+
+  /** "2", "3"... as numbers of nodal diameters. Throws InputError for what is none. */
+  std::vector<unsigned int> parse_diameters(const std::vector<std::string> &texts);
 
   /** Section Output: how often which file is written. */
   struct OutputOptions
@@ -27,6 +31,9 @@ namespace vfife
     /** Orders of the tooth mesh that are tracked where the speed changes, 0: none; and tooth meshes
      * in a window. */
     unsigned int mesh_orders = 5, order_window = 8;
+    /** Of gear pairs: nodal diameters whose waves of stress over the driven body's sectors are
+     * written. */
+    std::vector<std::string> stress_waves;
     /** Wall time between checkpoints [s], 0: none. */
     double checkpoint_every = 600;
     /** Whether plots and pictures are drawn at the end. */
@@ -36,6 +43,8 @@ namespace vfife
     void declare(dealii::ParameterHandler &prm);
     /** Throws InputError when the entries contradict each other. */
     void check(const std::string &section) const;
+    /** Throws InputError for waves of stress that are asked for, of a model without a gear pair. */
+    void refuse_stress_waves(const std::string &section) const;
 
     /** mesh_orders, as far as the samples tell them: with at least four in a period. */
     unsigned int count_tracked_orders() const;

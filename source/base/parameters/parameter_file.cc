@@ -136,6 +136,7 @@ namespace vfife
                                std::vector<ParameterStatement> statements,
                                const std::vector<std::string> &overrides)
     : path_(path)
+    , overrides_(overrides)
     , statements_(std::move(statements))
   {
     // Behind those of the file, so that they win.

@@ -270,11 +270,10 @@ namespace vfife
                           n_steps = largest > 0 ? std::min(whole, largest) : whole;
       ReducedRun   run(folder, log, model, pair, output_);
       const Table &history = run.observers().add<HistoryWriter>(model, history_steps).table();
-      PairProbes   probes(
-        model,
-        [&](const std::vector<Probe> &copies) { return pair.measure_probes(copies); },
-        log,
-        count_meshes(*model.transmission, end_time));
+      const auto   measure_probes = [&](const std::vector<Probe> &copies) {
+        return pair.measure_probes(copies);
+      };
+      PairProbes  probes(model, measure_probes, log, count_meshes(*model.transmission, end_time));
       PairResults results(model, gear_case_.hertz_contact(), output_, history_steps, n_steps * h);
       const RingMotions bores = bore_motions(model, pair);
       results.add_observers(
@@ -288,6 +287,7 @@ namespace vfife
         fillets_,
         [&pair](const RootStress &) { return measure_fillet_readings(pair); },
         run.observers());
+      results.record_stress_waves(measure_probes, run.observers());
       RunSummary summary = start_summary("reduced", model, folder);
       summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});

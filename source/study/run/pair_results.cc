@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
@@ -18,6 +19,7 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_observers.h>
+#include <vfife/study/stress_waves/stress_wave_writers.h>
 
 #include <algorithm>
 #include <set>
@@ -42,12 +44,8 @@ namespace vfife
                                   RimWriter::Measure measure_rim,
                                   RingMotions        motion_of)
   {
-    // The pattern on the flanks is gathered over the last tooth mesh [s] of the run.
-    const Transmission &pair  = *model_.transmission;
-    const double        start = pair.has_constant_rate() ? end_time_ - 1. / pair.mesh_frequency()
-                                                         : pair.time_of(pair.meshes(end_time_) - 1.);
-    teeth_                    = &observers.add<TeethWriter>(model_, history_steps_, hertz_).table();
-    observers.add<PatternWriter>(model_, std::max(0., start), history_steps_);
+    teeth_ = &observers.add<TeethWriter>(model_, history_steps_, hertz_).table();
+    observers.add<PatternWriter>(model_, last_mesh(), history_steps_);
     probes_ = &observers.add<ProbeWriter>(history_steps_).table();
     rim_    = &observers.add<RimWriter>(model_, history_steps_, std::move(measure_rim)).table();
     if (PairMounting::changes(model_))
@@ -61,12 +59,30 @@ namespace vfife
     if (!options.records())
       return;
     fillets_.emplace(model_, options);
-    const FilletMeasure strains = measure(*fillets_);
-    records_teeth_              = options.teeth != RecordedTeeth::none;
+    strains_       = measure(*fillets_);
+    records_teeth_ = options.teeth != RecordedTeeth::none;
     if (records_teeth_)
-      observers.add<RootStressWriter>(history_steps_, *fillets_, strains);
+      observers.add<RootStressWriter>(history_steps_, *fillets_, strains_);
     if (!options.gauges.empty())
-      observers.add<GaugeWriter>(history_steps_, *fillets_, strains);
+      observers.add<GaugeWriter>(history_steps_, *fillets_, strains_);
+  }
+
+  void PairResults::record_stress_waves(ProbeMeasure measure, RunObservers &observers)
+  {
+    const std::vector<unsigned int> diameters = parse_diameters(output_.stress_waves);
+    if (diameters.empty())
+      return;
+    const unsigned int most = RimWriter::count_diameters(model_);
+    if (*std::max_element(diameters.begin(), diameters.end()) > most)
+      throw InputError("Output/stress waves",
+                       "waves over the sectors are looked at up to " + std::to_string(most) +
+                         " nodal diameters");
+    wave_places_.emplace(model_, records_teeth_ ? &*fillets_ : nullptr);
+    observers.add<ProbeWaveWriter>(
+      history_steps_, last_mesh(), diameters, *wave_places_, std::move(measure));
+    if (records_teeth_)
+      observers.add<FilletWaveWriter>(
+        history_steps_, last_mesh(), diameters, *wave_places_, strains_);
   }
 
   NamedFigures PairResults::list_figures(const double                  penalty,
@@ -118,6 +134,14 @@ namespace vfife
                               compute_sector_sense(model_.bodies[t.driven]) * t.driven_sense,
                               output_.order_window,
                               orders));
+  }
+
+  double PairResults::last_mesh() const
+  {
+    const Transmission &pair = *model_.transmission;
+    return std::max(0.,
+                    pair.has_constant_rate() ? end_time_ - 1. / pair.mesh_frequency()
+                                             : pair.time_of(pair.meshes(end_time_) - 1.));
   }
 
   bool PairResults::has_constant_torque() const

@@ -117,6 +117,8 @@ namespace vfife
         output_.check("Output");
         case_->check_run(dynamics_);
         fillets_.check();
+        if (!case_->has_teeth())
+          output_.refuse_stress_waves("Output");
       }
 
       void        inspect(Communicator &communicator, Log &log) override;
@@ -227,9 +229,8 @@ namespace vfife
     });
     stepped.log_step(model, log);
 
-    // Observers: those of any model, those of a gear pair, fields.
-    // A checkpoint holds the data of the observers one after the other: whoever resumes has to add
-    // them in the same order. A run that is ended early still states the time of the whole one.
+    // Observers of any model, those of a gear pair, fields: in the order in which checkpoints hold
+    // their data. A run that is ended early still states the time of the whole one.
     const double        dt            = stepped.dt;
     const Transmission *transmission  = transmission_of(model);
     const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
@@ -253,6 +254,7 @@ namespace vfife
         pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time);
         pair->add_observers(observers);
         pair->record_fillets(fillets_, measure_places(model, communicator), observers);
+        pair->record_stress_waves(measure, observers);
         summary.figures =
           pair->list_figures(stepped.solver.contact().penalties().front(), case_->arm_range());
         summary.figures.push_back(

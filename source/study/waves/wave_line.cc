@@ -39,39 +39,48 @@ namespace vfife
     return linear_curve.peak * driver_teeth / (2. * pi);
   }
 
-  double WaveLine::amplification() const
+  double WaveResponse::amplification() const
   {
     double largest = 1;
-    if (response)
-      for (const double amplification : response->amplifications)
-        largest = std::max(largest, amplification);
+    for (const double amplification : amplifications)
+      largest = std::max(largest, amplification);
     return largest;
   }
 
-  double WaveLine::web_amplification() const
+  double WaveResponse::web_amplification() const
   {
-    const auto &all = response->amplifications;
-    return response->n_probes == 0
+    return n_probes == 0
              ? not_known
-             : *std::max_element(all.begin(), all.begin() + response->n_probes);
+             : *std::max_element(amplifications.begin(), amplifications.begin() + n_probes);
   }
 
-  double WaveLine::root_amplification() const
+  double WaveResponse::root_amplification() const
   {
-    const auto &all = response->amplifications;
-    return response->n_probes == all.size()
+    return n_probes == amplifications.size()
              ? not_known
-             : *std::max_element(all.begin() + response->n_probes, all.end());
+             : *std::max_element(amplifications.begin() + n_probes, amplifications.end());
+  }
+
+  const WaveMotion &WaveResponse::nearest(const double speed) const
+  {
+    return *std::min_element(motions.begin(),
+                             motions.end(),
+                             [speed](const WaveMotion &a, const WaveMotion &b) {
+                               return std::abs(a.speed - speed) < std::abs(b.speed - speed);
+                             });
   }
 
   std::optional<std::pair<double, double>> WaveLine::find_range_to_avoid(const double allowed) const
   {
-    // What the wave adds falls as the resonance curve: (A - 1)/sqrt(1 + (2 d/width)^2).
-    const double excess = (amplification() - 1.) / (allowed - 1.);
-    if (!response || !(excess > 1))
+    if (responses.empty())
       return {};
-    const double distance = .5 * response->curve.width * std::sqrt(excess * excess - 1.);
-    return std::make_pair(response->curve.peak - distance, response->curve.peak + distance);
+    // What the wave adds falls as the resonance curve: (A - 1)/sqrt(1 + (2 d/width)^2).
+    const ResonanceFit &curve  = responses.front().curve;
+    const double        excess = (responses.front().amplification() - 1.) / (allowed - 1.);
+    if (!(excess > 1))
+      return {};
+    const double distance = .5 * curve.width * std::sqrt(excess * excess - 1.);
+    return std::make_pair(curve.peak - distance, curve.peak + distance);
   }
 
   std::vector<Complex> WaveLine::others_beside(const std::vector<double> &speeds) const
@@ -88,19 +97,6 @@ namespace vfife
     return poles;
   }
 
-  std::size_t find_nearest(const std::vector<WaveMotion> &motions, const double speed)
-  {
-    const auto distance = [speed](const WaveMotion &motion) {
-      return std::abs(motion.speed - speed);
-    };
-    return std::min_element(motions.begin(),
-                            motions.end(),
-                            [&](const WaveMotion &a, const WaveMotion &b) {
-                              return distance(a) < distance(b);
-                            }) -
-           motions.begin();
-  }
-
   namespace
   {
     /** Amplitude at the peak of the linear theory of one mode under the forces at all speeds: what
@@ -114,6 +110,8 @@ namespace vfife
       std::vector<Complex> waves, forces;
       for (const WaveMotion &motion : motions)
         {
+          if (motion.force.size() == 0)
+            return not_known;
           waves.push_back(motion.amplitude - curve.background);
           forces.push_back(line.meeting.wave.shape.dot(motion.force));
         }
@@ -140,12 +138,14 @@ namespace vfife
   } // namespace
 
   WaveResponse evaluate_wave(const WaveLine            &line,
+                             const std::string         &solver,
                              std::vector<WaveMotion>    motions,
                              std::vector<Complex>       linear,
                              const Eigen::RowVectorXcd &gains)
   {
-    WaveResponse         found;
-    std::vector<double>  speeds;
+    WaveResponse        found;
+    std::vector<double> speeds;
+    found.solver = solver;
     std::vector<Complex> amplitudes;
     for (const WaveMotion &motion : motions)
       {
@@ -158,8 +158,6 @@ namespace vfife
     found.single                      = fit_resonance(speeds, amplitudes);
     found.linear_single               = fit_resonance(speeds, linear);
     found.linear                      = std::move(linear);
-    const WaveMotion &near            = motions[find_nearest(motions, line.linear_curve.peak)];
-    found.build_up                    = fit_build_up(near.meshes, near.mesh_time);
     found.forced_peak =
       find_forced_peak(line, motions, found.curve, (gains * line.meeting.wave.shape)(0));
 
@@ -171,7 +169,9 @@ namespace vfife
     for (std::size_t p = 0; p < largest.static_stress.size(); ++p)
       found.amplifications.push_back(1. +
                                      to_peak * largest.wave_stress[p] / largest.static_stress[p]);
-    found.motions = std::move(motions);
+    found.motions          = std::move(motions);
+    const WaveMotion &near = found.nearest(line.linear_curve.peak);
+    found.build_up         = fit_build_up(near.meshes, near.mesh_time);
     return found;
   }
 } // namespace vfife

@@ -22,13 +22,14 @@ namespace vfife
       table.add_column("nodal diameter", "-");
       table.add_column("order", "-");
       table.add_column("mesh order", "-");
+      table.add_text_column("solver");
       return table;
     }
 
-    std::vector<Table::Cell> start_row(const WaveLine &line)
+    std::vector<Table::Cell> start_row(const WaveLine &line, const std::string &solver)
     {
       const BodyWave &wave = line.meeting.wave;
-      return {name_of(wave.direction), wave.diameters, wave.order, line.meeting.mesh_order};
+      return {name_of(wave.direction), wave.diameters, wave.order, line.meeting.mesh_order, solver};
     }
   } // namespace
 
@@ -60,25 +61,26 @@ namespace vfife
     return table;
   }
 
-  void add_wave_line(const WaveLine &line, Table &table)
+  void add_wave_lines(const WaveLine &line, Table &table)
   {
-    std::vector<Table::Cell> row       = start_row(line);
-    const double             frequency = line.meeting.wave.frequency();
-    for (const double value : {line.speed * rpm,
-                               frequency / (2. * pi),
-                               line.meeting.stiffening,
-                               line.damping_ratio(),
-                               line.linear_curve.peak * rpm,
-                               line.mesh_frequency(),
-                               line.linear_curve.width / line.linear_curve.peak,
-                               line.linear_curve.amplitude})
-      row.emplace_back(value);
-    if (!line.response)
-      row.insert(row.end(), 14, not_known);
-    else
+    const double frequency = line.meeting.wave.frequency();
+    const auto   predicted = [&](const std::string &solver) {
+      std::vector<Table::Cell> row = start_row(line, solver);
+      for (const double value : {line.speed * rpm,
+                                 frequency / (2. * pi),
+                                 line.meeting.stiffening,
+                                 line.damping_ratio(),
+                                 line.linear_curve.peak * rpm,
+                                 line.mesh_frequency(),
+                                 line.linear_curve.width / line.linear_curve.peak,
+                                 line.linear_curve.amplitude})
+        row.emplace_back(value);
+      return row;
+    };
+    for (const WaveResponse &found : line.responses)
       {
-        const WaveResponse &found = *line.response;
-        const double        width = found.curve.width / found.curve.peak;
+        std::vector<Table::Cell> row   = predicted(found.solver);
+        const double             width = found.curve.width / found.curve.peak;
         for (const double value : {found.curve.peak * rpm,
                                    width,
                                    found.curve.amplitude,
@@ -86,15 +88,20 @@ namespace vfife
                                    .5 * width * (1. - line.meeting.stiffening),
                                    found.build_up.decay / frequency,
                                    found.forced_peak,
-                                   line.amplification(),
-                                   line.web_amplification(),
-                                   line.root_amplification(),
+                                   found.amplification(),
+                                   found.web_amplification(),
+                                   found.root_amplification(),
                                    1. + found.curve.others.size(),
                                    found.linear_fit.amplitude,
                                    found.single.width / found.single.peak,
                                    found.linear_single.width / found.linear_single.peak})
           row.emplace_back(value);
+        table.add_row(row);
       }
+    if (!line.responses.empty())
+      return;
+    std::vector<Table::Cell> row = predicted("none");
+    row.insert(row.end(), 14, not_known);
     table.add_row(row);
   }
 
@@ -156,22 +163,23 @@ namespace vfife
 
   void add_wave_motions(const WaveLine &line, Table &table)
   {
-    for (std::size_t k = 0; k < line.response->motions.size(); ++k)
-      {
-        const WaveMotion        &motion = line.response->motions[k];
-        std::vector<Table::Cell> row    = start_row(line);
-        for (const double value : {motion.speed * rpm,
-                                   std::abs(motion.amplitude),
-                                   std::arg(motion.amplitude) * 180. / pi,
-                                   std::abs(line.response->curve.value(motion.speed)),
-                                   std::abs(line.response->linear[k]),
-                                   motion.running,
-                                   motion.pp_error / arcsecond,
-                                   motion.largest_force,
-                                   motion.energy_error})
-          row.emplace_back(value);
-        table.add_row(row);
-      }
+    for (const WaveResponse &response : line.responses)
+      for (std::size_t k = 0; k < response.motions.size(); ++k)
+        {
+          const WaveMotion        &motion = response.motions[k];
+          std::vector<Table::Cell> row    = start_row(line, response.solver);
+          for (const double value : {motion.speed * rpm,
+                                     std::abs(motion.amplitude),
+                                     std::arg(motion.amplitude) * 180. / pi,
+                                     std::abs(response.curve.value(motion.speed)),
+                                     std::abs(response.linear[k]),
+                                     motion.running,
+                                     motion.pp_error / arcsecond,
+                                     motion.largest_force,
+                                     motion.energy_error})
+            row.emplace_back(value);
+          table.add_row(row);
+        }
   }
 
   Table make_build_up_table()
@@ -186,17 +194,19 @@ namespace vfife
 
   void add_build_up(const WaveLine &line, Table &table)
   {
-    const WaveResponse &found  = *line.response;
-    const WaveMotion   &motion = found.motions[find_nearest(found.motions, line.linear_curve.peak)];
-    for (std::size_t m = 0; m < motion.meshes.size(); ++m)
+    for (const WaveResponse &found : line.responses)
       {
-        std::vector<Table::Cell> row   = start_row(line);
-        const double             since = m * motion.mesh_time;
-        row.emplace_back(motion.speed * rpm);
-        row.emplace_back(since + .5 * motion.mesh_time);
-        row.emplace_back(std::abs(motion.meshes[m]));
-        row.emplace_back(std::abs(found.build_up.value(since)));
-        table.add_row(row);
+        const WaveMotion &motion = found.nearest(line.linear_curve.peak);
+        for (std::size_t m = 0; m < motion.meshes.size(); ++m)
+          {
+            std::vector<Table::Cell> row   = start_row(line, found.solver);
+            const double             since = m * motion.mesh_time;
+            row.emplace_back(motion.speed * rpm);
+            row.emplace_back(since + .5 * motion.mesh_time);
+            row.emplace_back(std::abs(motion.meshes[m]));
+            row.emplace_back(std::abs(found.build_up.value(since)));
+            table.add_row(row);
+          }
       }
   }
 
@@ -213,17 +223,18 @@ namespace vfife
 
   void add_wave_stresses(const WaveLine &line, const std::vector<std::string> &places, Table &table)
   {
-    for (const WaveMotion &motion : line.response->motions)
-      for (std::size_t p = 0; p < places.size(); ++p)
-        {
-          std::vector<Table::Cell> row = start_row(line);
-          row.emplace_back(motion.speed * rpm);
-          row.emplace_back(places[p]);
-          row.emplace_back(motion.static_stress[p]);
-          row.emplace_back(motion.wave_stress[p]);
-          row.emplace_back(1. + motion.wave_stress[p] / motion.static_stress[p]);
-          table.add_row(row);
-        }
+    for (const WaveResponse &response : line.responses)
+      for (const WaveMotion &motion : response.motions)
+        for (std::size_t p = 0; p < places.size(); ++p)
+          {
+            std::vector<Table::Cell> row = start_row(line, response.solver);
+            row.emplace_back(motion.speed * rpm);
+            row.emplace_back(places[p]);
+            row.emplace_back(motion.static_stress[p]);
+            row.emplace_back(motion.wave_stress[p]);
+            row.emplace_back(1. + motion.wave_stress[p] / motion.static_stress[p]);
+            table.add_row(row);
+          }
   }
 
   Table make_avoided_speed_table(const std::vector<WaveLine> &lines,
@@ -240,7 +251,7 @@ namespace vfife
       if (const auto found = line.find_range_to_avoid(allowed))
         ranges.push_back({found->first * (1. - margin),
                           found->second * (1. + margin),
-                          line.amplification(),
+                          line.responses.front().amplification(),
                           line.name()});
     std::sort(ranges.begin(), ranges.end(), [](const Range &a, const Range &b) {
       return a.from < b.from;
@@ -282,11 +293,12 @@ namespace vfife
              " um");
   }
 
-  void log_wave_response(const WaveLine &line, Log &log)
+  void log_wave_response(const WaveLine &line, const WaveResponse &response, Log &log)
   {
-    const WaveResponse &response = *line.response;
     log.line(line.name(),
-             ": peak at ",
+             ", ",
+             response.solver,
+             " pair: peak at ",
              response.curve.peak * rpm,
              " rpm, ",
              100. * (response.curve.peak / line.linear_curve.peak - 1.),
@@ -297,6 +309,6 @@ namespace vfife
              " 1/s, amplitude ",
              response.curve.amplitude,
              " um, stress amplified by ",
-             line.amplification());
+             response.amplification());
   }
 } // namespace vfife

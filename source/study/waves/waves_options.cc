@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/quantity.h>
+#include <vfife/output/output_options.h>
 #include <vfife/study/waves/waves_options.h>
 
 #include <algorithm>
@@ -47,8 +48,17 @@ namespace vfife
     declare_switch(prm,
                    "driven",
                    driven,
-                   "Whether each wave is driven at its speed and around it by the reduced pair; if "
-                   "not, speeds are predicted only");
+                   "Whether each wave is driven at its speed and around it; if not, speeds are "
+                   "predicted only");
+    static const Choices<WaveSolver> solvers = {{"reduced", WaveSolver::reduced},
+                                                {"run", WaveSolver::run}};
+    declare_choice(
+      prm,
+      "solver",
+      solver,
+      solvers,
+      "What is driven: the reduced pair; or whole bodies, an explicit run of this file "
+      "at each speed in a folder of its own, with the reduced pair beside it");
     declare_names(prm,
                   "offsets",
                   offsets,
@@ -74,15 +84,7 @@ namespace vfife
 
   std::vector<unsigned int> WavesOptions::diameter_numbers() const
   {
-    std::vector<unsigned int> numbers;
-    for (const std::string &text : diameters)
-      {
-        const double value = parse_quantity(text, "-");
-        if (!(value >= 1 && value <= 1000) || value != std::floor(value))
-          throw InputError("\"" + text + "\" is no number of nodal diameters: 1, 2, 3 ...");
-        numbers.push_back(static_cast<unsigned int>(value));
-      }
-    return numbers;
+    return parse_diameters(diameters);
   }
 
   std::vector<double> WavesOptions::offset_parts() const

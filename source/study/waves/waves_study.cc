@@ -1,6 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
@@ -14,20 +16,27 @@
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/reduced/reduced_options.h>
+#include <vfife/study/case_runner.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/run/run_penalties.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/stress_waves/stress_wave_places.h>
+#include <vfife/study/waves/driven_lines.h>
+#include <vfife/study/waves/driven_wave.h>
+#include <vfife/study/waves/free_lines.h>
 #include <vfife/study/waves/line_theory.h>
 #include <vfife/study/waves/linear_response.h>
 #include <vfife/study/waves/static_passage.h>
 #include <vfife/study/waves/wave_line.h>
+#include <vfife/study/waves/wave_runs.h>
 #include <vfife/study/waves/waves_options.h>
 #include <vfife/study/waves/waves_study.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace vfife
@@ -37,8 +46,15 @@ namespace vfife
     class WavesStudy : public StudyKind
     {
     public:
+      explicit WavesStudy(const CaseRunner &runner)
+        : runner_(runner)
+      {
+      }
+
       void declare(dealii::ParameterHandler &prm, const ParameterFile &file) override
       {
+        own_.parameter_file = file.path();
+        own_.overrides      = file.overrides();
         gear_case_.declare(prm, file);
         gear_case_.set_defaults(dynamics_, output_);
         dynamics_.declare(prm);
@@ -67,6 +83,8 @@ namespace vfife
         if (dynamics_.damping_rate != DampingRate::momentum)
           throw InputError("Dynamics/damping rate",
                            "modes are damped relative to the momentum's rate of the body");
+        if (drives_runs())
+          check_run();
       }
 
       void inspect(Communicator &, Log &log) override
@@ -78,11 +96,34 @@ namespace vfife
                  " with modes below ",
                  least_cutoff(),
                  " Hz");
+        if (drives_runs())
+          log.line("each line: ",
+                   options_.offsets.size(),
+                   " runs of ",
+                   reduced_.settling_meshes + reduced_.counted_meshes,
+                   " tooth meshes or more; what a run takes is said by --check with Study/kind = "
+                   "run");
+      }
+
+      std::size_t
+      resume(const std::string &, const DeclaredSection &, const Communicator &, Log &) override
+      {
+        if (!drives_runs())
+          throw InputError("Waves/solver",
+                           "what goes on are the runs of solver = run; there is nothing else to go "
+                           "on with");
+        resumes_ = true;
+        return std::numeric_limits<std::size_t>::max(); // each run is looked at by itself
       }
 
       void run(OutputFolder &folder, Log &log) override;
 
     private:
+      bool drives_runs() const
+      {
+        return options_.driven && options_.solver == WaveSolver::run;
+      }
+      void check_run() const;
       /** Mesh frequency at a speed of the driver [rad/s]. */
       double mesh_frequency(const double speed) const
       {
@@ -114,20 +155,19 @@ namespace vfife
                            roots != nullptr ? of_fillets : nullptr);
       }
       void check_diameters(const Model &model) const;
-      std::vector<WaveLine>
-           find_lines(const Model &model, const ReducedBody &body, double sense, Log &log) const;
-      void write_frequencies(const Model        &model,
-                             const ReducedBody  &body,
-                             double              sense,
-                             const OutputFolder &folder) const;
       struct Tools;
-      void               drive(const Tools           &tools,
-                               WaveDriver            &driver,
-                               const OutputFolder    &folder,
-                               Log                   &log,
-                               std::vector<WaveLine> &lines) const;
+      void               drive(Tools                  &tools,
+                               const Model            &model,
+                               const StressWavePlaces &places,
+                               const OutputFolder     &folder,
+                               Log                    &log,
+                               std::vector<WaveLine>  &lines) const;
       WaveSchedule       schedule(const Tools &tools, const WaveLine &line, double speed) const;
       ReducedPairOptions pair_options() const;
+
+      const CaseRunner &runner_;
+      CommandLine       own_;             ///< file and overrides of the study itself
+      bool              resumes_ = false; ///< its runs
 
       GearCase        gear_case_;
       DynamicsOptions dynamics_;
@@ -136,6 +176,21 @@ namespace vfife
       ReducedOptions  reduced_;
       WavesOptions    options_;
     };
+
+    void WavesStudy::check_run() const
+    {
+      if (dynamics_.start != Start::static_preload)
+        throw InputError("Dynamics/start", "runs that drive waves start from their static preload");
+      // Before hours of runs, not behind them.
+      constexpr unsigned int least = 8;
+      if (reduced_.settling_meshes + reduced_.counted_meshes < least)
+        throw InputError("Reduced/settling meshes",
+                         "a build-up needs at least eight tooth meshes, settling and counted ones");
+      runner_.read(WaveRuns::command_line(own_,
+                                          options_.highest_speed,
+                                          reduced_.settling_meshes + reduced_.counted_meshes,
+                                          options_.diameter_numbers().front()));
+    }
 
     void WavesStudy::check_diameters(const Model &model) const
     {
@@ -156,71 +211,6 @@ namespace vfife
       return options;
     }
 
-    std::vector<WaveLine> WavesStudy::find_lines(const Model       &model,
-                                                 const ReducedBody &body,
-                                                 const double       sense,
-                                                 Log               &log) const
-    {
-      const Transmission   &t       = *model.transmission;
-      const double          ratio   = std::abs(t.ratio());
-      const double          turning = model.bodies[t.driven].rate < 0 ? -1. : 1.;
-      std::vector<WaveLine> lines;
-      for (const unsigned int n : options_.diameter_numbers())
-        try
-          {
-            for (WaveMeeting &meeting : find_wave_meetings(body,
-                                                           n,
-                                                           options_.wave_orders,
-                                                           options_.mesh_orders,
-                                                           ratio * options_.lowest_speed,
-                                                           ratio * options_.highest_speed,
-                                                           turning,
-                                                           sense))
-              {
-                WaveLine line;
-                line.meeting      = std::move(meeting);
-                line.speed        = std::abs(line.meeting.rate) / ratio;
-                line.driver_teeth = t.driver_teeth;
-                line.zeta         = dynamics_.mass_damping();
-                lines.push_back(std::move(line));
-              }
-          }
-        catch (const InputError &error)
-          {
-            throw InputError("Waves/diameters", error.what());
-          }
-      std::sort(lines.begin(), lines.end(), [](const WaveLine &a, const WaveLine &b) {
-        return a.speed < b.speed;
-      });
-      if (lines.empty())
-        log.line("no mesh order meets a wave between these speeds");
-      return lines;
-    }
-
-    void WavesStudy::write_frequencies(const Model        &model,
-                                       const ReducedBody  &body,
-                                       const double        sense,
-                                       const OutputFolder &folder) const
-    {
-      const Transmission &t     = *model.transmission;
-      Table               table = make_wave_frequency_table();
-      for (unsigned int k = 0; k < options_.n_speeds; ++k)
-        {
-          const double speed = options_.highest_speed * k / (options_.n_speeds - 1);
-          const double rate  = model.bodies[t.driven].rate / t.driver_rate * speed;
-          for (std::size_t h = 0; h < body.harmonics.size(); ++h)
-            {
-              const std::vector<unsigned int> numbers = options_.diameter_numbers();
-              if (std::count(numbers.begin(), numbers.end(), body.harmonics[h].number) == 0)
-                continue;
-              for (const BodyWave &wave : find_waves(body, h, rate, sense))
-                if (wave.order <= options_.wave_orders)
-                  add_wave_frequency(wave, speed, rate, table);
-            }
-        }
-      write_csv(folder, "waves_frequencies.csv", table);
-    }
-
     /** What lines have in common: waves of the driven body, their drive and its linear theory. */
     struct WavesStudy::Tools
     {
@@ -236,9 +226,9 @@ namespace vfife
             const std::vector<double>      &penalties,
             const ReducedPairOptions       &options,
             const unsigned int              n_steps,
-            const RootStress               *roots,
+            const StressWavePlaces         &places,
             ReducedPair                    &pair)
-        : driver(model, pair, roots)
+        : driver(model, pair, places)
         , passage(model, bodies, penalties, options, n_steps)
         , linear(bodies[model.transmission->driven],
                  passage,
@@ -271,40 +261,30 @@ namespace vfife
       return schedule;
     }
 
-    void WavesStudy::drive(const Tools           &tools,
-                           WaveDriver            &driver,
-                           const OutputFolder    &folder,
-                           Log                   &log,
-                           std::vector<WaveLine> &lines) const
+    void WavesStudy::drive(Tools                  &tools,
+                           const Model            &model,
+                           const StressWavePlaces &places,
+                           const OutputFolder     &folder,
+                           Log                    &log,
+                           std::vector<WaveLine>  &lines) const
     {
-      Table motions = make_wave_motion_table(), growth = make_build_up_table(),
-            stresses = make_wave_stress_table();
+      const WaveRuns           runs(runner_, own_, model, places, folder, log, resumes_);
+      std::vector<NamedSolver> solvers;
+      if (drives_runs())
+        solvers.push_back({"run", [&runs](const auto &...what) { return runs.drive(what...); }});
+      solvers.push_back(
+        {"reduced", [&tools](const WaveMeeting &meeting, const WaveSchedule &at, const auto &) {
+           return tools.driver.drive(meeting, at);
+         }});
+      DrivenLines  driven(options_, tools.theory, places, tools.driver, folder, log);
+      unsigned int number = 0;
       for (WaveLine &line : lines)
-        {
-          std::vector<WaveMotion>           found;
-          std::vector<std::complex<double>> expected;
-          for (const double part : options_.offset_parts())
-            {
-              const double speed = line.linear_curve.peak * (1. + part);
-              found.push_back(driver.drive(line.meeting, schedule(tools, line, speed)));
-              expected.push_back(tools.theory.amplitude(line, speed));
-            }
-          line.response           = evaluate_wave(line,
-                                        std::move(found),
-                                        std::move(expected),
-                                        driver.rim_gains(line.meeting.wave.diameters));
-          line.response->n_probes = driver.n_probes();
-          log_wave_response(line, log);
-          add_wave_motions(line, motions);
-          add_build_up(line, growth);
-          add_wave_stresses(line, driver.places(), stresses);
-          write_csv(folder, "waves_response.csv", motions);
-          write_csv(folder, "waves_build_up.csv", growth);
-          write_csv(folder, "waves_stress.csv", stresses);
-        }
-      write_csv(folder,
-                "speeds_to_avoid.csv",
-                make_avoided_speed_table(lines, options_.allowed_amplification, options_.margin));
+        driven.drive(
+          ++number,
+          solvers,
+          [&](const double speed) { return schedule(tools, line, speed); },
+          line);
+      driven.finish(lines);
     }
 
     void WavesStudy::run(OutputFolder &folder, Log &log)
@@ -320,13 +300,16 @@ namespace vfife
         roots.emplace(model, fillets_);
       const RootStress *const        looked_at = roots ? &*roots : nullptr;
       const std::vector<ReducedBody> bodies = reduce(model, looked_at, folder.communicator(), log);
+      const StressWavePlaces         places(model, looked_at);
       ReducedPair                    pair(model, bodies, penalties, pair_options());
       const unsigned int             driven  = model.transmission->driven;
       RunSummary                     summary = start_summary("waves", model, folder);
 
-      std::vector<WaveLine> lines =
-        find_lines(model, bodies[driven], pair.sector_sense(driven), log);
-      write_frequencies(model, bodies[driven], pair.sector_sense(driven), folder);
+      const FreeLines       free(options_, model, bodies[driven], pair.sector_sense(driven));
+      std::vector<WaveLine> lines = free.find(dynamics_.mass_damping());
+      if (lines.empty())
+        log.line("no mesh order meets a wave between these speeds");
+      write_csv(folder, "waves_frequencies.csv", free.list_frequencies());
       try
         {
           Tools tools(options_,
@@ -335,7 +318,7 @@ namespace vfife
                       penalties,
                       pair_options(),
                       reduced_.steps_per_mesh,
-                      looked_at,
+                      places,
                       pair);
           log.line("static curves of a slow tooth mesh: the moment of the contact varies by ",
                    100. * tools.passage.moment_ripple(),
@@ -351,7 +334,7 @@ namespace vfife
               log_wave_line(line, log);
             }
           if (options_.driven)
-            drive(tools, tools.driver, folder, log, lines);
+            drive(tools, model, places, folder, log, lines);
         }
       catch (const NumericalError &error)
         {
@@ -360,7 +343,7 @@ namespace vfife
         }
       Table table = make_wave_line_table();
       for (const WaveLine &line : lines)
-        add_wave_line(line, table);
+        add_wave_lines(line, table);
       write_csv(folder, "waves_lines.csv", table);
       write_own_figures(folder, list_line_figures(lines, gear_case_.operation().speed));
       summary.run_time = seconds_since(start);
@@ -376,8 +359,8 @@ namespace vfife
     }
   } // namespace
 
-  std::unique_ptr<StudyKind> make_waves_study()
+  std::unique_ptr<StudyKind> make_waves_study(const CaseRunner &runner)
   {
-    return std::make_unique<WavesStudy>();
+    return std::make_unique<WavesStudy>(runner);
   }
 } // namespace vfife

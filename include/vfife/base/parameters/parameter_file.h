@@ -86,6 +86,11 @@ namespace vfife
     {
       return path_;
     }
+    /** The settings of the command line as given. */
+    const std::vector<std::string> &overrides() const
+    {
+      return overrides_;
+    }
 
   private:
     ParameterFile(const std::string              &path,
@@ -102,6 +107,7 @@ namespace vfife
     const ParameterStatement *find(const std::string &entry_path) const;
 
     std::string                     path_;
+    std::vector<std::string>        overrides_;
     std::vector<ParameterStatement> statements_;
   };
 

@@ -7,6 +7,7 @@
 #include <vfife/output/measures/body_ring.h>
 #include <vfife/output/observers/fillet_writers.h>
 #include <vfife/output/observers/rim_writer.h>
+#include <vfife/study/stress_waves/stress_wave_places.h>
 
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,10 @@ namespace vfife
                         const std::function<FilletMeasure(const RootStress &)> &measure,
                         RunObservers                                           &observers);
 
+    /** Adds the writers of waves of stress that Output/stress waves asks for, of probes and of the
+     * fillets that are recorded. Throws InputError for diameters that the sectors cannot show. */
+    void record_stress_waves(ProbeMeasure measure, RunObservers &observers);
+
     /** What is known before the first step: speeds, torque, penalty, Case::arm_range(). */
     NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
 
@@ -73,17 +78,21 @@ namespace vfife
 
   private:
     bool has_constant_torque() const;
+    /** When the last tooth mesh of the run begins [s]. */
+    double last_mesh() const;
 
-    const Model              &model_;
-    HertzContact              hertz_;
-    const OutputOptions      &output_;
-    std::uint64_t             history_steps_;
-    double                    end_time_;
-    std::optional<RootStress> fillets_;
-    bool                      records_teeth_ = false;   ///< of the fillets
-    const Table              *teeth_         = nullptr; ///< rows of teeth.csv
-    const Table              *probes_        = nullptr;
-    const Table              *rim_           = nullptr; ///< rows of rim.csv
+    const Model                    &model_;
+    HertzContact                    hertz_;
+    const OutputOptions            &output_;
+    std::uint64_t                   history_steps_;
+    double                          end_time_;
+    std::optional<RootStress>       fillets_;
+    FilletMeasure                   strains_;               ///< of the fillets
+    bool                            records_teeth_ = false; ///< of the fillets
+    std::optional<StressWavePlaces> wave_places_;
+    const Table                    *teeth_  = nullptr; ///< rows of teeth.csv
+    const Table                    *probes_ = nullptr;
+    const Table                    *rim_    = nullptr; ///< rows of rim.csv
   };
 } // namespace vfife
 

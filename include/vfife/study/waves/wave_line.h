@@ -4,8 +4,8 @@
 
 #include <vfife/base/text/table.h>
 #include <vfife/output/files/figures.h>
-#include <vfife/study/waves/driven_wave.h>
 #include <vfife/study/waves/wave_fits.h>
+#include <vfife/study/waves/wave_record.h>
 
 #include <optional>
 #include <string>
@@ -19,6 +19,7 @@ namespace vfife
   /** What was found where a wave was driven at and around its speed. */
   struct WaveResponse
   {
+    std::string                       solver;  ///< what the pair was: "reduced", "run"
     std::vector<WaveMotion>           motions; ///< by speed, ascending
     std::vector<std::complex<double>> linear;  ///< by linear theory, at the same speeds [um]
     ResonanceFit                      curve;   ///< of the amplitudes over the driver's speed
@@ -26,12 +27,20 @@ namespace vfife
     ResonanceFit linear_fit, single, linear_single;
     BuildUpFit   build_up; ///< at the speed nearest to the predicted one
     /** Amplitude at the peak of one mode under the forces at these speeds, less what the wave
-     * itself makes of them [um]. */
+     * itself makes of them [um]; no number where forces are not known. */
     double forced_peak = 0;
-    /** Of each of WaveDriver::places() at the peak: largest stress without waves and that of the
-     * wave over the first; von Mises stresses and tensions of sums are at most the sums. */
+    /** Of each of StressWavePlaces::names() at the peak: largest stress without waves and that of
+     * the wave over the first; von Mises stresses and tensions of sums are at most the sums. */
     std::vector<double> amplifications;
     std::size_t         n_probes = 0; ///< the first of these places
+
+    /** Largest of all places; 1 without. */
+    double amplification() const;
+    /** Of the probes, which lie on the web, and of the fillets; no number without. */
+    double web_amplification() const;
+    double root_amplification() const;
+    /** The motion at the speed nearest to @p speed. */
+    const WaveMotion &nearest(double speed) const;
   };
 
   /** A speed at which a mesh order meets a wave, and what was found there. */
@@ -47,7 +56,8 @@ namespace vfife
     /** Of other free vibrations in contact, in the same amplitude over the driver's speed: residue
      * and pole, those that count most at the peak first. */
     std::vector<std::pair<std::complex<double>, std::complex<double>>> neighbours;
-    std::optional<WaveResponse>                                        response;
+    /** By solver; what is said of the line is said by the first. */
+    std::vector<WaveResponse> responses;
 
     /** "wave of 4 diameters against the spin at mesh order 1" */
     std::string name() const;
@@ -56,44 +66,38 @@ namespace vfife
     double      mesh_frequency() const;  ///< at the speed in contact [Hz]
     /** Poles of the neighbours that a fit over these @p speeds can tell apart. */
     std::vector<std::complex<double>> others_beside(const std::vector<double> &speeds) const;
-    /** Largest of all places; 1 without. */
-    double amplification() const;
-    /** Of the probes, which lie on the web, and of the fillets; no number without. */
-    double web_amplification() const;
-    double root_amplification() const;
     /** Range of the driver's speed [rad/s] in which the amplification is more than @p allowed, by
      * the resonance curve; nothing where it is nowhere. */
     std::optional<std::pair<double, double>> find_range_to_avoid(double allowed) const;
   };
 
-  /** Index of the motion whose speed is nearest to @p speed. */
-  std::size_t find_nearest(const std::vector<WaveMotion> &motions, double speed);
-
-  /** Evaluates what was measured at the speeds of a line: fits, amplifications. @p linear: by
-   * linear theory at the same speeds [um]; @p gains: WaveDriver::rim_gains(). */
+  /** Evaluates what @p solver has measured at the speeds of a line: fits, amplifications.
+   * @p linear: by linear theory at the same speeds [um]; @p gains: WaveDriver::rim_gains(). */
   WaveResponse evaluate_wave(const WaveLine                   &line,
+                             const std::string                &solver,
                              std::vector<WaveMotion>           motions,
                              std::vector<std::complex<double>> linear,
                              const Eigen::RowVectorXcd        &gains);
 
-  /** waves_lines.csv: a row a line. Numbers of a line that was not driven are no numbers. */
+  /** waves_lines.csv: a row a line and solver. Numbers of a line that was not driven are no
+   * numbers. */
   Table make_wave_line_table();
-  void  add_wave_line(const WaveLine &line, Table &table);
+  void  add_wave_lines(const WaveLine &line, Table &table);
 
   /** waves_frequencies.csv: a row a wave and speed of the driver [rad/s], @p rate of the driven
    * body [rad/s]. */
   Table make_wave_frequency_table();
   void  add_wave_frequency(const BodyWave &wave, double speed, double rate, Table &table);
 
-  /** waves_response.csv: a row a speed of a line. */
+  /** waves_response.csv: a row a speed of a line and solver. */
   Table make_wave_motion_table();
   void  add_wave_motions(const WaveLine &line, Table &table);
 
-  /** waves_build_up.csv: a row a tooth mesh at the speed nearest to each line. */
+  /** waves_build_up.csv: a row a tooth mesh and solver at the speed nearest to each line. */
   Table make_build_up_table();
   void  add_build_up(const WaveLine &line, Table &table);
 
-  /** waves_stress.csv: a row a speed and place, WaveDriver::places(). */
+  /** waves_stress.csv: a row a speed, solver and place, StressWavePlaces::names(). */
   Table make_wave_stress_table();
   void
   add_wave_stresses(const WaveLine &line, const std::vector<std::string> &places, Table &table);
@@ -109,7 +113,7 @@ namespace vfife
   /** Says what is predicted of a line. */
   void log_wave_line(const WaveLine &line, Log &log);
   /** Says what its driven pairs have shown. */
-  void log_wave_response(const WaveLine &line, Log &log);
+  void log_wave_response(const WaveLine &line, const WaveResponse &response, Log &log);
 } // namespace vfife
 
 #endif

@@ -12,6 +12,13 @@ namespace dealii
 
 namespace vfife
 {
+  /** What pairs are that are driven at and around the speeds of waves. */
+  enum class WaveSolver
+  {
+    reduced,
+    run ///< explicit runs of whole bodies, and reduced pairs beside them
+  };
+
   /** Section Waves. */
   struct WavesOptions
   {
@@ -24,6 +31,7 @@ namespace vfife
     unsigned int             n_speeds    = 25; ///< of the frequencies over speed
 
     bool                     driven      = true; ///< whether waves are driven, not only predicted
+    WaveSolver               solver      = WaveSolver::reduced;
     std::vector<std::string> offsets     = {"-3 %", "-1 %", "0 %", "1 %", "3 %"};
     double                   decay_times = 6; ///< of the wave, at each speed before what is counted
 

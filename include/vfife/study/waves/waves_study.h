@@ -8,9 +8,13 @@
 
 namespace vfife
 {
+  class CaseRunner;
+
   /** Study kind `waves`: speeds at which orders of the tooth mesh meet travelling waves of the
-   * driven gear, what the reduced pair does at and around each, and which speeds to avoid. */
-  std::unique_ptr<StudyKind> make_waves_study();
+   * driven gear, what the pair, reduced or as explicit runs, does at and around each, and which
+   * speeds to avoid. Runs have folders of their own, line_1_speed_1 and so on; with --restart
+   * finished ones with the same entries are kept, and others go on from their checkpoints. */
+  std::unique_ptr<StudyKind> make_waves_study(const CaseRunner &runner);
 } // namespace vfife
 
 #endif

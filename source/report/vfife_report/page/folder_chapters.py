@@ -102,12 +102,14 @@ def tell_waves(run, plots):
     lines = read_table(run.path / "waves_lines.csv")
     if lines is None:
         return
-    yield tell_rows(lines, ("wave", "nodal diameter", "mesh order", "speed", "speed in contact", "peak speed", "frequency",
-                            "damping ratio", "damping ratio of the width", "damping ratio of the build-up"), range(lines.n_rows),
+    # Versions that drove reduced pairs alone did not say so.
+    named = ("wave", "nodal diameter", "mesh order", *(["solver"] if "solver" in lines else []))
+    yield tell_rows(lines, (*named, "speed", "speed in contact", "peak speed", "frequency", "damping ratio",
+                            "damping ratio of the width", "damping ratio of the build-up"), range(lines.n_rows),
                     "Where mesh orders meet waves: by the modes of the free gear, in contact by linear theory, and measured; "
                     "damping ratios of the wave, and by the measured width and build-up.")
-    yield tell_rows(lines, ("wave", "nodal diameter", "mesh order", "predicted width", "width", "predicted amplitude",
-                            "amplitude", "stress amplification"), range(lines.n_rows),
+    yield tell_rows(lines, (*named, "predicted width", "width", "predicted amplitude", "amplitude", "stress amplification"),
+                    range(lines.n_rows),
                     "Half-power width over the speed, amplitude of the rim and largest stress at a probe over that without "
                     "waves, at the peak.")
     avoided = read_table(run.path / "speeds_to_avoid.csv")

@@ -5,6 +5,8 @@ import numpy as np
 from ..data.table import Table, read_table
 from .style import COLOURS, GREY, add_legend, plt
 
+COLOURS_OF_SOLVER = {"reduced": COLOURS[1], "run": COLOURS[3], None: COLOURS[1]}
+NAMES_OF_SOLVER = {"reduced": "reduced pair", "run": "run", None: "reduced pair"}
 DASHES_OF_WAVE = {"forward": "--", "backward": "-"}
 LARGEST_BUBBLE = 900  # area of the marker of the largest amplitude [points^2]
 PANELS_IN_ROW = 2
@@ -15,12 +17,23 @@ def name_line(lines, row):
     return (f"{lines['nodal diameter'][row]:.0f} {lines['wave'][row]}, mesh order {lines['mesh order'][row]:.0f}")
 
 
-def find_line(table, lines, row):
-    """Rows of another table that belong to a line."""
+def find_line(table, lines, row, solver=None):
+    """Rows of another table that belong to a line, all or those of one solver."""
     found = np.ones(table.n_rows, dtype=bool)
     for column in ("wave", "nodal diameter", "order", "mesh order"):
         found &= table[column] == lines[column][row]
-    return found
+    return found if solver is None else found & (table["solver"] == solver)
+
+
+def list_lines(lines):
+    """The first row of each line: that of the solver that speeds to avoid are taken from."""
+    return [row for row in range(lines.n_rows) if np.flatnonzero(find_line(lines, lines, row))[0] == row]
+
+
+def list_solvers(lines, row):
+    if "solver" not in lines:  # tables of versions that drove reduced pairs alone
+        return [None]
+    return [str(lines["solver"][other]) for other in np.flatnonzero(find_line(lines, lines, row))]
 
 
 def draw_waves_met(run):
@@ -58,11 +71,13 @@ def draw_frequencies(axes, frequencies):
 
 def draw_bubbles(axes, lines):
     """Areas in proportion to the amplitudes measured, rings where waves were predicted only."""
-    amplitude = lines["amplitude"]
+    shown = list_lines(lines)
+    amplitude = lines["amplitude"][shown]
     measured = np.isfinite(amplitude)
-    speed = np.where(measured, lines["peak speed"], lines["speed in contact"])
-    height = 1e-3 * lines["mesh order"] * lines["mesh frequency"] * speed / lines["speed in contact"]
-    colours = np.array([COLOURS[int(n) % len(COLOURS)] for n in lines["nodal diameter"]])
+    contact = lines["speed in contact"][shown]
+    speed = np.where(measured, lines["peak speed"][shown], contact)
+    height = 1e-3 * lines["mesh order"][shown] * lines["mesh frequency"][shown] * speed / contact
+    colours = np.array([COLOURS[int(n) % len(COLOURS)] for n in lines["nodal diameter"][shown]])
     if not np.all(measured):
         axes.scatter(speed[~measured], height[~measured], s=30, facecolors="none", edgecolors=colours[~measured])
     if not np.any(measured):
@@ -92,15 +107,18 @@ def finish_panel(axes, lines, row):
 def draw_driven_waves(run):
     """A panel a line: amplitudes over the speed, measured and by linear theory."""
     lines, waves = Table(run.path / "waves_lines.csv"), Table(run.path / "waves_response.csv")
-    plot, panels = make_panels(lines.n_rows)
-    for row, axes in zip(range(lines.n_rows), panels):
-        mine = find_line(waves, lines, row)
-        axes.plot(waves["speed"][mine], waves["linear amplitude"][mine], "x--", color=COLOURS[2], markersize=4,
-                  label="linear theory")
-        axes.plot(waves["speed"][mine], waves["amplitude"][mine], "o", color=COLOURS[1], markersize=4,
-                  label="reduced pair")
-        axes.plot(waves["speed"][mine], waves["fitted amplitude"][mine], "+", color=COLOURS[0], markersize=6,
-                  label="resonance curve")
+    shown = list_lines(lines)
+    plot, panels = make_panels(len(shown))
+    for row, axes in zip(shown, panels):
+        for place, solver in enumerate(list_solvers(lines, row)):
+            mine = find_line(waves, lines, row, solver)
+            if place == 0:
+                axes.plot(waves["speed"][mine], waves["linear amplitude"][mine], "x--", color=COLOURS[2], markersize=4,
+                          label="linear theory")
+            axes.plot(waves["speed"][mine], waves["amplitude"][mine], "o", color=COLOURS_OF_SOLVER[solver], markersize=4,
+                      label=NAMES_OF_SOLVER[solver])
+            axes.plot(waves["speed"][mine], waves["fitted amplitude"][mine], "+", color=COLOURS[0], markersize=6,
+                      label="resonance curve" if place == 0 else None)
         axes.axvline(lines["speed"][row], color=GREY, linewidth=0.7)
         finish_panel(axes, lines, row)
     add_legend(panels[0], fontsize=7)
@@ -111,13 +129,15 @@ def draw_driven_waves(run):
 def draw_growth(run):
     """A panel a line: means over tooth meshes at the speed of the line."""
     lines, growth = Table(run.path / "waves_lines.csv"), Table(run.path / "waves_build_up.csv")
-    plot, panels = make_panels(lines.n_rows)
-    for row, axes in zip(range(lines.n_rows), panels):
-        mine = find_line(growth, lines, row)
-        axes.plot(1e3 * growth["time"][mine], growth["amplitude"][mine], ".", color=COLOURS[1], markersize=3,
-                  label="reduced pair")
-        axes.plot(1e3 * growth["time"][mine], growth["fitted amplitude"][mine], color=COLOURS[0], linewidth=0.8,
-                  label="fit")
+    shown = list_lines(lines)
+    plot, panels = make_panels(len(shown))
+    for row, axes in zip(shown, panels):
+        for place, solver in enumerate(list_solvers(lines, row)):
+            mine = find_line(growth, lines, row, solver)
+            axes.plot(1e3 * growth["time"][mine], growth["amplitude"][mine], ".", color=COLOURS_OF_SOLVER[solver],
+                      markersize=3, label=NAMES_OF_SOLVER[solver])
+            axes.plot(1e3 * growth["time"][mine], growth["fitted amplitude"][mine], color=COLOURS[0], linewidth=0.8,
+                      label="fit" if place == 0 else None)
         finish_panel(axes, lines, row)
     add_legend(panels[0], fontsize=7)
     plot.supxlabel("time [ms]", fontsize=9)

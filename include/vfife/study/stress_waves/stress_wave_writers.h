@@ -1,0 +1,107 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_stress_waves_stress_wave_writers_h
+#define vfife_study_stress_waves_stress_wave_writers_h
+
+#include <vfife/output/observers/fillet_writers.h>
+#include <vfife/output/observers/sampled_table.h>
+#include <vfife/study/stress_waves/stress_wave_places.h>
+
+namespace vfife
+{
+  /** A wave of stress at a probe: number of nodal diameters, what StressWavePlaces finds. */
+  struct ProbeWaveSample
+  {
+    std::string          probe;
+    unsigned int         diameters = 0;
+    double               largest   = 0; ///< von Mises stress of the probe's copies [MPa]
+    StressWaves::OfProbe wave;
+  };
+
+  /** The same of strain at a facet of a fillet. */
+  struct FilletWaveSample
+  {
+    std::string          fillet;
+    unsigned int         facet     = 0; ///< rows of a column together
+    unsigned int         diameters = 0;
+    double               tension   = 0; ///< of the facet of all teeth [MPa]
+    StressWaves::OfFacet wave;
+  };
+
+  /** Names of the columns of strain in fillet_waves.csv, less " cos" and " sin". */
+  constexpr std::array<const char *, 3> strain_wave_names = {
+    {"strain 11", "strain 22", "strain 12"}};
+
+  /** Columns of probe_waves.csv and fillet_waves.csv behind the time: of a wave Re(w exp(i n k
+   * alpha)) over the sectors "cos" Re w and "sin" -Im w, as in rim.csv. */
+  SampleColumns<ProbeWaveSample>  list_probe_wave_columns();
+  SampleColumns<FilletWaveSample> list_fillet_wave_columns();
+
+  /** A sampled table at the start and over the last tooth mesh of a run alone. */
+  template <typename Sample>
+  class LastMeshTable : public SampledTable<Sample>
+  {
+  public:
+    bool due(const State &state) const override
+    {
+      return SampledTable<Sample>::due(state) &&
+             (state.step == 0 || state.time > last_mesh_ * (1. + 1e-9));
+    }
+
+  protected:
+    LastMeshTable(const OutputFolder          &folder,
+                  const std::string           &name,
+                  const SampleColumns<Sample> &columns,
+                  const std::uint64_t          steps_between,
+                  const double                 last_mesh)
+      : SampledTable<Sample>(folder, name, columns, steps_between)
+      , last_mesh_(last_mesh)
+    {
+    }
+
+  private:
+    double last_mesh_; ///< [s]
+  };
+
+  /** probe_waves.csv: a row a sample, probe of the driven body and number of diameters. */
+  class ProbeWaveWriter : public LastMeshTable<ProbeWaveSample>
+  {
+  public:
+    /** The last tooth mesh begins at @p last_mesh [s]; @p places must outlive the object. */
+    ProbeWaveWriter(const OutputFolder              &folder,
+                    std::uint64_t                    steps_between,
+                    double                           last_mesh,
+                    const std::vector<unsigned int> &diameters,
+                    const StressWavePlaces          &places,
+                    ProbeMeasure                     measure);
+
+  private:
+    void add_rows(const Model &model, const State &state) override;
+
+    std::vector<unsigned int> diameters_;
+    const StressWavePlaces   &places_;
+    ProbeMeasure              measure_;
+  };
+
+  /** fillet_waves.csv: a row a sample, facet of the driven body's fillets and number of diameters.
+   */
+  class FilletWaveWriter : public LastMeshTable<FilletWaveSample>
+  {
+  public:
+    /** As that of ProbeWaveWriter. */
+    FilletWaveWriter(const OutputFolder              &folder,
+                     std::uint64_t                    steps_between,
+                     double                           last_mesh,
+                     const std::vector<unsigned int> &diameters,
+                     const StressWavePlaces          &places,
+                     FilletMeasure                    measure);
+
+  private:
+    void add_rows(const Model &model, const State &state) override;
+
+    std::vector<unsigned int> diameters_;
+    const StressWavePlaces   &places_;
+    FilletMeasure             measure_;
+  };
+} // namespace vfife
+
+#endif
