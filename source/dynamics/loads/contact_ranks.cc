@@ -123,7 +123,7 @@ namespace vfife
 
   void ContactRanks::bring(const std::vector<std::vector<double> ContactSurface::*> &arrays)
   {
-    // Nodes outermost: their records lie side by side.
+    // One array after the other, of the same nodes in the same order on both sides.
     const auto visit = [&](const std::vector<Node> &nodes, const auto &at_node) {
       for (const auto array : arrays)
         for (const Node &node : nodes)
