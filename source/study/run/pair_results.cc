@@ -16,6 +16,7 @@
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/case.h>
+#include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_observers.h>
 
@@ -67,6 +68,17 @@ namespace vfife
       observers.add<RootStressWriter>(history_steps_, *fillets_, strains);
     if (!options.gauges.empty())
       observers.add<GaugeWriter>(history_steps_, *fillets_, strains);
+  }
+
+  void PairResults::record_pressures(const InstantOptions &options,
+                                     const FemOptions     &elements,
+                                     const PairRun        &run,
+                                     const FlankReader    &read_flanks,
+                                     Log                  &log,
+                                     RunObservers         &observers)
+  {
+    if (options.asked_for())
+      pressures_ = &observers.add<PressureWriter>(options, elements, run, read_flanks, log);
   }
 
   NamedFigures PairResults::list_figures(const double                  penalty,
@@ -189,6 +201,9 @@ namespace vfife
 
     if (fillets_ && records_teeth_)
       for (const auto &figure : list_root_figures(*fillets_))
+        summary.figures.push_back(figure);
+    if (pressures_ != nullptr)
+      for (const auto &figure : pressures_->list_figures())
         summary.figures.push_back(figure);
 
     // How often the other side of the teeth touched.

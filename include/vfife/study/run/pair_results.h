@@ -7,6 +7,7 @@
 #include <vfife/output/measures/body_ring.h>
 #include <vfife/output/observers/fillet_writers.h>
 #include <vfife/output/observers/rim_writer.h>
+#include <vfife/study/pressure/pressure_writer.h>
 
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,7 @@ namespace vfife
   class OutputFolder;
   class RunObservers;
   class Table;
+  struct InstantOptions;
   struct Model;
   struct OutputOptions;
 
@@ -44,6 +46,15 @@ namespace vfife
     void record_fillets(const FilletOptions                                    &options,
                         const std::function<FilletMeasure(const RootStress &)> &measure,
                         RunObservers                                           &observers);
+
+    /** Adds the writer of pressures on grids of their own at the instants that @p options ask for,
+     * if any; as PressureWriter. */
+    void record_pressures(const InstantOptions &options,
+                          const FemOptions     &elements,
+                          const PairRun        &run,
+                          const FlankReader    &read_flanks,
+                          Log                  &log,
+                          RunObservers         &observers);
 
     /** What is known before the first step: speeds, torque, penalty, Case::arm_range(). */
     NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
@@ -84,6 +95,7 @@ namespace vfife
     const Table              *teeth_         = nullptr; ///< rows of teeth.csv
     const Table              *probes_        = nullptr;
     const Table              *rim_           = nullptr; ///< rows of rim.csv
+    const PressureWriter     *pressures_     = nullptr;
   };
 } // namespace vfife
 
