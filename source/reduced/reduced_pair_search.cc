@@ -57,6 +57,21 @@ namespace vfife
     return u;
   }
 
+  std::vector<double> ReducedPair::places_of(const unsigned int               b,
+                                             const std::vector<unsigned int> &nodes) const
+  {
+    std::vector<NodeOfBody> of_body;
+    for (const unsigned int node : nodes)
+      of_body.emplace_back(b, node);
+    const VectorXd      u    = displace_nodes(of_body);
+    const Body         &body = model_.bodies[b];
+    std::vector<double> places(3 * nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      Eigen::Map<Vector3>(places.data() + 3 * i) =
+        pair_.place(b, body.placement(body.node_positions()[nodes[i]]) + u.segment<3>(3 * i));
+    return places;
+  }
+
   void ReducedPair::search()
   {
     const double meshes = std::abs(members_[model_.transmission->driver]->rate) *

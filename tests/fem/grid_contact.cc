@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <iomanip>
+#include <map>
 #include <memory>
 
 using namespace vfife;
@@ -320,17 +321,19 @@ namespace
       }
   }
 
-  /** Spheres at an edge of both blocks, @p distance half axes from it: pressure and approach over
-   * Hertz's, whatever the depth of the layers. Layers that end there, or that go on in closed form
-   * alone, give another one for each depth. */
+  /** Spheres @p distance half axes from an edge of both blocks, or from both edges at a corner:
+   * pressure and approach over Hertz's, whatever the depth of the layers. Layers that end there, or
+   * that go on in closed form alone, give another one for each depth. */
   void check_edge(const double        distance,
+                  const bool          at_corner,
                   const double        closing,
                   const double        most_pressure,
                   const Communicator &communicator)
   {
     const HertzContact          hertz(Vector2(.03, .03), modulus());
     const double                a = hertz.semi_axes(force)[0], width = 12. * a;
-    const Vector2               at(.5 * width - distance * a, -.17);
+    const double                x = .5 * width - distance * a;
+    const Vector2               at(x, at_corner ? x : -.17);
     const std::array<Curved, 2> spheres{
       {{Vector2(.01, .01), at, 1.}, {Vector2(.02, .02), at, -1.}}};
     for (const double depth : {0., 3.})
@@ -339,10 +342,63 @@ namespace
         const GridPressure found = blocks.press(force, 16);
         const double       over  = found.pressures[found.largest()] / hertz.largest_pressure(force);
         std::ostringstream name;
-        name << distance << " a from an edge, layers " << depth << " a deep or more, ";
-        check_close(name.str() + "closing", found.closing / hertz.approach(force), closing, .025);
+        name << distance << " a from " << (at_corner ? "both edges at a corner" : "an edge")
+             << ", layers " << depth << " a deep or more, ";
+        if (verbose)
+          std::cerr << name.str() << "closing " << found.closing / hertz.approach(force)
+                    << ", largest pressure " << over << std::endl;
+        check_close(name.str() + "closing",
+                    found.closing / hertz.approach(force),
+                    closing,
+                    .018 * closing);
         check_below(name.str() + "largest pressure", over, most_pressure);
       }
+  }
+
+  /** Beyond two edges of a plate that meet at a corner the quarter between them is filled, once. */
+  void check_corner_layer()
+  {
+    constexpr unsigned int    n = 3, rows = 2;
+    LayerElements             layer;
+    std::vector<unsigned int> patch;
+    PointPairs                edges;
+    const auto                number = [](unsigned int i, unsigned int j, unsigned int k) {
+      return (k * (n + 1) + j) * (n + 1) + i;
+    };
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int j = 0; j <= n; ++j)
+        for (unsigned int i = 0; i <= n; ++i)
+          {
+            if (k == 0)
+              patch.push_back(layer.points.size());
+            layer.points.emplace_back(i, j, k);
+            layer.held.push_back(k == 1);
+          }
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        edges.push_back({{number(n, j, 0), number(n, j + 1, 0)}});
+        edges.push_back({{number(j, n, 0), number(j + 1, n, 0)}});
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            layer.elements.emplace_back();
+            for (unsigned int a = 0; a < 8; ++a)
+              layer.elements.back().push_back(number(i + a % 2, j + a / 2 % 2, a / 4));
+          }
+      }
+    layer.continue_beyond(edges, patch, rows);
+    // By their middles: one in each square.
+    std::map<std::array<int, 2>, unsigned int> squares;
+    for (const auto &element : layer.elements)
+      {
+        Vector3 middle = Vector3::Zero();
+        for (const unsigned int point : element)
+          middle += layer.points[point] / 8.;
+        ++squares[{{int(std::floor(middle[0])), int(std::floor(middle[1]))}}];
+      }
+    check("layer beyond both edges of a corner: one element in each square",
+          squares.size() == (n + rows) * (n + rows) &&
+            layer.elements.size() == (n + rows) * (n + rows) &&
+            squares.count({{n + rows - 1, n + rows - 1}}) == 1);
   }
 
   /** The cells converge; forces that have bent the bodies before, as springs of a contact by
@@ -387,8 +443,12 @@ int main(int argc, char **argv)
   check_pair("spheres", spheres, Vector2(.03, .03), meshes, world);
   check_one_pair(spheres, world);
   // What blocks of finer elements come to, 0.75 half axes wide: 1.423 and 1.227.
-  check_edge(.5, 1.423, 1.1, world);
-  check_edge(1., 1.227, 1.1, world);
+  check_edge(.5, false, 1.423, 1.1, world);
+  check_edge(1., false, 1.227, 1.1, world);
+  // The same of those at a corner.
+  check_edge(.5, true, 2.076, 1.2, world);
+  check_edge(1., true, 1.593, 1.2, world);
+  check_corner_layer();
   meshes.push_back({{{12, 12}}, 12., 3.});
   check_pair("crossed cylinders",
              {{{Vector2(.01, 0.), off, 1.}, {Vector2(0., .04), off, -1.}}},

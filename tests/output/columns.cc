@@ -49,6 +49,7 @@
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/gear/lumped_study.h>
+#include <vfife/study/pressure/pressure_tables.h>
 #include <vfife/study/reduced/speed_response.h>
 #include <vfife/study/stress_waves/stress_wave_writers.h>
 #include <vfife/study/sweep/sweep_study.h>
@@ -122,6 +123,9 @@ namespace
     tables.push_back({"gauges.csv", "run", over_time(list_gauge_columns())});
     tables.push_back({"probe_waves.csv", "gear pair", over_time(list_probe_wave_columns())});
     tables.push_back({"fillet_waves.csv", "gear pair", over_time(list_fillet_wave_columns())});
+    tables.push_back({"pressure.csv", "run", make_pressure_table(PressureRows::instants)});
+    tables.push_back(
+      {"pressure_field.csv", "run", make_pressure_field_table(PressureRows::instants)});
     tables.push_back({"bearings.csv", "run", BearingWriter(folder, 1).table()});
     tables.push_back({"bearing_curves.csv", "pair or model in bearings", make_bearing_curves({})});
     tables.push_back(
@@ -146,8 +150,8 @@ namespace
     add("loaded_probes.csv", loaded, LoadedProbes(make_pair_model(0)).table());
     add("root_stress.csv", loaded, make_loaded_root_stress_table());
     add("gauges.csv", loaded, make_loaded_gauge_table());
-    add("pressure.csv", loaded, make_loaded_pressure_table());
-    add("pressure_field.csv", loaded, make_loaded_pressure_field_table());
+    add("pressure.csv", loaded, make_pressure_table(PressureRows::positions));
+    add("pressure_field.csv", loaded, make_pressure_field_table(PressureRows::positions));
     add("fillet_envelope.csv", loaded, make_fillet_envelope_table());
     add("root_sections.csv", loaded, make_root_section_table());
     add("coupled_modes.csv", loaded, make_coupled_mode_table());

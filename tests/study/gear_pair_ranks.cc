@@ -31,6 +31,7 @@ namespace
           << quick_pair("set web = none", "set rim rows = 2", "1e-5")
           << "subsection Contact\n set integration = " << integration << "\nend\n"
           << "subsection Fillets\n set teeth = in mesh\nend\n"
+          << "subsection Pressure\n set instants = 0, 0.1\n set pressure cells = 6\nend\n"
           << more;
         Communicator alone(MPI_COMM_SELF);
         run_pair("ranks.prm", "one_rank", alone);
@@ -65,6 +66,29 @@ namespace
           difference = largest_of(difference, std::abs(two_root.numbers(stress)[i] - reference));
         }
     check("root stresses at the start", largest > 100 && difference < 1e-6 * largest);
+    // After 200 steps: as the histories.
+    for (const char *name : {"pressure.csv", "pressure_field.csv"})
+      {
+        const Table one_grid = read_result_table(std::string("one_rank/") + name),
+                    two_grid = read_result_table(std::string("two_ranks/") + name);
+        check(std::string(name) + ": as many rows",
+              one_grid.n_rows() >= 4 && one_grid.n_rows() == two_grid.n_rows());
+        double worst = 0;
+        for (const Table::Column &column : one_grid.columns())
+          {
+            double most = 0, differs = 0;
+            for (std::size_t i = 0; i < std::min(one_grid.n_rows(), two_grid.n_rows()); ++i)
+              {
+                const double here = column.numbers[i], there = two_grid.numbers(column.name)[i];
+                most    = largest_of(most, std::abs(here));
+                differs = largest_of(differs, std::abs(there - here));
+              }
+            worst = largest_of(worst, differs / std::max(most, 1e-300));
+          }
+        if (shows)
+          std::cerr << integration << ", " << name << ": ranks differ by " << worst << std::endl;
+        check_below(std::string(name) + ": difference", worst, 1e-5);
+      }
     check("a loaded pair was compared",
           one.n_rows() >= 80 && one.numbers("contact force total").front() > 1000 &&
             one.numbers("strain energy").front() > 0);

@@ -24,7 +24,9 @@ int main(int argc, char **argv)
                                "  set damping ratio = 0.1\nend\n"
                                "subsection Fillets\n  set teeth = all\n  set gauges = G\n"
                                "  subsection Gauge G\n    set body = pinion\n"
-                               "    set length = 0.5 mm\n  end\nend\n";
+                               "    set length = 0.5 mm\n  end\nend\n"
+                               "subsection Pressure\n  set instants = 0, 0.9\n"
+                               "  set every = 0.25\n  set pressure cells = 6\nend\n";
   const std::string steps = "Dynamics/largest number of steps=";
   run_pair("gear.prm", "whole", world);
   run_pair("gear.prm", "parts", world, {steps + "333"});
@@ -37,6 +39,8 @@ int main(int argc, char **argv)
                            "pattern.csv",
                            "root_stress.csv",
                            "gauges.csv",
+                           "pressure.csv",
+                           "pressure_field.csv",
                            "fillet_envelope.csv",
                            "root_sections.csv"})
     {

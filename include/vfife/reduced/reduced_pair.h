@@ -99,6 +99,15 @@ namespace vfife
     /** The mean motion of a ring (its name) of a body in bearings now, without rates. */
     MeanMotion::Motion measure_ring(unsigned int body, const std::string &name) const;
 
+    /** Where flank nodes of a body are now (3 each), fixed frame [mm]. */
+    std::vector<double> places_of(unsigned int b, const std::vector<unsigned int> &nodes) const;
+
+    /** Mean motion of a body now, body frame to fixed frame. */
+    RigidMotion body_motion(const unsigned int b) const
+    {
+      return pair_.body_motion(b);
+    }
+
     /** Passes the motion; reading, of a pair of the same bodies with the same step, which goes on
      * as it would have but for round-off. */
     void serialize(ByteStream &stream);

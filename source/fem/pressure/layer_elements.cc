@@ -73,15 +73,13 @@ namespace vfife
       return {std::min(a, b), std::max(a, b)};
     }
 
-    /** Sides that no other element has, that are not all held and no facets of a patch. */
+    /** Sides that no other element has, that are not all held and no facets of the surface. */
     class FreeSides
     {
     public:
-      FreeSides(const LayerElements &layer, const std::vector<unsigned int> &patch)
+      /** @p surface: of the points, whether they are on it. */
+      FreeSides(const LayerElements &layer, const std::vector<char> &surface)
       {
-        std::vector<char> is_patch(layer.points.size(), false);
-        for (const unsigned int point : patch)
-          is_patch[point] = true;
         const auto all_of = [](const std::array<unsigned int, 4> &corners,
                                const std::vector<char>           &which) {
           return std::all_of(corners.begin(), corners.end(), [&which](const unsigned int p) {
@@ -98,38 +96,32 @@ namespace vfife
                 all[corners].push_back({e, axis, high});
               }
         for (const auto &[corners, sides] : all)
-          if (sides.size() == 1 && !all_of(corners, layer.held) && !all_of(corners, is_patch))
+          if (sides.size() == 1 && !all_of(corners, layer.held) && !all_of(corners, surface))
             add(layer, sides.front());
       }
 
-      /** Those at the edges, each with what goes on from it smoothly. */
-      std::vector<std::vector<Side>> find_at(const PointPairs &edges) const
+      /** Those at an edge with what goes on from them smoothly. */
+      std::vector<Side> find_at(const std::array<unsigned int, 2> &edge) const
       {
-        std::vector<char>              found(sides_.size(), false);
-        std::vector<std::vector<Side>> ways;
-        for (const auto &edge : edges)
+        std::vector<char>        found(sides_.size(), false);
+        std::vector<std::size_t> next;
+        if (const auto at = at_.find(make_edge(edge[0], edge[1])); at != at_.end())
+          next = at->second;
+        std::vector<Side> sides;
+        while (!next.empty())
           {
-            std::vector<std::size_t> next;
-            if (const auto at = at_.find(make_edge(edge[0], edge[1])); at != at_.end())
-              next = at->second;
-            std::vector<Side> sides;
-            while (!next.empty())
-              {
-                const std::size_t i = next.back();
-                next.pop_back();
-                if (found[i])
-                  continue;
-                found[i] = true;
-                sides.push_back(sides_[i]);
-                for (unsigned int k = 0; k < 4; ++k)
-                  for (const std::size_t j : at_.at(edge_of(i, k)))
-                    if (normals_[i].dot(normals_[j]) > smooth)
-                      next.push_back(j);
-              }
-            if (!sides.empty())
-              ways.push_back(std::move(sides));
+            const std::size_t i = next.back();
+            next.pop_back();
+            if (found[i])
+              continue;
+            found[i] = true;
+            sides.push_back(sides_[i]);
+            for (unsigned int k = 0; k < 4; ++k)
+              for (const std::size_t j : at_.at(edge_of(i, k)))
+                if (normals_[i].dot(normals_[j]) > smooth)
+                  next.push_back(j);
           }
-        return ways;
+        return sides;
       }
 
     private:
@@ -160,12 +152,18 @@ namespace vfife
     class Continuation
     {
     public:
-      /** @p at_edge: of the points, whether they are at an edge of the patch. */
+      /** @p surface: of the points, whether they are on it, with those that are added. */
       Continuation(LayerElements           &layer,
                    const std::vector<Side> &sides,
-                   const std::vector<char> &at_edge)
+                   const PointPairs        &edges,
+                   std::vector<char>       &surface)
         : layer_(layer)
+        , surface_(surface)
       {
+        std::vector<char> at_edge(layer.points.size(), false);
+        for (const auto &edge : edges)
+          for (const unsigned int point : edge)
+            at_edge[point] = true;
         // How the patch comes to the edge: the last step of its lines.
         std::map<unsigned int, Vector3> steps;
         for (const Side &side : sides)
@@ -237,12 +235,14 @@ namespace vfife
           {
             layer_.points.push_back(layer_.points[foot] + part * steps_.at(foot));
             layer_.held.push_back(layer_.held[foot]);
+            surface_.push_back(surface_[foot]);
             steps_[place->second] = steps_.at(foot);
           }
         return place->second;
       }
 
       LayerElements                  &layer_;
+      std::vector<char>              &surface_;
       std::map<unsigned int, Vector3> steps_; ///< from a point to that of the next row [mm]
       std::map<std::pair<unsigned int, unsigned int>, unsigned int> known_; ///< by foot and steps
     };
@@ -253,13 +253,17 @@ namespace vfife
                                       const std::vector<unsigned int> &patch,
                                       const double                     length)
   {
-    std::vector<char> at_edge(points.size(), false);
+    // What has been added beyond one edge goes on beyond the next one as well, or the quarter at
+    // the corner of both would be missing. The added surface is no side to go on from.
+    std::vector<char> surface(points.size(), false);
+    for (const unsigned int point : patch)
+      surface[point] = true;
     for (const auto &edge : edges)
-      for (const unsigned int point : edge)
-        at_edge[point] = true;
-    for (std::vector<Side> &sides : FreeSides(*this, patch).find_at(edges))
       {
-        Continuation beyond(*this, sides, at_edge);
+        std::vector<Side> sides = FreeSides(*this, surface).find_at(edge);
+        if (sides.empty())
+          continue; // beyond which it goes on already
+        Continuation beyond(*this, sides, edges, surface);
         for (double done = 0.; done < length; done += beyond.width)
           for (Side &side : sides)
             side = beyond.add_element(side);

@@ -67,6 +67,12 @@ namespace vfife
       return std::numeric_limits<double>::quiet_NaN();
     }
 
+    bool ends_with(const std::string &figure, const std::string &name)
+    {
+      return figure.size() > name.size() &&
+             figure.compare(figure.size() - name.size(), name.size(), name) == 0;
+    }
+
     /** Names of the figures of root stresses behind that of a member. */
     struct RootNames
     {
@@ -76,11 +82,8 @@ namespace vfife
 
       bool end(const std::string &figure) const
       {
-        const auto ends = [&figure](const std::string &name) {
-          return figure.size() > name.size() &&
-                 figure.compare(figure.size() - name.size(), name.size(), name) == 0;
-        };
-        return ends(tension) || ends(compression) || ends(range);
+        return ends_with(figure, tension) || ends_with(figure, compression) ||
+               ends_with(figure, range);
       }
     };
 
@@ -92,7 +95,8 @@ namespace vfife
     }
 
     /** Figures by names that depend on the case: those of figures.json; of summary.json root
-     * stresses, and of each probe largest and median stress of its turn. */
+     * stresses, pressures on grids of their own, and of each probe largest and median stress of its
+     * turn. */
     Json read_figures_of_case(const std::string &folder)
     {
       Json       figures = read_json(folder + "/figures.json");
@@ -107,7 +111,7 @@ namespace vfife
       };
       const RootNames roots;
       for_each(summary_place::figures, [&](const std::string &name, const Json &figure) {
-        if (roots.end(name))
+        if (roots.end(name) || ends_with(name, figure_name::on_own_grid))
           figures[name] = figure;
       });
       for_each(summary_place::probes, [&](const std::string &name, const Json &probe) {

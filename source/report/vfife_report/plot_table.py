@@ -101,10 +101,10 @@ TABLE_PLOTS = (
     PlotRow("grid_pressure.svg", (has_file("pressure.csv"),), grid_pressure.draw_pressure,
             "Pressures on their own grid, which neither mesh nor penalty makes, and forces of a tooth pair along its engagement. At a "
             "sharp edge pressure has no bound: what stands there is one of cells and elements of this size.",
-            "Loaded tooth contact by finite elements", data="pressure.csv"),
+            "Pressures on their own grids", data="pressure.csv"),
     PlotRow("grid_pressure_field.svg", (has_file("pressure_field.csv"),), grid_pressure.draw_pressure_field,
             "Pressures on their own grid on the flanks of all teeth that carry, along and over the pitch cone.",
-            "Loaded tooth contact by finite elements", data="pressure_field.csv"),
+            "Pressures on their own grids", data="pressure_field.csv"),
     PlotRow("root_stress.svg", (has_file("root_stress.csv"),), root_stress.draw_root_stress,
             "Largest tension and compression in the fillets of both members while a tooth passes through the mesh; teeth at "
             "the same place count once, by their largest.", "Root stress"),

@@ -36,6 +36,11 @@ namespace vfife
     return {};
   }
 
+  std::optional<std::array<BlankOutline, 2>> Case::outlines() const
+  {
+    return {};
+  }
+
   std::optional<Vector2> Case::arm_range() const
   {
     return {};

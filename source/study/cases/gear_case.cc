@@ -287,6 +287,12 @@ namespace vfife
     return HertzContact(curvatures, pair_modulus());
   }
 
+  std::optional<std::array<BlankOutline, 2>> GearCase::outlines() const
+  {
+    const GearPair pair = make_pair();
+    return {{{pair.pinion().blank(), pair.gear().blank()}}};
+  }
+
   std::optional<Vector2> GearCase::arm_range() const
   {
     const ContactAnalysis analysis =

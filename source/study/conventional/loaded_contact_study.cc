@@ -28,6 +28,7 @@
 #include <vfife/study/conventional/loaded_pressure.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/conventional/loaded_supports.h>
+#include <vfife/study/pressure/pressure_depth.h>
 #include <vfife/study/run/run_penalties.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -217,15 +218,12 @@ namespace vfife
       throw InputError("Loaded contact/pressure cells",
                        "pressures on their own grid are found of pairs on ideal bores; bearing \"" +
                          model.bearings.front().name + "\" holds one that is not");
-    // doc/contact.md, Pressure on its own grid: below three half widths the mesh does not see what
-    // is left.
-    const double force = std::abs(load_torque(model)) / model.transmission->arm;
-    const double depth = options_.pressure_depth > 0
-                           ? options_.pressure_depth
-                           : 3. * gear_case_.hertz_contact().semi_axes(force)[1];
-    return std::make_unique<LoadedPressure>(gear_case_.make_pair(),
+    return std::make_unique<LoadedPressure>(model,
+                                            *gear_case_.outlines(),
                                             compliance,
-                                            depth,
+                                            choose_pressure_depth(options_.pressure_depth,
+                                                                  model,
+                                                                  gear_case_.hertz_contact()),
                                             options_.pressure_cells);
   }
 

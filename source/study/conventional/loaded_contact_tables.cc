@@ -81,50 +81,6 @@ namespace vfife
     return make_table_over_positions(list_gauge_columns());
   }
 
-  namespace
-  {
-    /** Where something is on the flank of a member. */
-    void add_place_columns(const std::string &body, Table &table)
-    {
-      table.add_column("along the face, " + body, "mm");
-      table.add_column("along the profile, " + body, "mm");
-    }
-  } // namespace
-
-  Table make_loaded_pressure_table()
-  {
-    Table table;
-    table.add_column(column::position, "tooth meshes");
-    table.add_column(column::tooth_of("pinion"), "-");
-    table.add_column(column::tooth_of("gear"), "-");
-    table.add_column(column::after_mesh, "tooth meshes");
-    table.add_column(column::force, "N");
-    table.add_column(column::torque, "N m");
-    table.add_column("share of torque", "-");
-    table.add_column(column::largest_pressure, "MPa");
-    table.add_column(column::largest_pressure_inside, "MPa");
-    table.add_column("on edge", "-");
-    table.add_column(column::area, "mm^2");
-    table.add_column("contact width", "mm");
-    table.add_column("contact length", "mm");
-    add_place_columns("pinion", table);
-    add_place_columns("gear", table);
-    table.add_column(column::transmission_error, "arcsec");
-    return table;
-  }
-
-  Table make_loaded_pressure_field_table()
-  {
-    Table table;
-    table.add_column(column::position, "tooth meshes");
-    table.add_column(column::tooth_of("pinion"), "-");
-    table.add_column(column::tooth_of("gear"), "-");
-    add_place_columns("pinion", table);
-    add_place_columns("gear", table);
-    table.add_column("pressure", "MPa");
-    return table;
-  }
-
   double find_largest_stress(const Body                      &body,
                              const std::vector<Stress>       &stresses,
                              const std::vector<const char *> &sets)

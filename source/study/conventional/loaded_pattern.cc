@@ -3,21 +3,12 @@
 #include <vfife/gear/spiral_bevel/gear_pair.h>
 #include <vfife/model/model.h>
 #include <vfife/study/conventional/loaded_pattern.h>
+#include <vfife/study/pressure/flank_place.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vfife
 {
-  Vector2 place_on_flank(const BlankOutline &blank, const Vector2 &r_z)
-  {
-    // Along and across the pitch cone from the apex, at which the axial section of a body has its
-    // origin.
-    const double sine = std::sin(blank.pitch_angle), cosine = std::cos(blank.pitch_angle);
-    return Vector2(r_z[1] * cosine + r_z[0] * sine - blank.mean_cone_distance,
-                   r_z[0] * cosine - r_z[1] * sine);
-  }
-
   LoadedPattern::LoadedPattern(const Model &model)
     : model_(model)
     , pattern_(model)

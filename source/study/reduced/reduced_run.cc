@@ -5,8 +5,11 @@
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/output/observers/progress_line.h>
+#include <vfife/reduced/body_rings.h>
 #include <vfife/study/reduced/reduced_run.h>
+#include <vfife/study/run/pair_preload.h>
 
 #include <algorithm>
 #include <memory>
@@ -31,6 +34,30 @@ namespace vfife
       return partition;
     }
   } // namespace
+
+  RingMotions bore_motions(const Model &model, const ReducedPair &pair)
+  {
+    return [&](const unsigned int b, const BodyRing &) {
+      return model.bodies[b].floats ? pair.measure_ring(b, ring::bore) : MeanMotion::Motion();
+    };
+  }
+
+  Swing swing_of(const ReducedStart &start)
+  {
+    return {start.found.stiffness, start.found.inertia};
+  }
+
+  void describe_start(const ReducedStart &start, const bool on_shafts, RunSummary &summary)
+  {
+    if (!(start.found.stiffness > 0))
+      return;
+    summary.transmission_error = {
+      {error_part::total, {start.transmission_error / arcsecond, "arcsec"}}};
+    if (on_shafts)
+      for (const MountingNumber &one : list_numbers(start.misalignment))
+        summary.misalignment.push_back({one.name, {one.value, one.unit}});
+    add_swing(swing_of(start), summary);
+  }
 
   ReducedRun::ReducedRun(
     OutputFolder &folder, Log &log, Model &model, ReducedPair &pair, const OutputOptions &output)

@@ -9,20 +9,21 @@
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
-#include <vfife/output/files/result_places.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
-#include <vfife/reduced/body_rings.h>
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/continuation.h>
+#include <vfife/study/pressure/instant_options.h>
+#include <vfife/study/pressure/pressure_writer.h>
 #include <vfife/study/reduced/fillet_readings.h>
+#include <vfife/study/reduced/flank_places.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/reduced/reduced_study.h>
@@ -30,6 +31,7 @@
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/pair_start.h>
 #include <vfife/study/run/run_penalties.h>
 #include <vfife/study/start_summary.h>
 
@@ -40,32 +42,6 @@ namespace vfife
 {
   namespace
   {
-    Swing swing_of(const ReducedStart &start)
-    {
-      return {start.found.stiffness, start.found.inertia};
-    }
-
-    /** Where the bores of the members have gone; an ideal one stays on its axis. */
-    RingMotions bore_motions(const Model &model, const ReducedPair &pair)
-    {
-      return [&](const unsigned int b, const BodyRing &) {
-        return model.bodies[b].floats ? pair.measure_ring(b, ring::bore) : MeanMotion::Motion();
-      };
-    }
-
-    /** What the equilibrium has told, where there was one. */
-    void describe_start(const ReducedStart &start, const bool on_shafts, RunSummary &summary)
-    {
-      if (!(start.found.stiffness > 0))
-        return;
-      summary.transmission_error = {
-        {error_part::total, {start.transmission_error / arcsecond, "arcsec"}}};
-      if (on_shafts)
-        for (const MountingNumber &one : list_numbers(start.misalignment))
-          summary.misalignment.push_back({one.name, {one.value, one.unit}});
-      add_swing(swing_of(start), summary);
-    }
-
     class ReducedStudy : public StudyKind
     {
     public:
@@ -76,6 +52,7 @@ namespace vfife
         dynamics_.declare(prm);
         output_.declare(prm);
         fillets_.declare(prm, file);
+        instants_.declare(prm);
         Subsection section(prm, "Reduced");
         options_.declare(prm);
         sweep_.declare(prm);
@@ -94,6 +71,10 @@ namespace vfife
         if (dynamics_.start != Start::static_preload)
           throw InputError("Dynamics/start", "a reduced pair starts from its static preload");
         fillets_.check();
+        instants_.check();
+        if (!is_motion() && instants_.asked_for())
+          throw InputError(instants_.asking_entry(),
+                           "a sweep over speeds (Reduced/sweep) has no pressures at instants");
         if (!is_motion() && fillets_.records())
           throw InputError(fillets_.teeth != RecordedTeeth::none ? "Fillets/teeth"
                                                                  : "Fillets/gauges",
@@ -109,6 +90,7 @@ namespace vfife
       {
         const Model model = gear_case_.make_model(log);
         RootStress(model, fillets_);
+        check_instants(model);
         log.line("penalty of a run of this file ",
                  find_penalties(communicator, log).front(),
                  " N/mm^3; modes below ",
@@ -169,6 +151,13 @@ namespace vfife
         unsigned int       steps_per_mesh = 0; ///< at the largest speed
         ReducedPairOptions options;
       };
+      void check_instants(const Model &model) const
+      {
+        if (instants_.asked_for())
+          check_pressures(instants_,
+                          make_fem_options(dynamics_),
+                          describe_run(gear_case_, model, gear_case_.end_time()));
+      }
       Motion make_motion(const std::vector<ReducedBody> &bodies) const;
       void   move(Model        &model,
                   ReducedPair  &pair,
@@ -176,16 +165,36 @@ namespace vfife
                   double        penalty,
                   OutputFolder &folder,
                   Log          &log) const;
-      void   sweep(const Model  &model,
-                   ReducedPair  &pair,
-                   const Motion &motion,
-                   OutputFolder &folder,
-                   Log          &log) const;
+      /** Adds the writers of root stresses and pressures that are asked for. */
+      void record_stresses(const Model       &model,
+                           const ReducedPair &pair,
+                           double             end_time,
+                           Log               &log,
+                           RunObservers      &observers,
+                           PairResults       &results) const
+      {
+        results.record_fillets(
+          fillets_,
+          [&pair](const RootStress &) { return measure_fillet_readings(pair); },
+          observers);
+        results.record_pressures(instants_,
+                                 make_fem_options(dynamics_),
+                                 describe_run(gear_case_, model, end_time),
+                                 read_flanks(model, pair),
+                                 log,
+                                 observers);
+      }
+      void sweep(const Model  &model,
+                 ReducedPair  &pair,
+                 const Motion &motion,
+                 OutputFolder &folder,
+                 Log          &log) const;
 
       GearCase          gear_case_;
       DynamicsOptions   dynamics_;
       OutputOptions     output_;
       FilletOptions     fillets_;
+      InstantOptions    instants_;
       ReducedOptions    options_;
       SpeedSweepOptions sweep_;
 
@@ -283,10 +292,7 @@ namespace vfife
           run.observers().add<BearingWriter>(history_steps);
           write_bearing_curves(folder, model.bearings);
         }
-      results.record_fillets(
-        fillets_,
-        [&pair](const RootStress &) { return measure_fillet_readings(pair); },
-        run.observers());
+      record_stresses(model, pair, end_time, log, run.observers(), results);
       results.record_stress_waves(measure_probes, run.observers());
       RunSummary summary = start_summary("reduced", model, folder);
       summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
@@ -348,6 +354,7 @@ namespace vfife
       const Communicator       &communicator = folder.communicator();
       Model                     model        = gear_case_.make_model(log);
       const std::vector<double> penalties    = find_penalties(communicator, log);
+      check_instants(model); // before the reduction, which takes longer
       std::optional<RootStress> roots;
       if (fillets_.records())
         roots.emplace(model, fillets_);

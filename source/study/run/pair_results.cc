@@ -17,6 +17,7 @@
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/case.h>
+#include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_observers.h>
 #include <vfife/study/stress_waves/stress_wave_writers.h>
@@ -83,6 +84,17 @@ namespace vfife
     if (records_teeth_)
       observers.add<FilletWaveWriter>(
         history_steps_, last_mesh(), diameters, *wave_places_, strains_);
+  }
+
+  void PairResults::record_pressures(const InstantOptions &options,
+                                     const FemOptions     &elements,
+                                     const PairRun        &run,
+                                     const FlankReader    &read_flanks,
+                                     Log                  &log,
+                                     RunObservers         &observers)
+  {
+    if (options.asked_for())
+      pressures_ = &observers.add<PressureWriter>(options, elements, run, read_flanks, log);
   }
 
   NamedFigures PairResults::list_figures(const double                  penalty,
@@ -213,6 +225,9 @@ namespace vfife
 
     if (fillets_ && records_teeth_)
       for (const auto &figure : list_root_figures(*fillets_))
+        summary.figures.push_back(figure);
+    if (pressures_ != nullptr)
+      for (const auto &figure : pressures_->list_figures())
         summary.figures.push_back(figure);
 
     // How often the other side of the teeth touched.

@@ -18,17 +18,6 @@ namespace vfife
      * takes away. */
     constexpr double least_gain = 0.5;
 
-    /** The conventional element that is nearest to the operator's, with the masses of the mass
-     * points: the nearer, the faster the rounds. */
-    FemOptions fem_options(const DynamicsOptions &options)
-    {
-      FemOptions fem;
-      fem.element = options.stiffness == StiffnessKind::full ? FemElement::full
-                                                             : FemElement::incompatible_modes;
-      fem.mass    = MassKind::lumped;
-      return fem;
-    }
-
     /** Whether the stiffness is that of a state of spin. */
     bool any_turns(const Model &model)
     {
@@ -38,6 +27,15 @@ namespace vfife
       return false;
     }
   } // namespace
+
+  FemOptions make_fem_options(const DynamicsOptions &options)
+  {
+    FemOptions fem;
+    fem.element =
+      options.stiffness == StiffnessKind::full ? FemElement::full : FemElement::incompatible_modes;
+    fem.mass = MassKind::lumped;
+    return fem;
+  }
 
   PairStart::PairStart(const Model               &model,
                        const DynamicsOptions     &options,
@@ -49,9 +47,12 @@ namespace vfife
     , relaxation_(relaxation)
     , communicator_(communicator)
   {
+    // The nearer to the operator's elements, the faster the rounds.
     const auto start = WallClock::now();
-    compliance_ =
-      std::make_unique<Compliance>(model, fem_options(options), any_turns(model), communicator);
+    compliance_      = std::make_unique<Compliance>(model,
+                                               make_fem_options(options),
+                                               any_turns(model),
+                                               communicator);
     // One position, the driver as it stands at time zero: nodes that may touch there are watched.
     pair_ =
       std::make_unique<PairEquilibrium>(model, *compliance_, penalties, std::vector<double>(1, 0.));

@@ -19,10 +19,13 @@
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
+#include <vfife/study/pressure/instant_options.h>
+#include <vfife/study/pressure/pressure_writer.h>
 #include <vfife/study/run/contact_width_watch.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
+#include <vfife/study/run/pair_start.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>
@@ -106,7 +109,10 @@ namespace vfife
         dynamics_.declare(prm);
         output_.declare(prm);
         if (case_->has_teeth())
-          fillets_.declare(prm, file);
+          {
+            fillets_.declare(prm, file);
+            instants_.declare(prm);
+          }
         case_->declare_run(prm);
       }
 
@@ -119,6 +125,7 @@ namespace vfife
         fillets_.check();
         if (!case_->has_teeth())
           output_.refuse_stress_waves("Output");
+        instants_.check();
       }
 
       void        inspect(Communicator &communicator, Log &log) override;
@@ -136,7 +143,14 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
-      Model                    make_model(Log &log) const;
+      Model make_model(Log &log) const;
+      /** Adds the writers of root stresses and pressures that are asked for. */
+      void                     record_stresses(const Model        &model,
+                                               double              end_time,
+                                               const Communicator &communicator,
+                                               Log                &log,
+                                               RunObservers       &observers,
+                                               PairResults        &pair) const;
       double                   choose_step(double stable_step) const;
       std::vector<std::string> report_contradictions(const Model   &model,
                                                      SteppedSolver &stepped,
@@ -147,6 +161,7 @@ namespace vfife
       DynamicsOptions           dynamics_;
       OutputOptions             output_;
       FilletOptions             fillets_;
+      InstantOptions            instants_;
       std::optional<Checkpoint> checkpoint_;
     };
   } // namespace
@@ -161,6 +176,22 @@ namespace vfife
         torque.ramp_time = case_->ramp_time();
     scale_masses(dynamics_, model, log);
     return model;
+  }
+
+  void RunStudy::record_stresses(const Model        &model,
+                                 const double        end_time,
+                                 const Communicator &communicator,
+                                 Log                &log,
+                                 RunObservers       &observers,
+                                 PairResults        &pair) const
+  {
+    pair.record_fillets(fillets_, measure_places(model, communicator), observers);
+    pair.record_pressures(instants_,
+                          make_fem_options(dynamics_),
+                          describe_run(*case_, model, end_time),
+                          gather_flanks(model, communicator),
+                          log,
+                          observers);
   }
 
   double RunStudy::choose_step(const double stable_step) const
@@ -195,6 +226,10 @@ namespace vfife
     const Model model = make_model(log);
     if (model.transmission)
       RootStress(model, fillets_);
+    if (instants_.asked_for())
+      check_pressures(instants_,
+                      make_fem_options(dynamics_),
+                      describe_run(*case_, model, case_->end_time()));
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return choose_step(stable_step);
     });
@@ -253,7 +288,7 @@ namespace vfife
         probes.emplace(model, measure, log, count_meshes(*transmission, whole_time));
         pair.emplace(model, case_->hertz_contact(), output_, history_steps, end_time);
         pair->add_observers(observers);
-        pair->record_fillets(fillets_, measure_places(model, communicator), observers);
+        record_stresses(model, whole_time, communicator, log, observers, *pair);
         pair->record_stress_waves(measure, observers);
         summary.figures =
           pair->list_figures(stepped.solver.contact().penalties().front(), case_->arm_range());

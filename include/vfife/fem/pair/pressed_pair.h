@@ -114,6 +114,8 @@ namespace vfife
     }
     /** Kinematic turns of the bodies about their axes since time zero [rad]. */
     std::vector<double> kinematic_turns() const;
+    /** Body frame to fixed frame at the position. */
+    RigidMotion body_motion(unsigned int body) const;
     /** Placement of a body: at @p x in the axes of time zero, turned. */
     Vector3 place(unsigned int body, const Vector3 &x) const;
 
@@ -205,7 +207,6 @@ namespace vfife
     struct Pair;
     struct Tangent;
 
-    RigidMotion body_motion(unsigned int body) const;
     /** By body and node: the place among @p nodes, or Surface::no_place. */
     std::vector<std::vector<unsigned int>>
     places_of(const std::vector<std::pair<unsigned int, unsigned int>> &nodes) const;

@@ -3,23 +3,10 @@
 #define vfife_fem_pressure_pair_pressure_h
 
 #include <vfife/fem/pair/pair_equilibrium.h>
-#include <vfife/fem/pressure/grid_contact.h>
-
-#include <map>
-#include <memory>
-#include <tuple>
+#include <vfife/fem/pressure/flank_pair.h>
 
 namespace vfife
 {
-  /** Pressures of two teeth on their own grid. */
-  struct ToothPressure
-  {
-    unsigned int slave_group = 0, master_group = 0;
-    GridPressure grid; ///< its moment: torque on the driven body [N mm]
-    /** Middles of the cells in the body frames of slave and master, at rest [mm]. */
-    std::array<std::vector<Vector3>, 2> places;
-  };
-
   /** Pressures of a pair at a position. */
   struct PairPressures
   {
@@ -42,29 +29,21 @@ namespace vfife
      * compliance must be that of the equilibria that solve() is called with, and outlive the
      * object. */
     PairPressure(Compliance &compliance, double depth, unsigned int cells_across);
-    ~PairPressure();
 
     /** At the last position of @p equilibrium, with its @p result. Collective. Throws InputError
      * for bodies with one element across a tooth, NumericalError where no pressures are found. */
     PairPressures solve(const PairEquilibrium &equilibrium, const PairEquilibriumResult &result);
 
   private:
-    struct Flanks;
-
-    const NearLayer &near_layer(unsigned int body, const std::string &surface, unsigned int group);
-    ElasticFlank     make_flank(unsigned int side, unsigned int group);
-    void             place(const PairEquilibrium &equilibrium, const PairEquilibriumResult &result);
-    ContactLoad      make_load(const PairEquilibrium       &equilibrium,
-                               const PairEquilibriumResult &result) const;
+    void        place(const PairEquilibrium &equilibrium, const PairEquilibriumResult &result);
+    ContactLoad make_load(const PairEquilibrium       &equilibrium,
+                          const PairEquilibriumResult &result) const;
 
     Compliance               &compliance_;
     const Model              &model_;
-    double                    depth_;
     unsigned int              cells_across_;
-    std::unique_ptr<Flanks>   flanks_; ///< of the first contact pair
-    std::vector<BondedLayer>  held_;   ///< by their sides
+    FlankPair                 flanks_;
     std::vector<unsigned int> places_; ///< of points among the watched ones
-    std::map<std::tuple<unsigned int, std::string, unsigned int>, NearLayer> near_;
   };
 } // namespace vfife
 

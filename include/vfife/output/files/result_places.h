@@ -64,6 +64,8 @@ namespace vfife
     constexpr char largest_arm[]     = "largest arm on the path of contact";
     constexpr char force_on_arm[]    = "torque over effective arm"; ///< of the contact
 
+    constexpr char on_own_grid[] = " on its own grid"; ///< behind the name of a pressure
+
     /** "pinion speed" */
     std::string speed_of(const std::string &body);
 

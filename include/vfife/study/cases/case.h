@@ -3,9 +3,11 @@
 #define vfife_study_cases_case_h
 
 #include <vfife/contact/law/hertz.h>
+#include <vfife/gear/blank_outline.h>
 #include <vfife/model/model.h>
 #include <vfife/study/cases/edges_under_load.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,6 +77,9 @@ namespace vfife
 
     /** Of one tooth pair at the mean contact of the unloaded flanks; of no size without teeth. */
     virtual HertzContact hertz_contact() const;
+
+    /** Outlines of pinion and gear; nothing without teeth. */
+    virtual std::optional<std::array<BlankOutline, 2>> outlines() const;
 
     /** Least and largest arm of the contact force over the unloaded path of contact, parts of that
      * at the mean contact; nothing without teeth. */

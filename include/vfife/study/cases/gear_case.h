@@ -33,9 +33,10 @@ namespace vfife
     double       choose_step(double stable_step, unsigned int samples) const override;
     bool         has_teeth() const override;
     HertzContact hertz_contact() const override;
-    std::optional<Vector2>        arm_range() const override;
-    std::optional<EdgesUnderLoad> edges_under_load() const override;
-    std::vector<std::string>      find_contradictions(const RunPlan &plan) const override;
+    std::optional<std::array<BlankOutline, 2>> outlines() const override;
+    std::optional<Vector2>                     arm_range() const override;
+    std::optional<EdgesUnderLoad>              edges_under_load() const override;
+    std::vector<std::string> find_contradictions(const RunPlan &plan) const override;
 
     /** The pair with everything derived. */
     GearPair make_pair() const;

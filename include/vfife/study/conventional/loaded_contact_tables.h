@@ -35,13 +35,6 @@ namespace vfife
    * position. */
   Table make_loaded_gauge_table();
 
-  /** Columns of pressure.csv: a row a position and tooth pair that carries on its own grid. */
-  Table make_loaded_pressure_table();
-
-  /** Columns of pressure_field.csv: a row a position, tooth pair and cell of its grid that carries.
-   */
-  Table make_loaded_pressure_field_table();
-
   /** Largest von Mises stress of some named sets of a body [MPa], 0 where it has none. */
   double find_largest_stress(const Body                      &body,
                              const std::vector<Stress>       &stresses,
@@ -53,9 +46,8 @@ namespace vfife
 
   namespace column
   {
-    constexpr char largest_pressure_inside[] = "largest pressure inside";
-    constexpr char error_of_bearings[]       = "transmission error of bearings";
-    constexpr char error_of_shaft_bending[]  = "transmission error of shaft bending";
+    constexpr char error_of_bearings[]      = "transmission error of bearings";
+    constexpr char error_of_shaft_bending[] = "transmission error of shaft bending";
   } // namespace column
 } // namespace vfife
 

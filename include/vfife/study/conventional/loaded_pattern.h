@@ -11,13 +11,7 @@
 namespace vfife
 {
   class GearPair;
-  struct BlankOutline;
   struct PairEquilibriumResult;
-
-  /** Where a point of a flank at radius and height @p r_z [mm] of its body frame is: along the face
-   * from the mean cone distance, > 0 to the heel, and along the profile from the pitch cone, > 0 to
-   * the tip [mm]. */
-  Vector2 place_on_flank(const BlankOutline &blank, const Vector2 &r_z);
 
   /** The contact pattern over the positions of a loaded tooth contact analysis. */
   class LoadedPattern

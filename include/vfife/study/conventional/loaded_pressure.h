@@ -2,16 +2,13 @@
 #ifndef vfife_study_conventional_loaded_pressure_h
 #define vfife_study_conventional_loaded_pressure_h
 
-#include <vfife/base/text/table.h>
 #include <vfife/fem/pressure/pair_pressure.h>
-#include <vfife/gear/blank_outline.h>
-#include <vfife/output/files/figures.h>
+#include <vfife/study/pressure/pressure_tables.h>
 
-#include <array>
+#include <vector>
 
 namespace vfife
 {
-  class GearPair;
   class Log;
   class OutputFolder;
 
@@ -19,11 +16,12 @@ namespace vfife
   class LoadedPressure
   {
   public:
-    /** @p pair: that of the model; the compliance must outlive this. */
-    LoadedPressure(const GearPair &pair,
-                   Compliance     &compliance,
-                   double          depth,
-                   unsigned int    cells_across);
+    /** @p outlines: of the members. Model and compliance must outlive this. */
+    LoadedPressure(const Model        &model,
+                   const PairOutlines &outlines,
+                   Compliance         &compliance,
+                   double              depth,
+                   unsigned int        cells_across);
 
     /** At the last position of @p equilibrium [tooth meshes]; @p error: its transmission error
      * [rad]. */
@@ -39,12 +37,9 @@ namespace vfife
     NamedFigures list_figures() const;
 
   private:
-    void add_tooth(double position, double error, double torque, const ToothPressure &tooth);
-
-    std::array<BlankOutline, 2> blanks_; ///< pinion, gear
-    PairPressure                pressure_;
-    Table                       teeth_, cells_;
-    std::vector<double>         errors_; ///< transmission errors of the positions [arcsec]
+    PairPressure        pressure_;
+    PressureTables      tables_;
+    std::vector<double> errors_; ///< transmission errors of the positions [arcsec]
   };
 } // namespace vfife
 

@@ -5,6 +5,7 @@
 #include <vfife/model/state.h>
 #include <vfife/output/files/run_checkpoints.h>
 #include <vfife/output/files/summary.h>
+#include <vfife/output/measures/body_ring.h>
 #include <vfife/output/measures/mounting.h>
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/run/run_observers.h>
@@ -17,6 +18,7 @@ namespace vfife
   class Log;
   class OutputFolder;
   struct Checkpoint;
+  struct Swing;
 
   /** What the equilibrium before a reduced run has told. */
   struct ReducedStart
@@ -27,6 +29,16 @@ namespace vfife
     double             torque             = 0; ///< on the driven body [N mm]
     Mounting           misalignment;           ///< of members on shafts
   };
+
+  /** Where the bores of the members have gone; an ideal one stays on its axis. What is given must
+   * outlive it. */
+  RingMotions bore_motions(const Model &model, const ReducedPair &pair);
+
+  /** The pair's swing about it. */
+  Swing swing_of(const ReducedStart &start);
+
+  /** What the equilibrium has told, where there was one. */
+  void describe_start(const ReducedStart &start, bool on_shafts, RunSummary &summary);
 
   /** The steps of a reduced pair from its equilibrium, or a checkpoint, to the end, with observers,
    * checkpoints, signals and the figures of the summary that any run has. */

@@ -7,6 +7,7 @@
 #include <vfife/output/measures/body_ring.h>
 #include <vfife/output/observers/fillet_writers.h>
 #include <vfife/output/observers/rim_writer.h>
+#include <vfife/study/pressure/pressure_writer.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 
 #include <cstdint>
@@ -19,6 +20,7 @@ namespace vfife
   class OutputFolder;
   class RunObservers;
   class Table;
+  struct InstantOptions;
   struct Model;
   struct OutputOptions;
 
@@ -49,6 +51,15 @@ namespace vfife
     /** Adds the writers of waves of stress that Output/stress waves asks for, of probes and of the
      * fillets that are recorded. Throws InputError for diameters that the sectors cannot show. */
     void record_stress_waves(ProbeMeasure measure, RunObservers &observers);
+
+    /** Adds the writer of pressures on grids of their own at the instants that @p options ask for,
+     * if any; as PressureWriter. */
+    void record_pressures(const InstantOptions &options,
+                          const FemOptions     &elements,
+                          const PairRun        &run,
+                          const FlankReader    &read_flanks,
+                          Log                  &log,
+                          RunObservers         &observers);
 
     /** What is known before the first step: speeds, torque, penalty, Case::arm_range(). */
     NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
@@ -90,9 +101,10 @@ namespace vfife
     FilletMeasure                   strains_;               ///< of the fillets
     bool                            records_teeth_ = false; ///< of the fillets
     std::optional<StressWavePlaces> wave_places_;
-    const Table                    *teeth_  = nullptr; ///< rows of teeth.csv
-    const Table                    *probes_ = nullptr;
-    const Table                    *rim_    = nullptr; ///< rows of rim.csv
+    const Table                    *teeth_     = nullptr; ///< rows of teeth.csv
+    const Table                    *probes_    = nullptr;
+    const Table                    *rim_       = nullptr; ///< rows of rim.csv
+    const PressureWriter           *pressures_ = nullptr;
   };
 } // namespace vfife
 

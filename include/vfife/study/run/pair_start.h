@@ -11,6 +11,10 @@
 
 namespace vfife
 {
+  /** The conventional elements that are nearest to those of a run, with the masses of its mass
+   * points. */
+  FemOptions make_fem_options(const DynamicsOptions &options);
+
   /**
    * Equilibrium of a gear pair in the frames that turn with its bodies, found in a few rounds: the
    * forces out of balance are those of the VFIFE operator and its contact, and what the bodies do

@@ -1,6 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Chapters that every folder can have: comparison ledger, tooth contact analysis, loaded tooth contact,
-natural frequencies, lumped model."""
+pressures, natural frequencies, lumped model."""
 from ..data.files import read_json
 from ..data.shapes import LUMPED
 from ..data.table import read_table
@@ -11,6 +11,7 @@ from .chapter import Chapter
 from .parts import EXACT, Cells, Paragraph, list_values
 
 SHOWN_MODES = 12  # of a body at a speed
+SHOWN_PRESSURES = 40  # tooth pairs
 
 
 def tell_ledger(run, plots):
@@ -75,6 +76,19 @@ def tell_loaded_contact(run, plots):
                         "transmission error.")
 
 
+def tell_grid_pressure(run, plots):
+    yield from plots
+    table = read_table(run.path / "pressure.csv")
+    if table is None:
+        return
+    text = "Tooth pairs by position: pressures, whether the largest is one of an edge, and how wide and long the contact is."
+    if table.n_rows > SHOWN_PRESSURES:
+        text += f" {SHOWN_PRESSURES} of {table.n_rows} rows of pressure.csv."
+    yield tell_rows(table, ("position", "pinion tooth", "gear tooth", "after the mesh", "force", "largest pressure inside",
+                            "largest pressure", "on edge", "contact width", "contact length"),
+                    range(min(table.n_rows, SHOWN_PRESSURES)), text)
+
+
 def tell_root_stress(run, plots):
     table = read_table(run.path / "fillet_envelope.csv")
     if table is not None:
@@ -122,6 +136,7 @@ LEDGER = Chapter("Comparison ledger", tell_ledger)
 TABLE_CHAPTERS = (
     Chapter("Unloaded tooth contact"),
     Chapter("Loaded tooth contact by finite elements", tell_loaded_contact),
+    Chapter("Pressures on their own grids", tell_grid_pressure),
     Chapter("Root stress", tell_root_stress),
     Chapter("Bearings", tell_bearings),
     Chapter("Natural frequencies", tell_frequencies),

@@ -37,7 +37,7 @@ def draw_pressure_field(run):
             along = table["along the face, pinion" if body == "pinion" else "along the face, gear"][rows]
             up = table["along the profile, pinion" if body == "pinion" else "along the profile, gear"][rows]
             cells = axes.scatter(along, up, c=table["pressure"][rows], s=2, vmin=0, vmax=most, cmap="viridis")
-            axes.set(title=f"{body}, {position:.3g} tooth meshes", ylabel="profile [mm]")
+            axes.set(title=f"{body}, {position:.5g} tooth meshes", ylabel="profile [mm]")
     for axes in all_axes[-1]:
         axes.set_xlabel("face, mm from its middle to the heel")
     plot.colorbar(cells, ax=list(all_axes.flat), label="pressure [MPa]", shrink=0.6, extend="max")
