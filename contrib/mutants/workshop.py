@@ -17,7 +17,7 @@ from table import ROOT
 
 # What a build reads, and what makes tests pass or fail.
 TELLING = ("CMakeLists.txt", "CMakePresets.json", "cmake", "include", "meshes", "prm", "source", "tests")
-CONTENT = (*TELLING, "README.md", "LICENSE", "run", "check", "contrib", "doc")
+CONTENT = (*TELLING, "README.md", "LICENSE", "run", "check", "contrib", "doc", "examples")
 
 
 class WorkshopError(Exception):
@@ -93,6 +93,9 @@ class Workshop:
             target = next((word[7:] for word in test.get("command", ()) if word.startswith("-DTRGT=")), None)
             # fem.ranks.mpirun2.release.test runs fem.ranks.release
             program = target and re.sub(r"\.mpirun\d+|\.threads\d+|\.test$", "", target)
+            # Scripts are handed the program that they run.
+            if program is None and str(self.build / "vfife") in test.get("command", ()):
+                program = "vfife_main"
             self.programs[test["name"]] = program
 
     def find_tests(self, name):
