@@ -23,4 +23,7 @@ if(VFIFE_UNITY)
     math(EXPR count_${room} "${count_${room}} + 1")
     set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room}_${group})
   endforeach()
+  # Compiled again at each commit: alone.
+  set_property(SOURCE ${PROJECT_SOURCE_DIR}/source/base/process/revision.cc
+               PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
 endif()
