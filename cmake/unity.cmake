@@ -1,7 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 # The sources of a room (a folder below source/) are compiled several at a time: what they include is
 # parsed and its templates are instantiated once for all of them. Names in namespaces without a name
-# are therefore each used once in a room (contrib/check_layers).
+# are therefore each used once in a room: the compiler refuses a second one of its unit.
 
 option(VFIFE_UNITY "Compile several sources of a room at a time" ON)
 # Few enough that one changed source is compiled again in seconds.
