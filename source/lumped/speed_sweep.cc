@@ -51,10 +51,10 @@ namespace vfife
     table.add_column(column::mean_dte, "arcsec");
     table.add_column("rms dte", "arcsec");
     table.add_column(column::peak_to_peak_dte, "arcsec");
-    table.add_column("mean force", "N");
+    table.add_column(column::mean_force, "N");
     table.add_column("rms force", "N");
     table.add_column(column::peak_to_peak_force, "N");
-    table.add_column("largest force", "N");
+    table.add_column(column::largest_force, "N");
     table.add_column("losses of contact", "-");
     table.add_column(column::time_apart, "-");
     table.add_column("time on coast flanks", "-");

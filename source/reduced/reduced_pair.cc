@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace vfife
 {
@@ -17,6 +18,9 @@ namespace vfife
 
   namespace
   {
+    /** Part of a tooth by which bodies may turn against each other in a step. */
+    constexpr double largest_turn = .1;
+
     const Model &require_pair(const Model &model, const std::vector<ReducedBody> &bodies)
     {
       require_reducible(model);
@@ -200,6 +204,18 @@ namespace vfife
     return true;
   }
 
+  void ReducedPair::check_turn(const double turned) const
+  {
+    const Transmission &t = *model_.transmission;
+    if (std::abs(turned) * t.driven_teeth < largest_turn * 2. * pi)
+      return;
+    std::ostringstream text;
+    text << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body turned by "
+         << turned * 180. / pi << " degrees beyond the driver in one step of "
+         << 1e6 * options_.step << " us: flanks would pass through each other; take smaller steps";
+    throw NumericalError(text.str());
+  }
+
   void ReducedPair::step()
   {
     const Transmission &t      = *model_.transmission;
@@ -232,11 +248,13 @@ namespace vfife
 
     // 2. The contact at the end of the step; where it comes upon nodes that were not looked at,
     // with more of them.
+    const double turn = now_.turn;
     while (!balance(coordinates, load))
       {
         ++widening_;
         search();
       }
+    check_turn(now_.turn - turn);
 
     // 3. The motion with the mean of the forces at both ends.
     const std::vector<ModalForces> after = project(now_);

@@ -50,7 +50,8 @@
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/gear/lumped_study.h>
 #include <vfife/study/pressure/pressure_tables.h>
-#include <vfife/study/reduced/speed_response.h>
+#include <vfife/study/reduced/pair_speed_sweep.h>
+#include <vfife/study/reduced/speed_ranges.h>
 #include <vfife/study/stress_waves/stress_wave_writers.h>
 #include <vfife/study/sweep/sweep_study.h>
 #include <vfife/study/waves/contact_meetings.h>
@@ -163,6 +164,8 @@ namespace
     add("resonance.csv", "lumped", make_resonance_response_table());
     add("resonance.csv", "reduced", make_resonance_response_table());
     add("wave_response.csv", "reduced", make_wave_response_table());
+    add("stress_response.csv", "reduced", make_stress_response_table());
+    add("exceedances.csv", "reduced", make_exceedance_table());
     add("waves_lines.csv", "waves", make_wave_line_table());
     add("waves_frequencies.csv", "waves", make_wave_frequency_table());
     add("waves_in_contact.csv", "waves", make_contact_meeting_table({}, {}, 1.));

@@ -198,6 +198,52 @@ namespace
     check_close("then it runs as one with that speed and torque", mean / there, 1., 2e-3);
   }
 
+  /** Without its load the gear springs away from the pinion; with it again it comes back. */
+  void parting(Communicator &world)
+  {
+    const Model model =
+      make_model("parting", "12000 rpm", "if(t < 0.0001, 800, if(t < 0.0006, 0, 400))", world);
+    const double step = 1. / (150. * model.transmission->mesh_frequency());
+    ReducedPair  pair = make_pair(model, reduce(model, 15e3, 4, world), {step, 1000., 2000.});
+    pair.start();
+    unsigned int n_apart = 0, n_back = 0;
+    double       torque = 0, last = 0;
+    for (double time = step; time < 6e-3; time += step)
+      {
+        pair.step();
+        const State state   = measure(pair);
+        const bool  touches = !state.measured.teeth.empty();
+        n_apart += touches ? 0 : 1;
+        n_back += touches && n_apart > 0 ? 1 : 0;
+        last = std::abs(state.measured.energy.error());
+        if (time > 3e-3)
+          torque += step / 3e-3 * state.measured.contact_torque;
+      }
+    check("flanks part", n_apart > 30);
+    check("and come together", n_back > n_apart);
+    check_close("the load is carried again", torque / 4e5, 1., 5e-2);
+    check_below("energy", last, 1e-2);
+  }
+
+  /** Steps in which the load alone would turn the gear by teeth. */
+  void too_long_steps(Communicator &world)
+  {
+    const Model  model = make_model("too_long", 6., world);
+    const double mesh  = 1. / model.transmission->mesh_frequency();
+    ReducedPair  pair  = make_pair(model, reduce(model, 15e3, 4, world), {mesh / 4., 2000., 2000.});
+    pair.start();
+    try
+      {
+        for (unsigned int i = 0; i < 20; ++i)
+          pair.step();
+        check("flanks do not pass through each other", false);
+      }
+    catch (const NumericalError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  }
+
   void refusals(Communicator &world)
   {
     Model                          model           = make_model("refused", 1., world);
@@ -218,5 +264,5 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {at_rest, in_motion, speeding_up, refusals});
+  run_parts(argc, argv, {at_rest, in_motion, speeding_up, parting, too_long_steps, refusals});
 }

@@ -84,6 +84,7 @@ namespace
     taken(FigureValue::first, "mJ", 8);
     taken(FigureValue::mean, "mJ", 2);
     taken(FigureValue::largest, "mJ", 9);
+    taken(FigureValue::where_largest, "s", 4);
     taken(FigureValue::smallest, "mJ", -10);
     taken(FigureValue::largest_size, "mJ", 10);
     taken(FigureValue::peak_to_peak, "mJ", 19);
@@ -96,6 +97,35 @@ namespace
     // Three crossings are two half periods: the first after 8/18 s, the last 0.9 of 0.5 s after 4
     // s.
     taken(FigureValue::zero_crossing_rate, "Hz", .5 * 2 / (4.45 - 8. / 18));
+  }
+
+  /** Rows over speed, up and down. */
+  void over_speed()
+  {
+    Table table;
+    table.add_text_column("direction");
+    table.add_column("speed", "rpm");
+    table.add_column("amplification", "-");
+    table.add_row({"up", 1000., 1.1});
+    table.add_row({"up", 2000., 1.3});
+    table.add_row({"down", 2000., 1.2});
+    table.add_row({"down", 1000., 1.4});
+    HistoryFigure figure;
+    figure.table  = FigureTable::stress_response;
+    figure.column = "amplification";
+    figure.value  = FigureValue::where_largest;
+    check("file", figure.file() == "stress_response.csv");
+    check_close("the speed of the largest", figure.compute(table).value, 1000, 0);
+    check("its unit", figure.compute(table).unit == "rpm");
+    figure.value = FigureValue::largest;
+    check_close("largest of all rows", figure.compute(table).value, 1.4, 0);
+    figure.from = 1e-3;
+    print_refusal([&]() { figure.check("Sweep/Figure x"); });
+    figure.from  = 0;
+    figure.value = FigureValue::last;
+    print_refusal([&]() { figure.check("Sweep/Figure x"); });
+    figure.table = FigureTable::history;
+    figure.check("Sweep/Figure x");
   }
 
   /** A mesh's vibration of amplitude 3 beside another one of 4, and a mean. */
@@ -207,6 +237,7 @@ int main()
 {
   values();
   single_values();
+  over_speed();
   shares_of_meshes();
   trend();
   words();

@@ -7,6 +7,7 @@
 
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/output/files/table_reader.h>
 
 #include <nlohmann/json.hpp>
 
@@ -160,6 +161,73 @@ namespace
     check("waves run little beside it",
           waves.at("running wave 1")[2] < .2 * waves.at("standing wave 1")[2]);
     check("contact is not lost", response.at("losses of contact")[3] == 0);
+  }
+
+  /** Stresses over speed: so slowly that hardly anything vibrates, and faster. */
+  void stresses(Communicator &world)
+  {
+    std::ofstream("stresses.prm") << pair_text("reduced");
+    run_pair("stresses.prm",
+             "stresses",
+             world,
+             {"Reduced/sweep=up",
+              "Reduced/lowest speed=300 rpm",
+              "Reduced/highest speed=18000 rpm",
+              "Reduced/speeds=2",
+              "Reduced/settling meshes=1",
+              "Reduced/settling decay times=4",
+              "Reduced/counted meshes=3",
+              "Reduced/cutoff frequency=20 kHz",
+              "Reduced/allowed amplification=1.03",
+              "Fillets/teeth=all",
+              "Output/history every=50"});
+    const Columns stress = read_columns("stresses/stress_response.csv");
+    const Table   table  = read_result_table("stresses/stress_response.csv");
+    const auto   &places = table.column("place").texts;
+    check("a row a speed and place",
+          places == std::vector<std::string>({"node A front",
+                                              "node A back",
+                                              "concave fillet",
+                                              "convex fillet",
+                                              "node A front",
+                                              "node A back",
+                                              "concave fillet",
+                                              "convex fillet"}));
+    for (std::size_t i = 0; i < 4; ++i)
+      {
+        check_close(places[i] + ", slowly", stress.at("amplification")[i], 1., 3e-2);
+        check(places[i] + ", faster: vibrates",
+              stress.at("amplification")[i + 4] > stress.at("amplification")[i]);
+      }
+    // Without vibration: the equilibrium that a reduced pair at that speed starts from, and what
+    // the position of the mesh adds, at both speeds the same.
+    std::ofstream("one_speed.prm") << pair_text("reduced");
+    const auto start = [&](const std::string &speed) {
+      run_pair("one_speed.prm",
+               "one_speed",
+               world,
+               {"Operation/speed=" + speed,
+                "Operation/tooth meshes=1",
+                "Reduced/cutoff frequency=20 kHz",
+                "Output/stress waves=1"});
+      return read_columns("one_speed/probe_waves.csv").at("largest von mises");
+    };
+    const std::vector<double> slow = start("300 rpm"), fast = start("18000 rpm"),
+                              &rest = stress.at("stress without vibration");
+    for (unsigned int p = 0; p < 2; ++p)
+      {
+        check(places[p] + ": more in some position of the mesh",
+              rest[p] > slow[p] && rest[p] < 1.1 * slow[p]);
+        // Bodies are reduced at the highest speed, 1e-3 of stresses.
+        check_below(places[p] + ": at both speeds the same",
+                    std::abs((rest[p + 4] - fast[p]) - (rest[p] - slow[p])) / fast[p],
+                    2e-3);
+      }
+    const Columns ranges         = read_columns("stresses/exceedances.csv");
+    const auto   &amplifications = ranges.at("largest amplification");
+    check("exceedances are above what is allowed",
+          !amplifications.empty() &&
+            *std::min_element(amplifications.begin(), amplifications.end()) > 1.03);
   }
 
   /** Speed and torque over time, beside a run. */
@@ -333,10 +401,20 @@ namespace
                   "Reduced/highest speed=20000 rpm",
                   entry});
       });
+    print_refusal([&]() {
+      run_pair("refused.prm",
+               "refused",
+               world,
+               {"Reduced/sweep=up",
+                "Reduced/lowest speed=12000 rpm",
+                "Reduced/highest speed=20000 rpm",
+                "Reduced/settling decay times=3",
+                "Dynamics/damping=0"});
+    });
   }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {beside_run, speeds, run_up, store, goes_on, refusals});
+  run_parts(argc, argv, {beside_run, speeds, stresses, run_up, store, goes_on, refusals});
 }

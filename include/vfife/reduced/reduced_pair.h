@@ -71,7 +71,8 @@ namespace vfife
      * NumericalError where a body is not stable. */
     void set_speed(double driver_rate, double step);
 
-    /** One step. Throws NumericalError, naming the position. */
+    /** One step. Throws NumericalError, naming the position; also where bodies turn so far against
+     * each other that flanks would be passed over. */
     void step();
 
     /** Sets time, step and measurements; forces at the nodes where the field is not empty. */
@@ -138,7 +139,10 @@ namespace vfife
     /** Turn, rates and torques go on to the end of the step that begins: returns their means in it,
      * by body. */
     std::vector<AxialLoad> advance_drive();
-    double                 driven_turn() const; ///< kinematic, in the drive direction [rad]
+    /** Throws NumericalError where the driven body turns so far [rad] in a step beyond the driver.
+     */
+    void   check_turn(double turned) const;
+    double driven_turn() const; ///< kinematic, in the drive direction [rad]
     /** Looks for what may touch in the steps until the next search. */
     void search();
     /** From now on rows are of these nodes; forces at nodes that stay go with them. */

@@ -62,7 +62,7 @@ namespace vfife
               {column::mean_dte, {response.mean_error / arcsecond, "arcsec"}},
               {"rms dte", {response.rms_error / arcsecond, "arcsec"}},
               {column::peak_to_peak_dte, {response.pp_error / arcsecond, "arcsec"}},
-              {"mean force", {response.mean_force, "N"}},
+              {column::mean_force, {response.mean_force, "N"}},
               {"rms force", {response.rms_force, "N"}},
               {column::peak_to_peak_force, {response.pp_force, "N"}},
               {"losses of contact", {static_cast<double>(response.losses), "-"}},

@@ -3,13 +3,10 @@
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
-#include <vfife/base/process/run_signals.h>
-#include <vfife/base/process/wall_clock.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/output/files/output_folder.h>
-#include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/bearing_writer.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/progress_line.h>
@@ -25,15 +22,17 @@
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/flank_places.h>
 #include <vfife/study/reduced/pair_reduction.h>
+#include <vfife/study/reduced/pair_speed_sweep.h>
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/reduced/reduced_study.h>
-#include <vfife/study/reduced/speed_response.h>
+#include <vfife/study/reduced/speed_sweep_files.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/pair_start.h>
 #include <vfife/study/run/run_penalties.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/stress_waves/stress_wave_places.h>
 
 #include <cmath>
 #include <optional>
@@ -56,6 +55,7 @@ namespace vfife
         Subsection section(prm, "Reduced");
         options_.declare(prm);
         sweep_.declare(prm);
+        sweep_options_.declare(prm);
       }
 
       void check() const override
@@ -75,12 +75,8 @@ namespace vfife
         if (!is_motion() && instants_.asked_for())
           throw InputError(instants_.asking_entry(),
                            "a sweep over speeds (Reduced/sweep) has no pressures at instants");
-        if (!is_motion() && fillets_.records())
-          throw InputError(fillets_.teeth != RecordedTeeth::none ? "Fillets/teeth"
-                                                                 : "Fillets/gauges",
-                           "a sweep over speeds (Reduced/sweep) records no fillets and has no "
-                           "gauges; a reduced pair at one speed does, also one of many runs that "
-                           "a study of the kind sweep makes");
+        if (!is_motion())
+          check_sweep();
         if (dynamics_.damping_rate != DampingRate::momentum)
           throw InputError("Dynamics/damping rate",
                            "modes are damped relative to the momentum's rate of the body");
@@ -117,6 +113,18 @@ namespace vfife
       void run(OutputFolder &folder, Log &log) override;
 
     private:
+      void check_sweep() const
+      {
+        if (!fillets_.gauges.empty() ||
+            (fillets_.teeth != RecordedTeeth::none && fillets_.teeth != RecordedTeeth::all))
+          throw InputError(!fillets_.gauges.empty() ? "Fillets/gauges" : "Fillets/teeth",
+                           "a sweep over speeds (Reduced/sweep) knows stresses of none or all "
+                           "teeth and no gauges; a reduced pair at one speed has more, also one "
+                           "of many runs that a study of the kind sweep makes");
+        if (sweep_options_.settling_decay_times > 0 && !(dynamics_.mass_damping() > 0))
+          throw InputError("Reduced/settling decay times",
+                           "nothing decays without Dynamics/damping or Dynamics/damping ratio");
+      }
       /** Whether one motion is computed, not one at each of many speeds. */
       bool is_motion() const
       {
@@ -184,19 +192,21 @@ namespace vfife
                                  log,
                                  observers);
       }
-      void sweep(const Model  &model,
-                 ReducedPair  &pair,
-                 const Motion &motion,
-                 OutputFolder &folder,
-                 Log          &log) const;
+      void sweep(const Model      &model,
+                 ReducedPair      &pair,
+                 const Motion     &motion,
+                 const RootStress *roots,
+                 OutputFolder     &folder,
+                 Log              &log) const;
 
-      GearCase          gear_case_;
-      DynamicsOptions   dynamics_;
-      OutputOptions     output_;
-      FilletOptions     fillets_;
-      InstantOptions    instants_;
-      ReducedOptions    options_;
-      SpeedSweepOptions sweep_;
+      GearCase              gear_case_;
+      DynamicsOptions       dynamics_;
+      OutputOptions         output_;
+      FilletOptions         fillets_;
+      InstantOptions        instants_;
+      ReducedOptions        options_;
+      SpeedSweepOptions     sweep_;
+      PairSpeedSweepOptions sweep_options_;
 
       std::optional<Checkpoint> checkpoint_;
     };
@@ -213,55 +223,25 @@ namespace vfife
       return motion;
     }
 
-    void ReducedStudy::sweep(const Model  &model,
-                             ReducedPair  &pair,
-                             const Motion &motion,
-                             OutputFolder &folder,
-                             Log          &log) const
+    void ReducedStudy::sweep(const Model            &model,
+                             ReducedPair            &pair,
+                             const Motion           &motion,
+                             const RootStress *const roots,
+                             OutputFolder           &folder,
+                             Log                    &log) const
     {
-      const auto start = WallClock::now();
-      pair.set_speed(sweep_.lowest_speed, motion.options.step);
-      const ReducedEquilibrium found = pair.start();
-      log.line("equilibrium at the lowest speed: ", found.iterations, " iterations");
-      Table      resonance = make_resonance_response_table(), waves = make_wave_response_table();
-      RunSignals signals;
-      const auto write = [&]() {
-        write_csv(folder, "resonance.csv", resonance);
-        write_csv(folder, "wave_response.csv", waves);
-        std::vector<double> signal = {static_cast<double>(signals.stop_signal())};
-        folder.communicator().max(signal);
-        if (signal[0] > 0)
-          throw Interrupted("stopped by " + RunSignals::name(static_cast<int>(signal[0])) +
-                            " after " + std::to_string(resonance.n_rows()) +
-                            " speeds, which resonance.csv has; a sweep does not go on, but may "
-                            "begin at the next speed");
-      };
-      RunSummary summary = start_summary("reduced", model, folder);
-      try
-        {
-          sweep_speeds(model,
-                       options_,
-                       motion.cutoff,
-                       sweep_,
-                       output_.history_every,
-                       pair,
-                       resonance,
-                       waves,
-                       write,
-                       log);
-        }
-      catch (const NumericalError &error)
-        {
-          summary.status  = "failed";
-          summary.failure = error.what();
-        }
-      summary.run_time = seconds_since(start);
-      summary.figures  = {{"cut-off frequency", {motion.cutoff, "Hz"}},
-                          {"speeds", {double(resonance.n_rows()), "-"}}};
-      write_summary(folder, summary);
-      if (summary.status == "failed")
-        throw NumericalError(summary.failure);
-      log.line(resonance.n_rows(), " speeds in ", duration_text(summary.run_time));
+      const StressWavePlaces places(model, roots);
+      PairSpeedSweep         sweep(model,
+                           {options_,
+                                    sweep_,
+                                    sweep_options_,
+                                    motion.cutoff,
+                                    dynamics_.mass_damping(),
+                                    output_.history_every},
+                           places,
+                           pair);
+      run_speed_sweep(
+        model, {sweep_options_.allowed_amplification, motion.cutoff}, sweep, folder, log);
     }
 
     void ReducedStudy::move(Model        &model,
@@ -384,7 +364,7 @@ namespace vfife
       if (is_motion())
         move(model, pair, motion, penalties.front(), folder, log);
       else
-        sweep(model, pair, motion, folder, log);
+        sweep(model, pair, motion, roots ? &*roots : nullptr, folder, log);
       if (output_.pictures)
         draw_pictures(folder, log);
     }

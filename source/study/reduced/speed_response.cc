@@ -1,12 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/process/log.h>
-#include <vfife/base/text/column_names.h>
-#include <vfife/lumped/speed_sweep.h>
-#include <vfife/model/model.h>
-#include <vfife/model/state.h>
-#include <vfife/reduced/pair_readings.h>
-#include <vfife/reduced/reduced_options.h>
-#include <vfife/reduced/reduced_pair.h>
+#include <vfife/base/complex.h>
 #include <vfife/study/reduced/speed_response.h>
 
 #include <algorithm>
@@ -35,35 +28,22 @@ namespace vfife
         largest                = *high;
       }
     };
-
-    /** Waves of the rim's axial motion in space. In turning axes a wave is Re(w exp(i n alpha));
-     * what stands in space has w ~ exp(i n psi), psi what the body has turned about the axis of its
-     * sectors. */
-    std::vector<std::complex<double>>
-    find_waves(ReducedPair &pair, const unsigned int largest, const double turned)
-    {
-      const std::vector<double>         rim = pair.measure_rim(largest);
-      std::vector<std::complex<double>> waves;
-      for (unsigned int n = 1; n <= largest; ++n)
-        waves.push_back(find_rim_wave(rim, 2, n) * std::polar(1., -(n * turned)));
-      return waves;
-    }
   } // namespace
 
-  void SpeedResponse::add(const double                             error,
-                          const double                             force,
-                          const bool                               coast,
-                          const std::vector<std::complex<double>> &waves)
+  void SpeedResponse::add(SpeedSample sample)
   {
-    errors_.push_back(error);
-    forces_.push_back(force);
-    n_coast_ += coast ? 1 : 0;
-    waves_.push_back(waves);
+    samples_.push_back(std::move(sample));
   }
 
   LumpedResponse SpeedResponse::response(const double energy_error) const
   {
-    const Statistics error(errors_), force(forces_);
+    std::vector<double> errors, forces;
+    for (const SpeedSample &sample : samples_)
+      {
+        errors.push_back(sample.error);
+        forces.push_back(sample.force);
+      }
+    const Statistics error(errors), force(forces);
     LumpedResponse   response;
     response.mean_error    = error.mean;
     response.rms_error     = error.rms;
@@ -73,108 +53,38 @@ namespace vfife
     response.pp_force      = force.largest - force.least;
     response.largest_force = force.largest;
     unsigned int n_apart   = 0;
-    for (std::size_t i = 0; i < forces_.size(); ++i)
-      if (!(forces_[i] > 0))
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      if (!(forces[i] > 0))
         {
           ++n_apart;
-          response.losses += i > 0 && forces_[i - 1] > 0 ? 1 : 0;
+          response.losses += i > 0 && forces[i - 1] > 0 ? 1 : 0;
         }
-    response.time_apart   = double(n_apart) / forces_.size();
-    response.time_coast   = double(n_coast_) / forces_.size();
+    const auto n_coast    = std::count_if(samples_.begin(), samples_.end(), [](const auto &sample) {
+      return sample.coast;
+    });
+    response.time_apart   = double(n_apart) / samples_.size();
+    response.time_coast   = double(n_coast) / samples_.size();
     response.energy_error = energy_error;
     return response;
   }
 
   std::pair<double, double> SpeedResponse::wave(const unsigned int n) const
   {
-    std::complex<double> mean = 0;
-    for (const auto &waves : waves_)
-      mean += waves[n - 1];
-    mean /= double(waves_.size());
+    Complex mean = 0;
+    for (const SpeedSample &sample : samples_)
+      mean += sample.waves[n - 1];
+    mean /= double(samples_.size());
     double largest = 0;
-    for (const auto &waves : waves_)
-      largest = std::max(largest, std::abs(waves[n - 1] - mean));
+    for (const SpeedSample &sample : samples_)
+      largest = std::max(largest, std::abs(sample.waves[n - 1] - mean));
     return {std::abs(mean), largest};
   }
 
-  Table make_wave_response_table()
+  double SpeedResponse::largest_stress(const std::size_t place) const
   {
-    Table table;
-    table.add_text_column(column::direction);
-    table.add_column(column::speed, "rpm");
-    for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
-      {
-        table.add_column("standing wave " + std::to_string(n), "um");
-        table.add_column("running wave " + std::to_string(n), "um");
-      }
-    return table;
-  }
-
-  void sweep_speeds(const Model                 &model,
-                    const ReducedOptions        &options,
-                    const double                 cutoff,
-                    const SpeedSweepOptions     &sweep,
-                    const unsigned int           samples,
-                    ReducedPair                 &pair,
-                    Table                       &resonance,
-                    Table                       &waves,
-                    const std::function<void()> &report,
-                    Log                         &log)
-  {
-    const Transmission &t = *model.transmission;
-    // Of the driven body's turn in the drive direction, about the axis of its sectors.
-    const double sense   = t.driven_sense * pair.sector_sense(t.driven);
-    const auto   turn_at = [&](const double speed, const std::string &direction) {
-      const double       frequency = speed * t.driver_teeth / (2. * pi);
-      const unsigned int steps     = options.find_steps(frequency, cutoff, samples);
-      pair.set_speed(speed, 1. / (frequency * steps));
-      for (unsigned int i = 0; i < options.settling_meshes * steps; ++i)
-        pair.step();
-      SpeedResponse response;
-      State         state;
-      for (unsigned int i = 1; i <= options.counted_meshes * steps; ++i)
-        {
-          pair.step();
-          if (i % (steps / samples) != 0)
-            continue;
-          pair.measure(state);
-          const Measurements &m = state.measured;
-          response.add(m.transmission_error,
-                       m.contact_force,
-                       std::any_of(m.teeth.begin(),
-                                   m.teeth.end(),
-                                   [](const auto &tooth) { return tooth.side == "coast"; }),
-                       find_waves(pair,
-                                  SpeedResponse::largest_wave,
-                                  sense * (m.driven_angle - t.driven_start)));
-        }
-      const LumpedResponse found = response.response(std::abs(state.measured.energy.error()));
-      add_response(direction, speed, t.driver_teeth, found, resonance);
-      std::vector<Table::Cell> row = {direction, speed * 30. / pi};
-      for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
-        {
-          row.emplace_back(response.wave(n).first);
-          row.emplace_back(response.wave(n).second);
-        }
-      waves.add_row(row);
-      log.line(direction,
-               " ",
-               speed * 30. / pi,
-               " rpm: transmission error ",
-               found.mean_error / arcsecond,
-               " arcsec, peak to peak ",
-               found.pp_error / arcsecond,
-               " arcsec, largest force ",
-               found.largest_force,
-               " N, ",
-               steps,
-               " steps in a tooth mesh");
-      report();
-    };
-    for (const double speed : list_speeds(sweep, true))
-      turn_at(speed, "up");
-    if (sweep.kind == SweepKind::up_and_down)
-      for (const double speed : list_speeds(sweep, false))
-        turn_at(speed, "down");
+    double largest = 0;
+    for (const SpeedSample &sample : samples_)
+      largest = std::max(largest, sample.stresses[place]);
+    return largest;
   }
 } // namespace vfife

@@ -154,6 +154,20 @@ namespace vfife
     return stresses;
   }
 
+  std::vector<double> StressWavePlaces::measure_largest(const ProbeMeasure        &probes,
+                                                        const FilletStrains *const strains) const
+  {
+    std::vector<double> largest = measure_probes(probes);
+    for (std::size_t f = 0; f < fillets_.size(); ++f)
+      {
+        largest.push_back(0);
+        if (strains != nullptr)
+          for (const double tension : measure_tensions(f, *strains))
+            largest.back() = std::max(largest.back(), tension);
+      }
+    return largest;
+  }
+
   std::vector<double> StressWavePlaces::find_largest(const StressWaves &waves) const
   {
     std::vector<double> largest;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace vfife
 {
@@ -136,8 +137,8 @@ namespace vfife
       return meshes.empty() ? not_known : sum / square;
     }
 
-    /** One number of a column, in its unit but for change [-], time above half [s] and zero
-     * crossing rate [Hz]. */
+    /** One number of a column, in its unit but for change [-], where largest [that of @p time,
+     * which is a speed in tables over speed], time above half [s] and zero crossing rate [Hz]. */
     double compute_value(const FigureValue value, const Numbers &time, const Numbers &column)
     {
       switch (value)
@@ -152,6 +153,8 @@ namespace vfife
           return *std::max_element(column.begin(), column.end());
         case FigureValue::smallest:
           return *std::min_element(column.begin(), column.end());
+        case FigureValue::where_largest:
+          return time[std::max_element(column.begin(), column.end()) - column.begin()];
         case FigureValue::largest_size:
           return std::max(*std::max_element(column.begin(), column.end()),
                           -*std::min_element(column.begin(), column.end()));
@@ -172,11 +175,13 @@ namespace vfife
         }
       return not_known;
     }
-    /** @p own: that of the column. */
-    std::string unit_of(const FigureValue value, const std::string &own)
+    /** @p own: that of the column; @p over: that of the column of times or speeds. */
+    std::string unit_of(const FigureValue value, const std::string &own, const std::string &over)
     {
       switch (value)
         {
+        case FigureValue::where_largest:
+          return over;
         case FigureValue::change:
         case FigureValue::periodic_share:
           return "-";
@@ -198,6 +203,7 @@ namespace vfife
                                                  {"first", FigureValue::first},
                                                  {"mean", FigureValue::mean},
                                                  {"largest", FigureValue::largest},
+                                                 {"where largest", FigureValue::where_largest},
                                                  {"smallest", FigureValue::smallest},
                                                  {"largest size", FigureValue::largest_size},
                                                  {"peak to peak", FigureValue::peak_to_peak},
@@ -214,28 +220,36 @@ namespace vfife
   void HistoryFigure::declare(dealii::ParameterHandler &prm)
   {
     static const Choices<FigureTable> tables = {{"history", FigureTable::history},
-                                                {"teeth", FigureTable::teeth}};
-    declare_choice(prm,
-                   "table",
-                   table,
-                   tables,
-                   "Of which column is one; teeth: all rows of all tooth pairs, for mean, largest, "
-                   "smallest and largest size");
+                                                {"teeth", FigureTable::teeth},
+                                                {"resonance", FigureTable::resonance},
+                                                {"wave_response", FigureTable::wave_response},
+                                                {"stress_response", FigureTable::stress_response}};
+    declare_choice(
+      prm,
+      "table",
+      table,
+      tables,
+      "Of which column is one. Of others than histories there are mean, largest, where "
+      "largest, smallest and largest size, of all rows: of all tooth pairs, speeds, "
+      "places");
     declare_text(prm, "column", column, "Column of the table, without its unit");
     declare_choice(prm,
                    "value",
                    value,
                    figure_value_choices(),
-                   "What is taken of the column; change: last over first minus one; half: of the "
+                   "What is taken of the column; where largest: the time or speed of the largest; "
+                   "change: last over first minus one; half: of the "
                    "largest value; zero crossing rate: a vibration's frequency; periodic share: "
                    "part of the variance that repeats with the tooth mesh; trend: slope of the "
                    "meshes' means, a tooth mesh");
-    declare_quantity(prm,
-                     "from",
-                     from,
-                     "s",
-                     "Samples from this time on, as when the start's swing has died out",
-                     Range::not_negative());
+    declare_quantity(
+      prm,
+      "from",
+      from,
+      "s",
+      "Samples from this time on, as when the start's swing has died out; of tables over "
+      "time",
+      Range::not_negative());
     declare_text(prm,
                  "reference",
                  reference,
@@ -249,13 +263,16 @@ namespace vfife
       throw InputError(section + "/column", "the column of " + file() + " is missing");
     const std::vector<FigureValue> of_rows = {FigureValue::mean,
                                               FigureValue::largest,
+                                              FigureValue::where_largest,
                                               FigureValue::smallest,
                                               FigureValue::largest_size};
-    if (table == FigureTable::teeth && std::count(of_rows.begin(), of_rows.end(), value) == 0)
+    if (table != FigureTable::history && std::count(of_rows.begin(), of_rows.end(), value) == 0)
       throw InputError(section + "/value",
-                       "\"" + word_of(value, figure_value_choices()) +
-                         "\" is of a history, and teeth.csv has rows of several tooth pairs at a "
-                         "time; of those there are mean, largest, smallest, largest size");
+                       "\"" + word_of(value, figure_value_choices()) + "\" is of a history; of " +
+                         file() +
+                         " there are mean, largest, where largest, smallest, largest size");
+    if (is_over_speed() && from > 0)
+      throw InputError(section + "/from", file() + " has speeds and no times");
     if (!reference.empty())
       try
         {
@@ -269,7 +286,25 @@ namespace vfife
 
   std::string HistoryFigure::file() const
   {
-    return table == FigureTable::history ? "history.csv" : "teeth.csv";
+    switch (table)
+      {
+      case FigureTable::history:
+        return "history.csv";
+      case FigureTable::teeth:
+        return "teeth.csv";
+      case FigureTable::resonance:
+        return "resonance.csv";
+      case FigureTable::wave_response:
+        return "wave_response.csv";
+      case FigureTable::stress_response:
+        return "stress_response.csv";
+      }
+    throw std::logic_error("a table of figures without a name");
+  }
+
+  bool HistoryFigure::is_over_speed() const
+  {
+    return table != FigureTable::history && table != FigureTable::teeth;
   }
 
   Figure HistoryFigure::compute(const Table &history) const
@@ -284,10 +319,14 @@ namespace vfife
                          did_you_mean(name, names));
       return history.numbers(name);
     };
-    const Numbers    &all = find(column), &all_times = find(column::time);
-    const std::string unit = unit_of(value, history.column(column).unit);
-    const auto        first =
-      std::lower_bound(all_times.begin(), all_times.end(), from) - all_times.begin();
+    const std::string over = is_over_speed() ? column::speed : column::time;
+    const Numbers    &all = find(column), &all_times = find(over);
+    const std::string unit = unit_of(value, history.column(column).unit, history.column(over).unit);
+    // Speeds may rise and fall, and all of them count.
+    const auto first =
+      is_over_speed()
+        ? 0
+        : std::lower_bound(all_times.begin(), all_times.end(), from) - all_times.begin();
     const Numbers time(all_times.begin() + first, all_times.end()),
       samples(all.begin() + first, all.end());
     if (samples.empty())

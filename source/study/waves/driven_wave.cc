@@ -70,12 +70,8 @@ namespace vfife
                     2. * pi /
                       (schedule.speed * model_.transmission->driver_teeth * schedule.steps));
     pair_.start();
-    std::vector<double> static_stress = places_.measure_probes(probes);
-    for (std::size_t f = 0; f < places_.fillets().size(); ++f)
-      {
-        const std::vector<double> tensions = places_.measure_tensions(f, measure_fillets(State()));
-        static_stress.push_back(*std::max_element(tensions.begin(), tensions.end()));
-      }
+    const FilletStrains at_rest       = measure_fillets(State());
+    std::vector<double> static_stress = places_.measure_largest(probes, &at_rest);
 
     StressWaves    stresses = places_.none();
     VectorXcd      force    = VectorXcd::Zero(body().harmonics[harmonic].n_modes());

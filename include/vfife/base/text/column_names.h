@@ -66,8 +66,14 @@ namespace vfife
     constexpr char direction[]          = "direction"; ///< of a sweep: "up" or "down"
     constexpr char mean_dte[]           = "mean dte";
     constexpr char peak_to_peak_dte[]   = "peak to peak dte";
+    constexpr char mean_force[]         = "mean force";
     constexpr char peak_to_peak_force[] = "peak to peak force";
+    constexpr char largest_force[]      = "largest force";
     constexpr char time_apart[]         = "time apart";
+
+    // Stresses of a sweep over speed.
+    constexpr char place[]         = "place"; ///< a probe or a fillet of the driven body
+    constexpr char amplification[] = "amplification";
 
     using Axes = std::array<const char *, 3>;
 

@@ -68,6 +68,11 @@ namespace vfife
     /** Tensions at the facets of one of the fillets, the largest of all teeth now [MPa]. */
     std::vector<double> measure_tensions(std::size_t fillet, const FilletStrains &strains) const;
 
+    /** Of each place of names() the largest now [MPa]: von Mises stress of all copies of a probe,
+     * tension at all facets of a fillet of all teeth, which @p strains are of (nullptr: 0). */
+    std::vector<double> measure_largest(const ProbeMeasure  &probes,
+                                        const FilletStrains *strains) const;
+
     /** Of each place of names() the largest over a period of waves whose amplitudes go as exp(i
      * omega t) [MPa]: von Mises stress of a probe, tension at the facets of a fillet. */
     std::vector<double> find_largest(const StressWaves &waves) const;

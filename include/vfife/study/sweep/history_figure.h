@@ -20,6 +20,7 @@ namespace vfife
     mean,
     largest,
     smallest,
+    where_largest,     ///< time or speed of the row with the largest value
     largest_size,      ///< of the absolute values
     peak_to_peak,      ///< largest less smallest
     periodic_share,    ///< part of the variance that repeats with the tooth mesh [-]
@@ -35,18 +36,22 @@ namespace vfife
   /** Where the column is. */
   enum class FigureTable
   {
-    history, ///< history.csv
-    teeth    ///< teeth.csv: rows of several tooth pairs at a time
+    history,        ///< history.csv
+    teeth,          ///< teeth.csv: rows of several tooth pairs at a time
+    resonance,      ///< resonance.csv: rows over speed
+    wave_response,  ///< wave_response.csv: rows over speed
+    stress_response ///< stress_response.csv: rows of several places at a speed
   };
 
-  /** A number that is taken of the history of a run, and what it should be. */
+  /** A number that is taken of the history of a run, or of its response over speed, and what it
+   * should be. */
   struct HistoryFigure
   {
     std::string name;
     FigureTable table = FigureTable::history;
     std::string column;
     FigureValue value = FigureValue::last;
-    double      from  = 0; ///< samples from this time on [s]
+    double      from  = 0; ///< samples from this time on [s], of tables over time
     std::string reference; ///< number in the figure's unit; empty: not known
 
     void declare(dealii::ParameterHandler &prm);
@@ -56,6 +61,9 @@ namespace vfife
 
     /** Name of the table's file. */
     std::string file() const;
+
+    /** Whether its rows are of speeds, not of times. */
+    bool is_over_speed() const;
 
     /**
      * The number with its unit, of the file's table.

@@ -1,0 +1,114 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_reduced_pair_speed_sweep_h
+#define vfife_study_reduced_pair_speed_sweep_h
+
+#include <vfife/base/text/table.h>
+#include <vfife/lumped/speed_sweep.h>
+#include <vfife/reduced/reduced_options.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace vfife
+{
+  class Log;
+  class ReducedPair;
+  class StressWavePlaces;
+  struct Model;
+  struct SpeedSample;
+  struct State;
+
+  /** Entries of section Reduced that sweeps over speed have beside those of SpeedSweepOptions. */
+  struct PairSpeedSweepOptions
+  {
+    double settling_decay_times  = 0; ///< that a speed settles, at least
+    double allowed_amplification = 0; ///< of forces and stresses; 0: nothing is judged
+
+    void declare(dealii::ParameterHandler &prm);
+  };
+
+  /** How a reduced pair is swept over speeds. */
+  struct PairSpeedSweepSetup
+  {
+    ReducedOptions        reduced;
+    SpeedSweepOptions     speeds;
+    PairSpeedSweepOptions options;
+    double                cutoff  = 0; ///< that of the bodies [Hz]
+    double                damping = 0; ///< of the momentum [1/s]
+    unsigned int          samples = 0; ///< in a tooth mesh
+
+    /** Tooth meshes of a frequency [Hz] in which a speed settles. */
+    unsigned int find_settling_meshes(double mesh_frequency) const;
+  };
+
+  /** Columns of wave_response.csv. */
+  Table make_wave_response_table();
+  /** Columns of stress_response.csv. */
+  Table make_stress_response_table();
+
+  /** A reduced pair at one speed after the other, each from the motion at the one before. */
+  class PairSpeedSweep
+  {
+  public:
+    /** @p places: whose stresses are looked at; where they have fillets, the driven body has their
+     * readings (list_fillet_readings()). All but the setup must outlive the object. */
+    PairSpeedSweep(const Model            &model,
+                   PairSpeedSweepSetup     setup,
+                   const StressWavePlaces &places,
+                   ReducedPair            &pair);
+
+    /**
+     * Finds the stresses without vibration at all speeds, and turns the pair at all speeds of the
+     * passes, from the equilibrium at the first one on. @p report is called after each speed.
+     * Throws NumericalError; the tables have what was before.
+     */
+    void run(const std::function<void()> &report, Log &log);
+
+    /** Rows of resonance.csv. */
+    const Table &resonance() const
+    {
+      return resonance_;
+    }
+    /** Rows of wave_response.csv. */
+    const Table &waves() const
+    {
+      return waves_;
+    }
+    /** Rows of stress_response.csv. */
+    const Table &stresses() const
+    {
+      return stresses_;
+    }
+
+  private:
+    double mesh_frequency_at(double speed) const;
+    /** Returns the steps in a tooth mesh. */
+    unsigned int        set_speed(double speed);
+    std::vector<double> measure_stresses() const;
+    SpeedSample         take_sample(State &state) const;
+    /** Of each place: its largest stress in a tooth mesh so slow that nothing vibrates, less that
+     * where the mesh starts [MPa]; not known without damping. */
+    std::vector<double> find_mesh_part();
+    /** By speed and place: of the equilibrium at that speed, and the part of the mesh. */
+    std::vector<std::vector<double>> find_stresses_at_rest(const std::vector<double> &speeds);
+    /** @p at_rest: those at that speed. */
+    void turn_at(double                     speed,
+                 const std::string         &direction,
+                 const std::vector<double> &at_rest,
+                 Log                       &log);
+
+    const Model            &model_;
+    PairSpeedSweepSetup     setup_;
+    const StressWavePlaces &places_;
+    ReducedPair            &pair_;
+    Table                   resonance_, waves_, stresses_;
+  };
+} // namespace vfife
+
+#endif

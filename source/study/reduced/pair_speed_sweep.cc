@@ -1,0 +1,252 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/complex.h>
+#include <vfife/base/parameters/parameters.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/model/model.h>
+#include <vfife/model/state.h>
+#include <vfife/reduced/pair_readings.h>
+#include <vfife/reduced/reduced_pair.h>
+#include <vfife/study/reduced/fillet_readings.h>
+#include <vfife/study/reduced/pair_speed_sweep.h>
+#include <vfife/study/reduced/speed_response.h>
+#include <vfife/study/stress_waves/stress_wave_places.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Decay times in a step of the slow tooth mesh: what is left of a vibration after one is
+     * exp(-...). */
+    constexpr double slow_decay_times = 4.;
+    /** Steps in the slow mesh. What acts is the mean of the forces at both ends of a step: where a
+     * force changes much in one, it goes to and fro. */
+    constexpr unsigned int slow_steps = 150;
+  } // namespace
+
+  void PairSpeedSweepOptions::declare(dealii::ParameterHandler &prm)
+  {
+    declare_number(prm,
+                   "settling decay times",
+                   settling_decay_times,
+                   "So long at least a speed of a sweep settles: times in which Dynamics/damping "
+                   "lets a vibration fall to 1/e",
+                   Range::not_negative());
+    declare_number(prm,
+                   "allowed amplification",
+                   allowed_amplification,
+                   "Of contact force over its mean and of stresses over those without vibration, "
+                   "in a sweep: exceedances.csv has the speeds with more. 0: nothing is judged",
+                   Range::not_negative());
+  }
+
+  unsigned int PairSpeedSweepSetup::find_settling_meshes(const double mesh_frequency) const
+  {
+    if (options.settling_decay_times == 0)
+      return reduced.settling_meshes;
+    // Amplitudes fall as exp(-damping t/2).
+    const double meshes = options.settling_decay_times * 2. / damping * mesh_frequency;
+    return std::max(reduced.settling_meshes, static_cast<unsigned int>(std::ceil(meshes)));
+  }
+
+  Table make_wave_response_table()
+  {
+    Table table;
+    table.add_text_column(column::direction);
+    table.add_column(column::speed, "rpm");
+    for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
+      {
+        table.add_column("standing wave " + std::to_string(n), "um");
+        table.add_column("running wave " + std::to_string(n), "um");
+      }
+    return table;
+  }
+
+  Table make_stress_response_table()
+  {
+    Table table;
+    table.add_text_column(column::direction);
+    table.add_column(column::speed, "rpm");
+    table.add_text_column(column::place);
+    table.add_column("stress without vibration", "MPa");
+    table.add_column("largest stress", "MPa");
+    table.add_column(column::amplification, "-");
+    return table;
+  }
+
+  PairSpeedSweep::PairSpeedSweep(const Model            &model,
+                                 PairSpeedSweepSetup     setup,
+                                 const StressWavePlaces &places,
+                                 ReducedPair            &pair)
+    : model_(model)
+    , setup_(std::move(setup))
+    , places_(places)
+    , pair_(pair)
+    , resonance_(make_resonance_response_table())
+    , waves_(make_wave_response_table())
+    , stresses_(make_stress_response_table())
+  {
+  }
+
+  double PairSpeedSweep::mesh_frequency_at(const double speed) const
+  {
+    return speed * model_.transmission->driver_teeth / (2. * pi);
+  }
+
+  unsigned int PairSpeedSweep::set_speed(const double speed)
+  {
+    const double       frequency = mesh_frequency_at(speed);
+    const unsigned int steps = setup_.reduced.find_steps(frequency, setup_.cutoff, setup_.samples);
+    pair_.set_speed(speed, 1. / (frequency * steps));
+    return steps;
+  }
+
+  std::vector<double> PairSpeedSweep::measure_stresses() const
+  {
+    const ProbeMeasure probes = [this](const std::vector<Probe> &copies) {
+      return pair_.measure_probes(copies);
+    };
+    if (places_.fillets().empty())
+      return places_.measure_largest(probes, nullptr);
+    const FilletStrains strains = measure_fillet_readings(pair_)(State());
+    return places_.measure_largest(probes, &strains);
+  }
+
+  std::vector<double> PairSpeedSweep::find_mesh_part()
+  {
+    std::vector<double> part(places_.names().size(), not_known);
+    if (!(setup_.damping > 0))
+      return part; // nothing comes to rest
+    const double step = slow_decay_times * 2. / setup_.damping;
+    pair_.set_speed(2. * pi / (model_.transmission->driver_teeth * slow_steps * step), step);
+    pair_.start();
+    const std::vector<double> first = measure_stresses();
+    std::vector<double>       largest(first.size(), 0.);
+    // The first tooth mesh settles.
+    for (unsigned int s = 1; s <= 2 * slow_steps; ++s)
+      {
+        pair_.step();
+        if (s <= slow_steps)
+          continue;
+        const std::vector<double> now = measure_stresses();
+        for (std::size_t p = 0; p < now.size(); ++p)
+          largest[p] = std::max(largest[p], now[p]);
+      }
+    for (std::size_t p = 0; p < part.size(); ++p)
+      part[p] = largest[p] - first[p];
+    return part;
+  }
+
+  std::vector<std::vector<double>>
+  PairSpeedSweep::find_stresses_at_rest(const std::vector<double> &speeds)
+  {
+    // At one instant all sectors together show what one of them passes through in a turn, but for
+    // what the position of the tooth mesh adds.
+    const std::vector<double>        part = find_mesh_part();
+    std::vector<std::vector<double>> at_rest;
+    for (const double speed : speeds)
+      {
+        set_speed(speed);
+        pair_.start();
+        at_rest.push_back(measure_stresses());
+        for (std::size_t p = 0; p < part.size(); ++p)
+          at_rest.back()[p] += part[p];
+      }
+    return at_rest;
+  }
+
+  void PairSpeedSweep::run(const std::function<void()> &report, Log &log)
+  {
+    const std::vector<double>              speeds  = list_speeds(setup_.speeds, true);
+    const std::vector<std::vector<double>> at_rest = find_stresses_at_rest(speeds);
+    set_speed(speeds.front());
+    log.line("equilibrium at the lowest speed: ", pair_.start().iterations, " iterations");
+
+    const auto pass = [&](const std::size_t i, const std::string &direction) {
+      turn_at(speeds[i], direction, at_rest[i], log);
+      report();
+    };
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+      pass(i, "up");
+    if (setup_.speeds.kind == SweepKind::up_and_down)
+      for (std::size_t i = speeds.size(); i-- > 0;)
+        pass(i, "down");
+  }
+
+  SpeedSample PairSpeedSweep::take_sample(State &state) const
+  {
+    pair_.measure(state);
+    const Transmission &t = *model_.transmission;
+    const Measurements &m = state.measured;
+    // In turning axes a wave is Re(w exp(i n alpha)). What stands in space has w ~ exp(i n psi),
+    // psi what the driven body has turned in the drive direction about the axis of its sectors.
+    const double turned =
+      t.driven_sense * pair_.sector_sense(t.driven) * (m.driven_angle - t.driven_start);
+    const std::vector<double> rim = pair_.measure_rim(SpeedResponse::largest_wave);
+
+    SpeedSample sample;
+    sample.error = m.transmission_error;
+    sample.force = m.contact_force;
+    sample.coast = std::any_of(m.teeth.begin(), m.teeth.end(), [](const auto &tooth) {
+      return tooth.side == "coast";
+    });
+    for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
+      sample.waves.push_back(find_rim_wave(rim, 2, n) * std::polar(1., -(n * turned)));
+    sample.stresses = measure_stresses();
+    return sample;
+  }
+
+  void PairSpeedSweep::turn_at(const double               speed,
+                               const std::string         &direction,
+                               const std::vector<double> &at_rest,
+                               Log                       &log)
+  {
+    const unsigned int steps    = set_speed(speed);
+    const unsigned int settling = setup_.find_settling_meshes(mesh_frequency_at(speed));
+    for (unsigned int i = 0; i < settling * steps; ++i)
+      pair_.step();
+    SpeedResponse response;
+    State         state;
+    for (unsigned int i = 1; i <= setup_.reduced.counted_meshes * steps; ++i)
+      {
+        pair_.step();
+        if (i % (steps / setup_.samples) == 0)
+          response.add(take_sample(state));
+      }
+
+    const double         rpm   = speed * 30. / pi;
+    const LumpedResponse found = response.response(std::abs(state.measured.energy.error()));
+    add_response(direction, speed, model_.transmission->driver_teeth, found, resonance_);
+    std::vector<Table::Cell> row = {direction, rpm};
+    for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
+      {
+        row.emplace_back(response.wave(n).first);
+        row.emplace_back(response.wave(n).second);
+      }
+    waves_.add_row(row);
+    for (std::size_t p = 0; p < places_.names().size(); ++p)
+      {
+        const double largest = response.largest_stress(p);
+        stresses_.add_row(
+          {direction, rpm, places_.names()[p], at_rest[p], largest, largest / at_rest[p]});
+      }
+    log.line(direction,
+             " ",
+             rpm,
+             " rpm: transmission error ",
+             found.mean_error / arcsecond,
+             " arcsec, peak to peak ",
+             found.pp_error / arcsecond,
+             " arcsec, largest force ",
+             found.largest_force,
+             " N, ",
+             settling,
+             " tooth meshes to settle, of ",
+             steps,
+             " steps");
+  }
+} // namespace vfife

@@ -1,0 +1,90 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// Where made-up curves over speed are above a level.
+#include "../tests.h"
+
+#include <vfife/base/types.h>
+#include <vfife/lumped/speed_sweep.h>
+#include <vfife/study/reduced/pair_speed_sweep.h>
+#include <vfife/study/reduced/speed_ranges.h>
+
+using namespace vfife;
+
+namespace
+{
+  void check_range(const std::string &what,
+                   const SpeedRange  &range,
+                   const double       from,
+                   const double       to,
+                   const double       largest,
+                   const double       at)
+  {
+    check_close(what + ": from", range.from, from, 1e-12);
+    check_close(what + ": to", range.to, to, 1e-12);
+    check_close(what + ": largest", range.largest, largest, 0);
+    check_close(what + ": at", range.at, at, 0);
+  }
+
+  void ranges()
+  {
+    const std::vector<double> speeds = {100, 200, 300, 400, 500, 600};
+    const std::vector<double> curve  = {3, 1, 4, 6, 0, 5};
+    const auto                found  = find_ranges_above(speeds, curve, 2);
+    check("three", found.size() == 3);
+    check_range("from the first speed on", found[0], 100, 150, 3, 100);
+    check_range("over two speeds", found[1], 200 + 100. / 3, 400 + 400. / 6, 6, 400);
+    check_range("to the last speed", found[2], 540, 600, 5, 600);
+    check("none", find_ranges_above(speeds, curve, 6).empty());
+    check_range("all", find_ranges_above(speeds, curve, -1).at(0), 100, 600, 6, 400);
+
+    const auto down = find_ranges_above({300, 200, 100}, {0, 4, 0}, 2);
+    check_range("falling speeds", down.at(0), 250, 150, 4, 200);
+    check("nothing of nothing", find_ranges_above({}, {}, 1).empty());
+  }
+
+  LumpedResponse forces(const double mean, const double largest)
+  {
+    LumpedResponse response;
+    response.mean_force    = mean;
+    response.largest_force = largest;
+    return response;
+  }
+
+  /** Each direction and place is a curve of its own. */
+  void exceedances()
+  {
+    Table          resonance = make_resonance_response_table();
+    constexpr auto rpm       = pi / 30;
+    add_response("up", 1000 * rpm, 27, forces(100, 110), resonance);
+    add_response("up", 2000 * rpm, 27, forces(200, 260), resonance);
+    add_response("down", 2000 * rpm, 27, forces(200, 210), resonance);
+    add_response("down", 1000 * rpm, 27, forces(100, 140), resonance);
+    Table stresses = make_stress_response_table();
+    for (const double speed : {1000., 2000.})
+      {
+        stresses.add_row({"up", speed, "web", 50, 55, 1.1});
+        stresses.add_row({"up", speed, "root", 50, speed < 1500 ? 70 : 50, speed < 1500 ? 1.4 : 1});
+      }
+    Table table = make_exceedance_table();
+    add_exceedances(resonance, stresses, 1.2, table);
+    const auto texts = [&table](const std::string &name) { return table.column(name).texts; };
+    check("directions", texts("direction") == std::vector<std::string>({"up", "down", "up"}));
+    check("quantities",
+          texts("quantity") ==
+            std::vector<std::string>({"contact force total", "contact force total", "root"}));
+    check_close("force, up: from", table.numbers("from")[0], 1500, 1e-9);
+    check_close("force, up: to", table.numbers("to")[0], 2000, 1e-9);
+    check_close("force, up: largest", table.numbers("largest amplification")[0], 1.3, 1e-12);
+    check_close("force, down: from",
+                table.numbers("from")[1],
+                2000 - 1000 * (1.2 - 1.05) / (1.4 - 1.05),
+                1e-9);
+    check_close("force, down: at", table.numbers("at")[1], 1000, 1e-9);
+    check_close("root: to", table.numbers("to")[2], 1500, 1e-9);
+  }
+} // namespace
+
+int main()
+{
+  ranges();
+  exceedances();
+}
