@@ -17,6 +17,8 @@ TABLES = {
     "data/beside.py": {"table": "coupled_modes.csv"},
     "data/error_bars.py": {"bars": "error_bars.csv", "pairs": "differences.csv", "runs": "sweep.csv"},
     "page/sweep_chapter.py": {"table": "resonance.csv"},
+    "measures/speed_peaks.py": {"response": "resonance.csv", "stress": "stress_response.csv", "ranges": "exceedances.csv"},
+    "plots/speed_curves.py": {"stress": "stress_response.csv"},
     "plots/campbell.py": {"branches": "campbell.csv", "resonances": "resonances.csv"},
     "plots/lumped.py": {"motion": "lumped.csv"},
     "plots/driven_waves.py": {"frequencies": "waves_frequencies.csv", "lines": "waves_lines.csv",

@@ -21,11 +21,13 @@ from vfife_report.data.variants import find_variants
 from vfife_report.measures.critical_speeds import choose_modes, list_critical_speeds
 from vfife_report.measures.run_lines import describe_resolution, list_other_lines
 from vfife_report.measures.sidebands import list_sidebands
+from vfife_report.page.study_chapters import tell_responses
 from vfife_report.page.sweep_chapter import list_sentences
 from vfife_report.plots.curves import draw_curves
 from vfife_report.page.error_chapter import tell_error_bars
 from vfife_report.plots.error_bars import draw_error_bars
 from vfife_report.plots.resonance import draw_resonance
+from vfife_report.plots.speed_curves import draw_speed_curves, draw_stress_response
 from vfife_report.plots.spectra import draw_sidebands
 from vfife_report.plots.waterfalls import draw_waterfall
 
@@ -71,6 +73,69 @@ def write_sweep(folder, speeds):
             "peak to peak force [N],rms force [N]\n"
             "up,2000,900,1,0.5,10,5\nup,5000,2250,4,2,40,20\ndown,5000,2250,3,1,30,10\n")
         write_parameters(folder / "beside" / name, {"Study/kind": (kind, "")})
+
+
+def write_response(folder, web, forces):
+    """A sweep over speed with forces at 1000, 2000, 3000 rpm, and stresses a hundredth of them at two places."""
+    folder.mkdir(parents=True)
+    (folder / "summary.json").write_text(json.dumps(make_summary()))
+    write_parameters(folder, {**make_parameters(), "Gear pair/Gear/Body/web": (web, "")})
+    rows = list(zip((1000, 2000, 3000), forces))
+    (folder / "resonance.csv").write_text(
+        "direction,speed [rpm],peak to peak dte [arcsec],largest force [N]\n" + "".join(
+            f"up,{speed},{force / 1000},{force}\n" for speed, force in rows))
+    (folder / "wave_response.csv").write_text("direction,speed [rpm],running wave 1 [um]\n" + "".join(
+        f"up,{speed},1\n" for speed, _ in rows))
+    (folder / "stress_response.csv").write_text(
+        "direction,speed [rpm],place,stress without vibration [MPa],largest stress [MPa],amplification [-]\n" + "".join(
+            f"up,{speed},{place},80,{part * force},{part * force / 80}\n" for speed, force in rows
+            for place, part in (("web", 0.01), ("fillet", 0.005))))
+    (folder / "exceedances.csv").write_text(
+        "direction,quantity,from [rpm],to [rpm],largest amplification [-],at [rpm]\n"
+        "up,web,1500,2500,1.3,2000\ndown,web,1400,2400,1.3,2000\n")
+
+
+class Responses(unittest.TestCase):
+    """Variants that are sweeps over speed."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = Path(self.folder.name)
+        write_response(self.path / "run_01", "none", (9000, 12000, 10000))
+        write_response(self.path / "run_02", "conical", (9000, 10000, 11000))
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_curves(self):
+        """A curve a variant in each panel, and its largest value marked."""
+        study = Study(self.path)
+        plot = draw_speed_curves(study)
+        self.assertEqual(len(plot.axes), 4)
+        force, web = plot.axes[1], plot.axes[2]
+        self.assertEqual([line.get_gid() for line in force.get_lines() if len(line.get_xdata()) > 1],
+                         [variant.name for variant in study.variants])
+        marks = [(line.get_xdata()[0], line.get_ydata()[0]) for line in force.get_lines() if len(line.get_xdata()) == 1]
+        self.assertEqual(marks, [(2000, 12000), (3000, 11000)])
+        self.assertEqual(list(web.get_lines()[0].get_ydata()), [90, 120, 100])
+        self.assertIn("web", web.get_ylabel())
+
+    def test_chapter(self):
+        """Largest values with their speeds and places, and rising speeds with too much."""
+        study = Study(self.path)
+        _, peaks, exceedances = list(tell_responses(study, ["a plot"]))
+        name = study.variants[0].name
+        self.assertIn([name, "largest force", "", 12000.0, "N", 2000.0], peaks.rows)
+        self.assertIn([name, "amplification", "web", 1.5, "-", 2000.0], peaks.rows)
+        self.assertEqual(exceedances.rows[0], [name, "web", 1500.0, 2500.0, 1.3, 2000.0])
+        self.assertEqual(len(exceedances.rows), 2)
+
+    def test_stresses(self):
+        """Of one folder: with and without vibration."""
+        plot = draw_stress_response(RunFolder(self.path / "run_01"))
+        without, largest = plot.axes[1].get_lines()
+        self.assertEqual(list(without.get_ydata()), [80, 80, 80])
+        self.assertEqual(list(largest.get_ydata()), [45, 60, 50])
 
 
 class Speeds(unittest.TestCase):

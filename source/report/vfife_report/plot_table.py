@@ -6,14 +6,14 @@ from .data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
 from .data.fields import read_fields_of_bodies, read_last_fields
 from .data.needs import (changes_speed, has_axis, has_bearings, has_error_bars, has_file, has_history, has_misalignment,
                          has_orders, has_pair, has_pairs, has_pairs_with, has_pattern, has_patterns, has_probes,
-                         has_rim, has_rim_over_meshes, has_speeds, has_tooth_mesh, has_tooth_pressures)
+                         has_responses, has_rim, has_rim_over_meshes, has_speeds, has_tooth_mesh, has_tooth_pressures)
 from .data.study import Study
 from .pictures.bodies import draw_bodies
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
 from .pictures.scene import Scene, is_in_mesh
 from .pictures.teeth_in_mesh import draw_teeth_in_mesh
 from .plots import (bearings, campbell, comparisons, driven_waves, grid_pressure, histories, lumped, rim, root_stress,
-                    run_up, spectra, speed_response, tooth_contact)
+                    run_up, spectra, speed_curves, speed_response, tooth_contact)
 from .plots.curves import draw_curves
 from .plots.error_bars import draw_error_bars
 from .plots.loaded_contact import draw_loaded_contact
@@ -130,6 +130,9 @@ TABLE_PLOTS = (
     PlotRow("wave_response.svg", (has_file("wave_response.csv"),), speed_response.draw_wave_response,
             "Waves of the rim over speed: where a mesh order meets one, it runs.", "Response over speed",
             data="wave_response.csv"),
+    PlotRow("stress_response.svg", (has_file("stress_response.csv"),), speed_curves.draw_stress_response,
+            "Stresses over speed: largest of all sectors, and without vibration.", "Response over speed",
+            data="stress_response.csv"),
     PlotRow("waves_met.svg", (has_file("waves_frequencies.csv"),), driven_waves.draw_waves_met,
             "Frequencies of the web's waves over speed, less or more the turn of the gear, and mesh orders. Discs: amplitudes "
             "of the rim where the waves were driven.", "Travelling waves",
@@ -149,6 +152,9 @@ STUDY_PLOTS = (
     PlotRow("error_bars.svg", (has_error_bars,), draw_error_bars,
             "Quantities of all variants with their numerical errors; crosses: without a known error.", "Error bars",
             data="error_bars.csv, differences.csv"),
+    PlotRow("speed_curves.svg", (has_responses,), speed_curves.draw_speed_curves,
+            "Responses of all variants over speed, rising; dots: where each is largest.", "Responses over speed",
+            data="resonance.csv, stress_response.csv of each variant"),
     PlotRow("resonance.svg", (has_speeds,), draw_resonance,
             "Ripple of transmission error and contact force over speed, beside those of other models. Circles: runs without steady part or "
             "with a ripple that is not steady. Vertical: speeds at which a mesh order meets a coupled mode.", "Over what is varied"),

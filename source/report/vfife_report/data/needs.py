@@ -78,6 +78,11 @@ def has_pairs_with(table, column=None):
     return need
 
 
+def has_responses(study):
+    """Variants have responses over speed of their own."""
+    return len(study.responses) > 1
+
+
 def has_axis(study):
     """One number is varied."""
     return study.axis is not None

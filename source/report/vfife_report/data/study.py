@@ -39,6 +39,11 @@ class Study:
                 if v.run.history is not None and TRANSMISSION_ERROR in v.run.history
                 and v.run.samples_per_mesh()]
 
+    @cached_property
+    def responses(self):
+        """Variants that are sweeps over speed."""
+        return [v for v in self.variants if v.run.has_file("resonance.csv") and v.run.has_file("wave_response.csv")]
+
     def patterns(self):
         """Variants with contact patterns of the same bodies as the first of them."""
         found = [v for v in self.variants if v.run.pattern is not None]

@@ -5,6 +5,7 @@ from ..data.files import read_json
 from ..data.shapes import LUMPED
 from ..data.table import read_table
 from ..measures.ledger import HEADER, list_ledger_rows, list_reasons, read_ledger
+from ..measures.speed_peaks import list_exceedances, list_peaks
 from ..plots.bearings import list_bearings
 from ..plots.root_stress import list_root_stresses
 from .chapter import Chapter
@@ -111,6 +112,16 @@ def tell_frequencies(run, plots):
     yield from plots
 
 
+def tell_response(run, plots):
+    yield from plots
+    if not plots or not run.has_file("wave_response.csv"):
+        return
+    yield Cells(["figure", "place", "largest", "unit", "at [rpm]"], list_peaks(run), "Largest over all speeds.", digits=EXACT)
+    yield Cells(["quantity", "from [rpm]", "to [rpm]", "largest amplification", "at [rpm]"], list_exceedances(run),
+                "Speeds at which contact force over its mean or a stress over that without vibration is larger than allowed "
+                "(Reduced/allowed amplification).", digits=EXACT)
+
+
 def tell_waves(run, plots):
     yield from plots
     lines = read_table(run.path / "waves_lines.csv")
@@ -140,6 +151,6 @@ TABLE_CHAPTERS = (
     Chapter("Root stress", tell_root_stress),
     Chapter("Bearings", tell_bearings),
     Chapter("Natural frequencies", tell_frequencies),
-    Chapter("Response over speed"),
+    Chapter("Response over speed", tell_response),
     Chapter("Travelling waves", tell_waves),
     Chapter("Lumped model", tell_lumped_model))

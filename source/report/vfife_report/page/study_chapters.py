@@ -8,6 +8,7 @@ from ..measures.periodicity import measure_column
 from ..measures.quantities import list_quantities
 from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
                                   list_other_lines)
+from ..measures.speed_peaks import list_exceedances, list_peaks
 from .chapter import Chapter
 from .error_chapter import tell_error_bars
 from .parts import EXACT, Cells, Paragraph
@@ -46,6 +47,20 @@ def list_measured(study):
     """Column, variant and periodicity (or None) of what is judged."""
     return [(column, variant, measure_column(variant.run, column))
             for column in JUDGED for variant in study.variants]
+
+
+def tell_responses(study, plots):
+    yield from plots
+    if not plots:
+        return
+    peaks = [[variant.name, *peak] for variant in study.responses for peak in list_peaks(variant.run)]
+    yield Cells(["variant", "figure", "place", "largest", "unit", "at [rpm]"],
+                sorted(peaks, key=lambda row: list(dict.fromkeys(peak[1] for peak in peaks)).index(row[1])),
+                "Largest over all speeds.", digits=EXACT)
+    yield Cells(["variant", "quantity", "from [rpm]", "to [rpm]", "largest amplification", "at [rpm]"],
+                [[variant.name, *row] for variant in study.responses for row in list_exceedances(variant.run)],
+                "Speeds at which contact force over its mean or a stress over that without vibration is larger than allowed "
+                "(Reduced/allowed amplification).", digits=EXACT)
 
 
 def tell_means(study, plots):
@@ -121,6 +136,7 @@ def tell_computations(study, plots):
 STUDY_CHAPTERS = (
     Chapter("The variants", tell_variants),
     Chapter("Error bars", tell_error_bars),
+    Chapter("Responses over speed", tell_responses),
     Chapter("Over what is varied", tell_sweep, title_sweep),
     Chapter("Means and ripple", tell_means),
     Chapter("Transmission error"),
