@@ -1,5 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Where made-up curves over speed are above a level.
+// Where made-up curves over speed are above a level; how long a speed settles.
 #include "../tests.h"
 
 #include <vfife/base/types.h>
@@ -81,10 +81,23 @@ namespace
     check_close("force, down: at", table.numbers("at")[1], 1000, 1e-9);
     check_close("root: to", table.numbers("to")[2], 1500, 1e-9);
   }
+
+  void settling()
+  {
+    PairSpeedSweepSetup setup;
+    setup.reduced.settling_meshes = 5;
+    setup.damping                 = 400;
+    check("meshes as they are asked for", setup.find_settling_meshes(9000) == 5);
+    // Amplitudes fall to 1/e in 5 ms, 45 meshes of 9 kHz.
+    setup.options.settling_decay_times = 3.001;
+    check("decay times", setup.find_settling_meshes(9000) == 136);
+    check("but no less than the meshes", setup.find_settling_meshes(100) == 5);
+  }
 } // namespace
 
 int main()
 {
+  settling();
   ranges();
   exceedances();
 }
