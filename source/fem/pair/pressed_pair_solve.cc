@@ -15,6 +15,9 @@ namespace vfife
     /** Where contact may be lost: residual of a balance that will do where no better is found. A
      * point on the edge between two facets may be pressed by either, with forces that differ. */
     constexpr double edge_jump = 1e-3;
+    /** The same of an equilibrium, in which all of the load is carried: where Newton's method goes
+     * round, a hundred-thousandth of it is let go. */
+    constexpr double equilibrium_jump = 1e-5;
     /** Halvings of a Newton step. */
     constexpr unsigned int largest_halvings = 8;
     /** Round-off of the potential energy over its largest part. */
@@ -229,18 +232,20 @@ namespace vfife
     std::ostringstream history;
     PressedState       best;
     double             least = std::numeric_limits<double>::infinity();
+    const bool         loses = now.unit > 0; // contact may be lost
+    const double       jump  = loses ? edge_jump : equilibrium_jump;
     for (unsigned int i = 0;; ++i)
       {
         const double residual = now.residual(load, model_.transmission->arm);
         history << " " << residual;
         if (residual < tolerance)
           return i;
-        if (now.unit > 0 && residual < std::min(least, edge_jump))
+        if (residual < std::min(least, jump))
           {
             best  = now;
             least = residual;
           }
-        if (i >= now.patience && least < edge_jump)
+        if (least < jump && i >= (loses ? now.patience : largest_iterations))
           {
             // The surfaces are left where they have been evaluated.
             now        = std::move(best);

@@ -163,10 +163,10 @@ namespace vfife
 
     /**
      * Finds the equilibrium: displacements are @p base and the bodies' answer. @p tolerance: of
-     * PressedState::residual(); where contact may be lost, the best one below 1e-3 after
-     * PressedState::patience iterations. Returns the
-     * iterations; throws NumericalError, naming position and history of residuals, and what @p
-     * explain says where that is not empty.
+     * PressedState::residual(). Where a point between two facets is pressed by one and the other
+     * in turn, the best one will do: below 1e-3 after PressedState::patience iterations where
+     * contact may be lost, else below 1e-5 after 60. Returns the iterations; throws NumericalError,
+     * naming position and history of residuals, and what @p explain says where that is not empty.
      */
     unsigned int balance(PressedBodies                      &bodies,
                          const Eigen::VectorXd              &base,
