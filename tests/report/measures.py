@@ -335,7 +335,7 @@ class Texts(unittest.TestCase):
                 write_run(folder, thickness, fields=False)
                 runs.append(RunFolder(folder))
             self.assertEqual(make_title(runs[0]),
-                             "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, 20000 rpm, 800 N m")
+                             "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, pinion at 20000 rpm, 800 N m on the gear")
             self.assertEqual(name_variants(runs), ["web 5 mm at 70 deg", "web 3.5 mm at 70 deg"])
             self.assertEqual(name_variants(runs[:1]), ["5"])
 
