@@ -1,13 +1,13 @@
 #!/bin/bash
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-# first_run.sh PROJECT: ./run of a fresh copy with a made-up apt-get. Help and version come at once; what is installed, and how
+# first_run.sh PROJECT: ./run and ./check of a fresh copy with a made-up apt-get. Help and version come at once; what is installed, and how
 # much, is said before; a network that is not there is called that.
 set -euo pipefail
 project=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir -p "$folder/copy/contrib" "$folder/bin"
-cp "$project"/{run,README.md,CMakeLists.txt} "$folder/copy"
+cp "$project"/{run,check,README.md,CMakeLists.txt} "$folder/copy"
 cp "$project/contrib/prepare.sh" "$folder/copy/contrib"
 
 # No package is installed; whoever asks is noted.
@@ -43,6 +43,11 @@ cd "$folder/copy"
 for option in --version --help -h; do
   ./run prm/any.prm $option >"$folder/said" 2>&1 || fail "$option ends with $?"
   [ ! -e "$folder/calls" ] && [ ! -e build ] || fail "$option installs or builds"
+done
+for option in --help -h; do
+  ./check $option >"$folder/said" 2>&1 || fail "$option of ./check ends with $?"
+  grep -q '^usage: ./check' "$folder/said" || fail "$option of ./check says nothing of it"
+  [ ! -e "$folder/calls" ] && [ ! -e build ] || fail "$option of ./check installs or builds"
 done
 ./run --version >"$folder/said"
 version=$(sed -n 's/^project(vfife VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
