@@ -174,7 +174,8 @@ STUDY_PLOTS = (
     PlotRow("force_spectra.svg", (has_pairs,), partial(comparisons.draw_spectra, column=CONTACT_FORCE),
             "Spectra of the contact force.", "Contact"),
     PlotRow("contact_patterns.svg", (has_patterns,), tooth_contact.draw_contact_patterns,
-            "Contact patterns on the drive flanks over one tooth mesh, each over its own largest pressure; crosses: their centres.",
+            "Contact patterns on the drive flanks over one tooth mesh, each over its own largest pressure. Dots: nodes; crosses: "
+            "centres of the patterns of loaded tooth contact analyses.",
             "Contact"),
     PlotRow("tooth_stress.svg", (has_pairs_with("teeth", "hertz pressure"),),
             comparisons.draw_tooth_stress,
