@@ -63,4 +63,15 @@ grep -q 'no way to the network' "$folder/said" || fail "a missing network is not
 said=$(grep -n -- --assume-no "$folder/calls" | head -n 1 | cut -d: -f1)
 done=$(grep -n 'install -y' "$folder/calls" | head -n 1 | cut -d: -f1)
 [ "$said" -lt "$done" ] || fail "the amount is said too late"
+
+# What is needed is there, and what is only wanted cannot be had: it goes on (here as far as CMake) and says why.
+cat >"$folder/bin/dpkg-query" <<'END'
+#!/bin/bash
+for package in "${@:4}"; do [[ $package == python3-* ]] || echo "ii  $package"; done
+END
+printf '#!/bin/bash\nexit 1\n' >"$folder/bin/cmake"
+chmod +x "$folder/bin/cmake"
+if ./run >"$folder/said" 2>&1; then fail "without CMake it goes on"; fi
+grep -q 'without python3-.*: there is no way to the network' "$folder/said" || fail "why packages are missing is not said"
+grep -q 'the configuration failed' "$folder/said" || fail "it does not go on without them"
 echo "first run: ok"
