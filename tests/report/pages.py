@@ -163,6 +163,19 @@ class Pages(unittest.TestCase):
                 self.assertIn("✓ met" if steady else "✗ not met",
                               text[text.index("ripple, first half against second"):].split("</tr>")[0])
 
+    def test_part(self):
+        """What figures are of: not of a steady part where none was found."""
+        for found in (True, False):
+            with tempfile.TemporaryDirectory() as name:
+                write_run(Path(name), fields=False)
+                summary = make_summary()
+                summary["steady part"]["found"] = found
+                (Path(name) / "summary.json").write_text(json.dumps(summary))
+                main([name])
+                text = self.read(name)
+                self.assertEqual("Of the steady part, largest values" in text, found)
+                self.assertEqual("Of the last third, as no steady part was found, largest values" in text, not found)
+
     def test_run(self):
         with tempfile.TemporaryDirectory() as name:
             write_run(Path(name), fields=False)

@@ -37,10 +37,16 @@ def tell_quantities(run, plots):
         yield Paragraph("The ripple is not steady: its figures are those of this record, and half of it gives others.", "alarm")
     yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],
                 "Definitions in doc/report.md." if run.history is None or run.is_equilibrium() else
-                f"{'Of the steady part, largest' if run.steady_part() else 'Largest'} values of the whole run; definitions in "
-                "doc/report.md.")
+                f"{describe_part(run)} values of the whole run; definitions in doc/report.md.")
     yield Cells(["constraint", "force x [N]", "force y [N]", "force z [N]", "moment x [N mm]", "moment y [N mm]",
                  "moment z [N mm]"], list(list_reactions(run)), "Reactions: what constraints and bearings exert on the bodies.")
+
+
+def describe_part(run):
+    """Of what figures are, as the beginning of a sentence."""
+    if not run.steady_part():
+        return "Largest"
+    return "Of the steady part, largest" if run.is_steady() else "Of the last third, as no steady part was found, largest"
 
 
 def tell_transmission_error(run, plots):

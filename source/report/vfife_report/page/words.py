@@ -9,7 +9,7 @@ BLANK_ROWS = (
     ("mean cone distance", GEAR + "Blank/mean cone distance"),
     ("face width", GEAR + "Blank/face width"),
     ("backlash", "Gear pair/Mounting/backlash"))
-ROWS = (("speed of the pinion", "Operation/speed"),
+ROWS = (("speed of the pinion in operation", "Operation/speed"),
         ("torque on the gear", "Operation/torque"),
         ("tooth meshes", "Operation/tooth meshes"),
         ("start", "Dynamics/start"),
@@ -40,7 +40,10 @@ def make_title(run):
     kind = parameters.get("Study/kind", "run")
     parts = [describe_pair(parameters), describe_web(parameters)]
     if "Operation/speed" in parameters:
-        parts.append(f"pinion at {parameters['Operation/speed']}")
+        # Waves are met at any speed between two.
+        between = [parameters.get(f"Waves/{end} speed") for end in ("lowest", "highest")]
+        parts.append(f"pinion from {between[0]} to {between[1]}" if kind == "waves" and all(between)
+                     else f"pinion at {parameters['Operation/speed']}")
         if "Operation/torque" not in list_unused(parameters):
             parts.append(f"{parameters['Operation/torque']} on the gear")
     title = ", ".join(part for part in parts if part) or run.path.resolve().name
