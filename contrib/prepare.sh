@@ -45,7 +45,7 @@ describe_amount() {
 # Why apt-get failed, by its log.
 describe_failure() {
   if grep -q -i -e 'could not resolve' -e 'temporary failure resolving' -e 'network is unreachable' \
-    -e 'could not connect' -e 'no route to host' "$1"; then
+    -e 'could not connect' -e 'unable to connect' -e 'connection timed out' -e 'no route to host' "$1"; then
     echo "there is no way to the network, from which packages come"
   else
     grep '^E:' "$1" | tail -n 1
@@ -73,7 +73,7 @@ install_packages() {
   local apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get)
   "${apt[@]}" update >"$log" 2>&1 </dev/null ||
     say "$program: apt-get update failed (see $log), going on with the lists that are there"
-  say "Installing ${required[*]} ${wanted[*]} ..."
+  say Installing "${required[@]}" "${wanted[@]}" ...
   describe_amount "${required[@]}" "${wanted[@]}"
   if ! "${apt[@]}" install -y --no-install-recommends "${required[@]}" "${wanted[@]}" \
     >>"$log" 2>&1 </dev/null; then
@@ -87,7 +87,7 @@ install_packages() {
       "${apt[@]}" install -y --no-install-recommends "$package" >>"$log" 2>&1 </dev/null || true
     done
     mapfile -t wanted < <(missing_packages "${all_wanted[@]}")
-    [ ${#wanted[@]} -eq 0 ] || say "$program: without ${wanted[*]} (see $log)"
+    [ ${#wanted[@]} -eq 0 ] || say "$program: without ${wanted[*]}: $(describe_failure "$log") (see $log)"
   fi
   installed_packages=1
 }

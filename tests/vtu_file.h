@@ -29,7 +29,13 @@ public:
     const auto &piece = vtu.get_child("VTKFile.UnstructuredGrid.Piece");
     for (const auto &array : piece.get_child("PointData"))
       if (array.first == "DataArray")
-        arrays_[array.second.get<std::string>("<xmlattr>.Name")] = read_array(array.second);
+        {
+          // "von mises [MPa]"
+          const auto        written = array.second.get<std::string>("<xmlattr>.Name");
+          const std::string name    = written.substr(0, written.find(" ["));
+          arrays_[name]             = read_array(array.second);
+          units_[name]              = written.substr(name.size());
+        }
     for (const auto &array : piece.get_child("CellData"))
       if (array.first == "DataArray")
         cell_arrays_[array.second.get<std::string>("<xmlattr>.Name")] = read_array(array.second);
@@ -60,6 +66,12 @@ public:
     if (found == arrays_.end() || found->first.rfind(start, 0) != 0)
       throw std::runtime_error("no array is called " + start);
     return found->first;
+  }
+
+  /** What stands behind the name: " [MPa]", or nothing. */
+  const std::string &unit(const std::string &name) const
+  {
+    return units_.at(name);
   }
 
   /** All components at a point. */
@@ -132,6 +144,7 @@ private:
 
   std::vector<double>                        points_, corners_;
   std::map<std::string, std::vector<double>> arrays_, cell_arrays_;
+  std::map<std::string, std::string>         units_;
 };
 
 #endif

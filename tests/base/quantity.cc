@@ -3,6 +3,7 @@
 // texts of defaults.
 
 #include <vfife/base/errors.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
@@ -176,6 +177,17 @@ void check_texts()
       exact = exact && read_number(number_text(value), rest) == value && rest.empty();
     }
   check("texts of numbers read back exactly", exact);
+
+  for (const auto &[value, text] :
+       std::vector<std::pair<double, std::string>>{{54.2495, "54.2"},
+                                                   {-0.96712, "-0.967"},
+                                                   {1829.4, "1829"},
+                                                   {-999.7, "-1000"},
+                                                   {3817605.2, "3817605"},
+                                                   {2.5e7, "2.5e+07"},
+                                                   {0., "0"},
+                                                   {1.234e-5, "1.23e-05"}})
+    check("figure " + text, figure_text(value) == text);
 }
 
 int main()

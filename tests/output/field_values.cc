@@ -196,6 +196,9 @@ namespace
     check_below("von mises, over 10 MPa", mises, 1e-6);
     check_below("contact pressure, over 10 MPa", pressure, 1e-6);
     check("teeth", teeth);
+    check("names with units",
+          fields.unit("displacement") == " [mm]" && fields.unit("relative velocity") == " [m/s]" &&
+            fields.unit("stress") == " [MPa]" && fields.unit("contact pressure") == " [MPa]");
   }
 } // namespace
 

@@ -68,4 +68,9 @@ int main()
   check_record("ends long before", record(-10, 12), false, true);
   check_record("begins behind the peak", record(7, 6), false, false);
   check_record("over a turn", record(-50, 50), true, true);
+
+  ProbeRecord before        = whole;
+  before.peak               = 54.2495;
+  before.largest_after_mesh = -3.909;
+  std::cout << before.explain() << std::endl;
 }

@@ -23,8 +23,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <filesystem>
 #include <limits>
+#include <thread>
 
 using namespace vfife;
 
@@ -189,6 +191,11 @@ namespace
       progress.finish(model, state);
       state.step += 200;
       progress.observe(model, state);
+      // At the end, to rounding, nothing is left, and the last line stands alone.
+      state.time = 1e-3 * (1 - 1e-12);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+      progress.observe(model, state);
+      progress.finish(model, state);
     }
     log.line("after");
     const std::string text = read(folder_name + "/run.log");
@@ -196,6 +203,10 @@ namespace
           text.rfind("before\nduring\n", 0) == 0 && text.find("after") == std::string::npos);
     check("progress in the log",
           text.find(" 25 %  0.250 ms  mesh 2.2  step 40") != std::string::npos);
+    const std::size_t last = text.find("100 %  1.000 ms");
+    check("one line of the end, without time left",
+          last != std::string::npos && text.find("100 %", last + 1) == std::string::npos &&
+            text.find("left", last) == std::string::npos);
     check("expected time of the whole run and of its part",
           text.find("by the first 200 steps a step takes ") != std::string::npos &&
             text.find("the whole run of 640 steps: about ") != std::string::npos &&

@@ -209,6 +209,12 @@ namespace
     check("growing ripple: said so",
           grows.explain().rfind("means steady from", 0) == 0 &&
             grows.explain().find("the ripple is NOT steady") != std::string::npos);
+    // Forces of thousands are no powers of ten.
+    Ripple of_forces  = grows.ripple;
+    of_forces.columns = {{"contact force total", "N", 1829.4, 1834.2, .0339}};
+    check("forces as one reads them",
+          of_forces.explain().find("3.39 % (contact force total 1829 and 1834 N)") !=
+            std::string::npos);
     check("shrinking ripple: neither is it", !find([&](const double t) {
                                                 return growth(14 - t) * std::sin(2 * pi * t);
                                               }).ripple.steady);

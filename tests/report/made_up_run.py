@@ -35,7 +35,9 @@ def make_ring(inner, outer, length, teeth):
 def write_vtu(path, fields):
     """Bodies are data of cells, as the program writes them; each cell has its own eight points."""
     n = len(fields)
-    data = {name: values.reshape((8 * n,) + values.shape[2:]) for name, values in fields.data.items() if name != "body"}
+    units = {"displacement": " [mm]", "von mises": " [MPa]", "contact pressure": " [MPa]"}
+    data = {name + units.get(name, ""): values.reshape((8 * n,) + values.shape[2:])
+            for name, values in fields.data.items() if name != "body"}
     meshio.Mesh(fields.points.reshape(-1, 3), [("hexahedron", np.arange(8 * n).reshape(n, 8))],
                 data, {"body": [fields["body"][:, 0]]}).write(path)
 

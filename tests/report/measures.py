@@ -5,6 +5,7 @@ import json
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
     make_parameters, make_summary, write_parameters, write_run)
@@ -335,7 +336,10 @@ class Texts(unittest.TestCase):
                 write_run(folder, thickness, fields=False)
                 runs.append(RunFolder(folder))
             self.assertEqual(make_title(runs[0]),
-                             "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, 20000 rpm, 800 N m")
+                             "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, pinion at 20000 rpm, 800 N m on the gear")
+            waves = {**runs[0].parameters, "Study/kind": "waves", "Waves/lowest speed": "8000 rpm", "Waves/highest speed": "9000 rpm"}
+            self.assertEqual(make_title(SimpleNamespace(parameters=waves)), "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, "
+                             "pinion from 8000 rpm to 9000 rpm, 800 N m on the gear: waves")
             self.assertEqual(name_variants(runs), ["web 5 mm at 70 deg", "web 3.5 mm at 70 deg"])
             self.assertEqual(name_variants(runs[:1]), ["5"])
 

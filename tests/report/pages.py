@@ -17,9 +17,11 @@ from made_up_run import (  # first: ends the test without the libraries
 
 import vfife_report
 from vfife_report.command import main
+from vfife_report.data.run_folder import RunFolder
 from vfife_report.page.glossary import read_glossary
 from vfife_report.page.page import Page
 from vfife_report.page.parts import Cells, Paragraph, format_number
+from vfife_report.page.words import list_case_rows
 
 VOID = {"meta", "img", "br", "input"}
 
@@ -79,6 +81,70 @@ class Pages(unittest.TestCase):
                 self.assertEqual("<td>left</td><td>right</td>" in text, known)
                 self.assertEqual(text.count("27.7"), 2 * known)
 
+    def list_case(self, **changed):
+        """Rows of the case's table, of a run with other parameters."""
+        with tempfile.TemporaryDirectory() as name:
+            write_run(Path(name), fields=False)
+            parameters = {**make_parameters(), "Operation/tooth meshes": ("14", ""), "Dynamics/damping": ("1000", "1/s"),
+                          "Dynamics/mesh damping": ("2000", "1/s"), "Dynamics/frame": ("polar", "")}
+            write_parameters(Path(name), {**parameters, **changed})
+            return dict(list_case_rows(RunFolder(name)))
+
+    def test_case(self):
+        """What is in force: no entry that the kind of study does not use, and no default that another entry replaces."""
+        self.assertEqual(self.list_case()["damping"], "1000 1/s")
+        ratio = {"Dynamics/damping ratio": ("1 %", ""), "Dynamics/damping frequency": ("3.7 kHz", "Hz")}
+        self.assertEqual(self.list_case(**ratio)["damping"], "1 % at 3.7 kHz")
+        self.assertNotIn("damping", self.list_case(**{"Dynamics/damping": ("0", "1/s")}))
+        for kind, unused in (("waves", {"tooth meshes", "start", "element frame, stiffness"}),
+                             ("static", {"start", "damping", "mesh damping"}), ("reduced", {"element frame, stiffness"}),
+                             ("run", set())):
+            rows = self.list_case(**{"Study/kind": (kind, "")})
+            self.assertEqual(unused & set(rows), set(), kind)
+        self.assertIn("tooth meshes", rows)
+        model = {name: ("0", "-") for name in make_parameters() if name.endswith("number of teeth")}
+        self.assertNotIn("mesh damping", self.list_case(**model))
+
+    def write_model(self, folder, study):
+        """Histories of a model with a probe, a clamp and no contact, whose motion along y is a rounding error."""
+        names = ["time [s]", "contact force total [N]", "energy error [-]", "strain energy [mJ]"]
+        names += [f"tip displacement {axis} [mm]" for axis in "xyz"] + ["tip von mises [MPa]"]
+        names += [f"clamp reaction force {axis} [N]" for axis in "xyz"] + [f"clamp reaction moment {axis} [N mm]" for axis in "xyz"]
+        row = [0, 0, 12, 1e-3, 1e-15, 0.0123456, 5, 8e-11, -7e-10, -3, 1e-9, 300, 2e-9]
+        (folder / "history.csv").write_text("\n".join(
+            [",".join(names)] + [",".join(map(str, [time, *row])) for time in ((0, 1e-3, 2e-3) if study == "run" else (1,))]) + "\n")
+        (folder / "summary.json").write_text(json.dumps({
+            "status": "finished", "study": study, "version": "0", "revision": "made up",
+            "run": {"time": quantity(0., "s"), "step": quantity(0., "s"), "steps": 0, "run time": quantity(0.5, "s"), "ranks": 1,
+                    "element-steps per second": quantity(0., "1/s")},
+            "energy": {"strain": quantity(12., "mJ"), "residual": quantity(12., "mJ"), "contact loss": quantity(0., "mJ")}}))
+
+    def test_equilibrium(self):
+        """It has reactions, and neither a ledger of energies nor steps nor figures of a steady part."""
+        for study in ("static", "linear static"):
+            with tempfile.TemporaryDirectory() as name:
+                self.write_model(Path(name), study)
+                main([name])
+                text = self.read(name)
+                self.assertRegex(text, "<td>clamp</td>" + "".join(
+                    f'<td class="number">{value}</td>' for value in ("0", "0", "\u22123", "0", "300", "0")))
+                self.assertIn("tip displacement, largest z", text)
+                for wrong in ("residual", "energy error", "steady part", "largest y", "element-steps", "unknown instructions",
+                              "<td>step</td>", "contact force"):
+                    self.assertNotIn(wrong, text)
+
+    def test_model(self):
+        """Its probes have curves; nothing is said of a contact that it has not."""
+        with tempfile.TemporaryDirectory() as name:
+            self.write_model(Path(name), "run")
+            main([name])
+            chapters = re.findall("<h2.*?>(.*?)</h2>", self.read(name))
+            self.assertIn("Motion of the probes", chapters)
+            self.assertNotIn("Contact", chapters)
+            curves = {row["curve"]: float(row["y"])
+                      for row in csv.DictReader((Path(name) / "pictures" / "model_probes.csv").read_text().splitlines())}
+            self.assertEqual(curves, {"x": 1e-3, "y": 1e-15, "z": 0.0123456, "tip": 5})
+
     def test_unsteady_ripple(self):
         """Figures of a ripple that is not steady are marked, means are not."""
         for steady in (True, False):
@@ -96,6 +162,19 @@ class Pages(unittest.TestCase):
                 self.assertEqual("The ripple is not steady" in text, not steady)
                 self.assertIn("✓ met" if steady else "✗ not met",
                               text[text.index("ripple, first half against second"):].split("</tr>")[0])
+
+    def test_part(self):
+        """What figures are of: not of a steady part where none was found."""
+        for found in (True, False):
+            with tempfile.TemporaryDirectory() as name:
+                write_run(Path(name), fields=False)
+                summary = make_summary()
+                summary["steady part"]["found"] = found
+                (Path(name) / "summary.json").write_text(json.dumps(summary))
+                main([name])
+                text = self.read(name)
+                self.assertEqual("Of the steady part, largest values" in text, found)
+                self.assertEqual("Of the last third, as no steady part was found, largest values" in text, not found)
 
     def test_run(self):
         with tempfile.TemporaryDirectory() as name:
@@ -151,14 +230,38 @@ class Pages(unittest.TestCase):
             header = (Path(name) / "key_figures.csv").read_text().splitlines()[0]
             self.assertEqual(header.count(","), 4)
 
+    def test_unused_entries(self):
+        """Variants of several kinds of studies: entries that one of them does not use are left empty, and a column without
+        a difference is none."""
+        with tempfile.TemporaryDirectory() as name:
+            for kind, damping, meshes in (("linear static", "1000", "14"), ("run", "0", "14"), ("waves", "5", "20")):
+                folder = Path(name) / kind
+                folder.mkdir()
+                write_run(folder, fields=False)
+                write_parameters(folder, {**make_parameters(), "Study/kind": (kind, ""), "Dynamics/damping": (damping, "1/s"),
+                                          "Operation/tooth meshes": (meshes, "")})
+                (folder / "report.html").write_text("made by the run")
+            main([name])
+            text = self.read(name)
+            self.assertIn("<th>damping</th>", text)
+            self.assertNotIn("1000 1/s", text)
+            self.assertNotIn("<th>tooth meshes</th>", text)
+            self.assertIn("report.html in its folder", text)
+
     def test_ledger(self):
         with tempfile.TemporaryDirectory() as name:
-            row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0,
-                   "reference kind": "FEM", "difference": -4.0, "tolerance": 1.0,
+            row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -79.98766,
+                   "reference kind": "FEM", "difference": -4.01234, "tolerance": 1.0,
                    "verdict": "differs", "reason": "coarse"}
-            (Path(name) / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row]}))
+            open_one = {**row, "verdict": "not judged", "tolerance": None}
+            (Path(name) / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row, open_one, open_one]}))
             main([name])
-            self.assertIn("1 comparisons, 1 differ", self.read(name))
+            text = self.read(name)
+            self.assertIn("3 comparisons: 0 agree within their tolerance, 1 differ by more, 2 are not judged.", text)
+            # Numbers to be compared have five digits, what they differ by has three.
+            self.assertIn("\u221279.988</td>", text)
+            self.assertIn("\u22124.01</td>", text)
+            self.assertNotIn("\u22124.0123", text)
 
     def test_nothing(self):
         with tempfile.TemporaryDirectory() as name:
@@ -167,7 +270,7 @@ class Pages(unittest.TestCase):
                     main([folder])
 
     def test_numbers(self):
-        for value, text in ((1234567, "1\u202f234\u202f567"), (-83.92, "\u221283.92"), (0.0, "0"),
+        for value, text in ((1234567, "1\u202f234\u202f567"), (-80, "\u221280"), (-83.92, "\u221283.92"), (0.0, "0"),
                             (1234567.8, "1234568"), (1.5e-7, "1.5e-07"), (None, "–"),
                             (float("nan"), "–"), (-1e-6, "\u22121e-06")):
             self.assertEqual(format_number(value), text)

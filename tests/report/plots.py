@@ -22,7 +22,7 @@ from vfife_report.pictures.canvas import Camera, Canvas
 from vfife_report.pictures.hexahedra import Section, find_axis, find_outer_faces
 from vfife_report.plots.bearings import draw_bearing_curves, draw_bearings, draw_misalignment
 from vfife_report.plots.driven_waves import draw_driven_waves, draw_growth, draw_waves_met
-from vfife_report.plots.histories import draw_energies, draw_transmission_error
+from vfife_report.plots.histories import draw_contact_force, draw_energies, draw_transmission_error
 from vfife_report.plots.meridian import draw_meridians, read_parts
 from vfife_report.plots.root_stress import draw_sections
 from vfife_report.plots.run_up import compute_window_spectra, draw_orders
@@ -196,8 +196,12 @@ class Bearings(unittest.TestCase):
                 shifts, angle = draw_misalignment(run).axes
                 self.assertEqual(list(shifts.lines[0].get_ydata()), [100, 101, 102, 103])
                 self.assertEqual(list(angle.lines[0].get_ydata()), [2] * 4)
-                radial, _ = draw_bearing_curves(run).axes
+                curves = draw_bearing_curves(run)
+                radial, _ = curves.axes
                 self.assertEqual(list(radial.lines[0].get_ydata()), [-0.2, 0, 0.2])
+                curves.canvas.draw()
+                # Another panel stands beside it: its legend is above its title.
+                self.assertGreater(radial.get_legend().get_window_extent().y0, radial._left_title.get_window_extent().y1)
                 main([name])
                 page = (Path(name) / "report.html").read_text()
                 for word in ("pinion front", "bearing_curves", "misalignment"):
@@ -240,6 +244,9 @@ class DrivenWaves(unittest.TestCase):
                 self.assertEqual(len(rays), 1)
                 # A mesh order of 27 teeth: 5.4 kHz at 12,000 rpm; the disc lies on it.
                 self.assertAlmostEqual(rays[0].get_ydata()[-1], 5.4, places=12)
+                axes.figure.canvas.draw()
+                order, = (one for one in axes.texts if one.get_text() == "mesh order 1")
+                self.assertFalse(order.get_window_extent().overlaps(axes.get_window_extent()))
                 speed, height = axes.collections[0].get_offsets()[0]
                 self.assertEqual(speed, 7810 if driven else 7800)
                 self.assertAlmostEqual(height, speed * 27 / 60e3, places=12)
@@ -256,6 +263,10 @@ class DrivenWaves(unittest.TestCase):
                 page = (Path(name) / "report.html").read_text()
                 self.assertIn("Travelling waves", page)
                 self.assertEqual("Pinion speeds to avoid" in page, bool(driven))
+                # Widths and damping ratios are shares: of what, stands above them.
+                self.assertIn("width [% of the speed]", page)
+                if driven:
+                    self.assertIn("".join(f'<td class="number">{share}</td>' for share in (2, 2, 1, 1, 1.1)), page)
 
 
 class RunUp(unittest.TestCase):
@@ -341,6 +352,18 @@ class WholeRun(unittest.TestCase):
                 for axes, legend in legends:
                     self.assertGreaterEqual(legend.get_window_extent().x0, axes.get_window_extent().x1)
                     self.assertLessEqual(legend.get_window_extent().x1, plot.bbox.x1 + 1)
+
+    def test_names_of_tooth_pairs(self):
+        """As far as there is room for them."""
+        for count, named in ((24, 24), (25, 0)):
+            with tempfile.TemporaryDirectory() as name:
+                write_run(Path(name), fields=False)
+                (Path(name) / "teeth.csv").write_text(
+                    "time [s],side,pinion tooth [-],gear tooth [-],force [N]\n" +
+                    "".join(f"{k * 1e-5:g},drive,{k},{k},100\n" for k in range(count)))
+                axes = draw_contact_force(RunFolder(Path(name))).axes[0]
+                self.assertEqual(sum("/" in one.get_text() for one in axes.texts), named)
+                self.assertEqual("pinion tooth/gear tooth" in axes.get_title(loc="left"), bool(named))
 
     def test_no_run(self):
         with tempfile.TemporaryDirectory() as name:

@@ -1,13 +1,13 @@
 #!/bin/bash
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-# first_run.sh PROJECT: ./run of a fresh copy with a made-up apt-get. Help and version come at once; what is installed, and how
+# first_run.sh PROJECT: ./run and ./check of a fresh copy with a made-up apt-get. Help and version come at once; what is installed, and how
 # much, is said before; a network that is not there is called that.
 set -euo pipefail
 project=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir -p "$folder/copy/contrib" "$folder/bin"
-cp "$project"/{run,README.md,CMakeLists.txt} "$folder/copy"
+cp "$project"/{run,check,README.md,CMakeLists.txt} "$folder/copy"
 cp "$project/contrib/prepare.sh" "$folder/copy/contrib"
 
 # No package is installed; whoever asks is noted.
@@ -44,6 +44,11 @@ for option in --version --help -h; do
   ./run prm/any.prm $option >"$folder/said" 2>&1 || fail "$option ends with $?"
   [ ! -e "$folder/calls" ] && [ ! -e build ] || fail "$option installs or builds"
 done
+for option in --help -h; do
+  ./check $option >"$folder/said" 2>&1 || fail "$option of ./check ends with $?"
+  grep -q '^usage: ./check' "$folder/said" || fail "$option of ./check says nothing of it"
+  [ ! -e "$folder/calls" ] && [ ! -e build ] || fail "$option of ./check installs or builds"
+done
 ./run --version >"$folder/said"
 version=$(sed -n 's/^project(vfife VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 [ "$(cat "$folder/said")" = "vfife $version (not built yet)" ] || fail "the version is another one"
@@ -58,4 +63,15 @@ grep -q 'no way to the network' "$folder/said" || fail "a missing network is not
 said=$(grep -n -- --assume-no "$folder/calls" | head -n 1 | cut -d: -f1)
 done=$(grep -n 'install -y' "$folder/calls" | head -n 1 | cut -d: -f1)
 [ "$said" -lt "$done" ] || fail "the amount is said too late"
+
+# What is needed is there, and what is only wanted cannot be had: it goes on (here as far as CMake) and says why.
+cat >"$folder/bin/dpkg-query" <<'END'
+#!/bin/bash
+for package in "${@:4}"; do [[ $package == python3-* ]] || echo "ii  $package"; done
+END
+printf '#!/bin/bash\nexit 1\n' >"$folder/bin/cmake"
+chmod +x "$folder/bin/cmake"
+if ./run >"$folder/said" 2>&1; then fail "without CMake it goes on"; fi
+grep -q 'without python3-.*: there is no way to the network' "$folder/said" || fail "why packages are missing is not said"
+grep -q 'the configuration failed' "$folder/said" || fail "it does not go on without them"
 echo "first run: ok"

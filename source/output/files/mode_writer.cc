@@ -33,7 +33,7 @@ namespace vfife
       grid.add_point(body.placement(X));
     for (const NamedShape &shape : shapes)
       grid.point_data.push_back(
-        {shape.name, "mm", 3, {shape.displacements.begin(), shape.displacements.end()}});
+        {shape.name, shape.unit, 3, {shape.displacements.begin(), shape.displacements.end()}});
     for (VtuArray &field : fields)
       grid.point_data.push_back(std::move(field));
     folder.write_file(name, [&](std::ostream &out) {

@@ -46,7 +46,9 @@ namespace vfife
                           const unsigned int n_components,
                           const std::string &unit)
     {
-      out << " type=\"" << type << "\" Name=\"" << name << "\"";
+      // ParaView's lists and colour bars show nothing but names.
+      out << " type=\"" << type << "\" Name=\"" << name << (unit.empty() ? "" : " [" + unit + "]")
+          << "\"";
       // Readers take one component that is stated for rows of one number.
       if (n_components > 1)
         out << " NumberOfComponents=\"" << n_components << "\"";

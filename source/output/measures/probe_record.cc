@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/median.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/output/measures/probe_record.h>
 
 #include <algorithm>
@@ -43,21 +44,23 @@ namespace vfife
   std::string ProbeRecord::explain() const
   {
     std::ostringstream text;
-    text << name << ": largest von Mises stress of the record " << peak << " MPa at "
-         << 1e3 * peak_time << " ms; of a whole turn (copies in all sectors at the end) " << largest
-         << " MPa, " << largest_after_mesh << " tooth meshes after the mesh, median " << median
-         << " MPa; ";
+    text << name << ": largest von Mises stress of the record " << figure_text(peak) << " MPa at "
+         << figure_text(1e3 * peak_time)
+         << " ms; of a whole turn (copies in all sectors at the end) " << figure_text(largest)
+         << " MPa, " << figure_text(std::abs(largest_after_mesh)) << " tooth meshes "
+         << (largest_after_mesh < 0 ? "before" : "after") << " the mesh, median "
+         << figure_text(median) << " MPa; ";
     if (has_peak && has_median)
       text << "the record has both";
     else if (has_peak)
       text
         << "the record has the peak, but ends or begins before it comes down to the median (least "
-        << least << " MPa)";
+        << figure_text(least) << " MPa)";
     else if (has_median)
       text << "the peak of the passage does not lie in the record";
     else
-      text << "neither the peak of the passage nor its median lies in the record (least " << least
-           << " MPa)";
+      text << "neither the peak of the passage nor its median lies in the record (least "
+           << figure_text(least) << " MPa)";
     return text.str();
   }
 } // namespace vfife

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
 #include <vfife/output/measures/ripple.h>
@@ -101,15 +102,14 @@ namespace vfife
     if (!judged)
       return "the ripple is not judged, which takes two whole mesh cycles";
     std::ostringstream text;
-    text.precision(3);
     text << "the ripple " << (steady ? "is steady" : "is NOT steady")
          << ", peak to peak and harmonics of the first and the second half differ by ";
     const char *separator = "";
     for (const RippleChange &column : columns)
       {
-        text << separator << 100 * column.change << " % (" << column.name << " "
-             << column.peak_to_peak_before << " and " << column.peak_to_peak_after << " "
-             << column.unit << ")";
+        text << separator << figure_text(100 * column.change) << " % (" << column.name << " "
+             << figure_text(column.peak_to_peak_before) << " and "
+             << figure_text(column.peak_to_peak_after) << " " << column.unit << ")";
         separator = ", ";
       }
     return text.str();

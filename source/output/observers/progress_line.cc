@@ -24,6 +24,12 @@ namespace vfife
       const char *const told = std::getenv("VFIFE_TERMINAL");
       return isatty(STDOUT_FILENO) != 0 && !(told != nullptr && std::string(told) == "no");
     }
+
+    /** Whether that part is all of a run, to rounding of the time: then its last line comes. */
+    bool is_whole(const double done)
+    {
+      return done >= 1 - 1e-9;
+    }
   } // namespace
 
   std::string duration_text(const double seconds)
@@ -83,7 +89,7 @@ namespace vfife
       text << std::fixed << std::setprecision(2) << "  DTE "
            << state.measured.transmission_error / arcsecond << " arcsec";
     // By what this process has done: a resumed run does not count the part before.
-    if (done > first_fraction_ && done < 1)
+    if (done > first_fraction_ && !is_whole(done))
       text << "  " << duration_text(seconds_since(begin_) * (1 - done) / (done - first_fraction_))
            << " left";
     return text.str();
@@ -144,7 +150,7 @@ namespace vfife
         std::cout << '\r' << text << std::string(rest, ' ') << std::flush;
         shown_ = text.size();
       }
-    else if (done >= last_fraction_ + 0.05 - 1e-9 || waited >= 60)
+    else if (!is_whole(done) && (done >= last_fraction_ + 0.05 - 1e-9 || waited >= 60))
       {
         log_.line(compose(model, state));
         // The next line comes at the next whole 5 %, also if this one was late.

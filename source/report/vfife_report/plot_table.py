@@ -4,7 +4,7 @@ from functools import partial
 
 from .data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
 from .data.fields import read_fields_of_bodies, read_last_fields
-from .data.needs import (changes_speed, has_axis, has_bearings, has_error_bars, has_file, has_history, has_misalignment,
+from .data.needs import (changes_speed, has_axis, has_bearings, has_contact, has_error_bars, has_file, has_history, has_misalignment, has_model_probes,
                          has_orders, has_pair, has_pairs, has_pairs_with, has_pattern, has_patterns, has_probes,
                          has_responses, has_rim, has_rim_over_meshes, has_speeds, has_tooth_mesh, has_tooth_pressures)
 from .data.study import Study
@@ -28,7 +28,7 @@ RUN_PLOTS = (
     PlotRow("dte.svg", (has_pair,), histories.draw_transmission_error,
             "Dynamic transmission error of hub and rim; a lag of the gear is negative.",
             "Transmission error"),
-    PlotRow("contact_force.svg", (has_history,), histories.draw_contact_force,
+    PlotRow("contact_force.svg", (has_contact,), histories.draw_contact_force,
             "Contact force: sum, and each tooth pair.", "Contact"),
     PlotRow("tooth_engagement.svg", (has_tooth_pressures,), tooth_contact.draw_tooth_engagement,
             "One tooth pair through its engagement. Hertz's pressure follows from its force, whatever mesh and penalty are.",
@@ -55,6 +55,8 @@ RUN_PLOTS = (
             "Spectra of the contact force over the speed.", "Over the speed"),
     PlotRow("probes.svg", (has_probes,), histories.draw_probes,
             "Von Mises stress at the probes.", "Stress at the probes"),
+    PlotRow("model_probes.svg", (has_model_probes,), histories.draw_model_probes,
+            "Displacements and von Mises stresses of the probes.", "Motion of the probes"),
     PlotRow("rim_content.svg", (has_rim,), rim.draw_rim_content,
             "Displacement of the rim by nodal diameters: the pattern that stands in space with the load "
             "(0: the mean), and what moves besides.", "Motion of the rim"),
@@ -117,7 +119,8 @@ TABLE_PLOTS = (
     PlotRow("gauges.svg", (has_file("gauges.csv"),), root_stress.draw_gauges,
             "Strain gauges.", "Root stress"),
     PlotRow("campbell_{}.svg", (has_file("campbell.csv"),), campbell.draw_campbell,
-            "Natural frequencies of the {} over its speed, and resonances with the tooth mesh.",
+            "Natural frequencies of the {0} over its speed. Circles: resonances with a force that stands in space; in axes that "
+            "turn, a wave of n diameters is met n turns of the {0} above or below the line of an order.",
             "Natural frequencies", data="campbell.csv, resonances.csv", each=campbell.list_bodies),
     PlotRow("lumped_motion.svg", (has_file("lumped.csv"),), lumped.draw_motion,
             "Motion of the lumped model at the speed of operation.", "Lumped model"),
@@ -173,12 +176,13 @@ STUDY_PLOTS = (
             "Spectra of the transmission error, whole tooth meshes of the steady part.",
             "Transmission error"),
     PlotRow("contact_force.svg", (has_pairs,), partial(comparisons.draw_histories, column=CONTACT_FORCE),
-            "Total contact force of all variants, in the same way.", "Contact force"),
+            "Total contact force of all variants, in the same way.", "Contact"),
     PlotRow("force_spectra.svg", (has_pairs,), partial(comparisons.draw_spectra, column=CONTACT_FORCE),
-            "Spectra of the contact force.", "Contact force"),
+            "Spectra of the contact force.", "Contact"),
     PlotRow("contact_patterns.svg", (has_patterns,), tooth_contact.draw_contact_patterns,
-            "Contact patterns on the drive flanks over one tooth mesh, each over its own largest pressure; crosses: their centres.",
-            "Contact force"),
+            "Contact patterns on the drive flanks over one tooth mesh, each over its own largest pressure. Dots: nodes; crosses: "
+            "centres of the patterns of loaded tooth contact analyses.",
+            "Contact"),
     PlotRow("tooth_stress.svg", (has_pairs_with("teeth", "hertz pressure"),),
             comparisons.draw_tooth_stress,
             "Contact stress of one tooth pair from its first to its last touch.", "Stresses"),

@@ -69,7 +69,7 @@ namespace vfife
           write_shapes(folder,
                        "fields/" + body.name() + ".vtu",
                        body,
-                       {{"displacement", displacements_of(part, body, result)}},
+                       {{"displacement", displacements_of(part, body, result), "mm"}},
                        std::move(fields));
         }
     }

@@ -115,7 +115,8 @@ namespace vfife
         nearest = std::min(nearest, std::abs(line.linear_curve.peak / speed - 1.));
       }
     if (!lines.empty())
-      figures.push_back({"distance to the nearest wave", {100. * nearest, "%"}});
+      figures.push_back(
+        {"distance of the speed of operation from the nearest wave", {100. * nearest, "%"}});
     return figures;
   }
 

@@ -17,6 +17,7 @@ namespace vfife
   {
     std::string         name;
     std::vector<double> displacements;
+    std::string         unit = ""; ///< of shapes, whose size is arbitrary: none
   };
 
   /** "mode 3, 1034.2 Hz", the third with @p index 2 and this frequency [Hz]. */

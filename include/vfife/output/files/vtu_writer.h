@@ -16,7 +16,7 @@ namespace vfife
    * tensor (xx yy zz xy yz zx), one after the other. */
   struct VtuArray
   {
-    std::string        name, unit; ///< no unit: empty
+    std::string        name, unit; ///< written as "name [unit]"; no unit: empty
     unsigned int       n_components = 1;
     std::vector<float> values       = {};
   };

@@ -62,7 +62,8 @@ def read_piece(path):
         raise DamagedFile(f"{path} is damaged: cells have corners that are not there")
     if not np.all(np.isfinite(grid.points)):
         raise DamagedFile(f"{path} is damaged: coordinates are no numbers")
-    data = {name: np.asarray(values, dtype=float)[corners] for name, values in grid.point_data.items()}
+    # "von mises [MPa]"; versions before wrote names alone.
+    data = {name.partition(" [")[0]: np.asarray(values, dtype=float)[corners] for name, values in grid.point_data.items()}
     for name, values in grid.cell_data_dict.items():
         data[name] = np.repeat(np.asarray(values["hexahedron"], dtype=float)[:, None], 8, axis=1)
     return np.asarray(grid.points, dtype=float)[corners], data

@@ -1,5 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """What a case is called by its parameters, and how the runs of a study are told apart."""
+from .unused import list_unused_entries
 
 GEAR = "Gear pair/Gear/"
 PINION = "Gear pair/Pinion/"
@@ -30,13 +31,20 @@ def describe_pair(parameters):
     return f"Spiral bevel gear pair {pinion}/{gear}" if pinion else ""
 
 
+def list_unused(parameters):
+    """Paths of entries that say nothing of the case: its study does not use them."""
+    return list_unused_entries(parameters, bool(describe_pair(parameters)))
+
+
 def find_differences(runs):
     """Names of the parameters in which runs differ, apart from folders and output. A run that does not
-    know an entry, as one of an older version, does not differ in it: what makes a section appear is an
-    entry of its own."""
+    know an entry, as one of an older version, or does not use it does not differ in it: what makes a section
+    appear is an entry of its own."""
     names = dict.fromkeys(name for run in runs for name in run.parameters)
+    unused = [list_unused(run.parameters) for run in runs]
     return [name for name in names if not name.startswith(NOT_OF_THE_CASE)
-            and len({normalize(run.parameters[name]) for run in runs if name in run.parameters}) > 1]
+            and len({normalize(run.parameters[name]) for run, others in zip(runs, unused)
+                     if name in run.parameters and name not in others}) > 1]
 
 
 def normalize(value):
@@ -57,7 +65,7 @@ def name_variants(runs):
         webs = describe_web(run.parameters)
         if differences and all(name.startswith(GEAR + "Body/web") for name in differences):
             names.append(webs)
-        elif 0 < len(differences) <= 2:
+        elif 0 < len(differences) <= 2 and not any(list_unused(other.parameters).intersection(differences) for other in runs):
             names.append(", ".join(f"{name.split('/')[-1]} {run.parameters.get(name, 'absent')}"
                                    for name in differences))
         else:

@@ -1,10 +1,17 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """What plots and chapters need of a run's folder or of a study: a function each, true or false."""
-from .columns import TRANSMISSION_ERROR
+import numpy as np
+
+from .columns import CONTACT_FORCE, TRANSMISSION_ERROR
 
 
 def has_history(run):
     return run.history is not None and run.history.n_rows > 2
+
+
+def has_contact(run):
+    """A history of bodies that have touched."""
+    return has_history(run) and (has_pair(run) or (CONTACT_FORCE in run.history and bool(np.any(run.history[CONTACT_FORCE]))))
 
 
 def has_pair(run):
@@ -32,6 +39,11 @@ def has_patterns(study):
 
 def has_probes(run):
     return run.probes is not None
+
+
+def has_model_probes(run):
+    """A motion of a model without a gear pair, with probes."""
+    return has_history(run) and not has_pair(run) and any(name.endswith(" displacement x") for name in run.history.columns)
 
 
 def has_rim(run):

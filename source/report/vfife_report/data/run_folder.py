@@ -51,6 +51,10 @@ class RunFolder:
                         ["0"], ["0.0"]):
                     self.parameters[path] = f"{one['value']:g} {one['unit']}"
 
+    def is_equilibrium(self):
+        """Of a study without a motion: its history has one row, and energies that no work and no loss balances."""
+        return self.summary.get("study") in ("static", "linear static")
+
     def has_file(self, name):
         return (self.path / name).is_file()
 

@@ -9,6 +9,7 @@ from .periodicity import measure_column
 from .pressures import find_allowed_pressure, find_largest_pressure
 
 
+ROUNDING = 1e-9  # of the largest, below which a component is none
 OF_THE_RIPPLE = ("peak to peak", "standard deviation")
 
 
@@ -75,9 +76,25 @@ def list_model_quantities(run):
         if not np.any(np.isfinite(values)) or np.nanmax(np.abs(values)) == 0:
             continue
         if of.endswith(" displacement"):
-            yield f"{of}, largest {component}", np.nanmax(np.abs(values)), run.history.units[column]
+            largest = np.nanmax(np.abs(values))
+            # What symmetry makes zero is left at rounding errors.
+            if largest > ROUNDING * max(np.nanmax(np.abs(run.history[name])) for name in run.history.columns
+                                        if name.rpartition(" ")[0] == of):
+                yield f"{of}, largest {component}", largest, run.history.units[column]
         elif column == CONTACT_FORCE or column.endswith(" von mises"):
             yield f"{column}, largest", np.nanmax(np.abs(values)), run.history.units[column]
+
+
+def list_reactions(run):
+    """Constraint and its force and moment in an equilibrium, rounding errors as zero."""
+    if run.history is None or not run.is_equilibrium():
+        return
+    names = [column.removesuffix(" reaction force x") for column in run.history.columns if column.endswith(" reaction force x")]
+    values = np.array([[[run.history[f"{name} reaction {what} {axis}"][-1] for axis in "xyz"] for what in ("force", "moment")]
+                       for name in names])
+    for name, own in zip(names, values):
+        own = np.where(np.abs(own) > ROUNDING * np.abs(values).max(axis=(0, 2))[:, None], own, 0)
+        yield [name, *own.ravel()]
 
 
 def list_quantities(run):

@@ -38,7 +38,7 @@ def list_other_lines(run, low=4, high=3):
     rows = []
     for column, unit, values in list_columns(run):
         for line in find_lines(values, samples, frequency, 0, border, low):
-            rows.append([column, "low", line.frequency, line.amplitude, unit])
+            rows.append([column, "below the mesh", line.frequency, line.amplitude, unit])
         for line in find_lines(values, samples, frequency, border, top, high):
             order = max(round(line.frequency / frequency), 1)
             offset = line.frequency - order * frequency

@@ -1,10 +1,12 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Chapters that every folder can have: comparison ledger, tooth contact analysis, loaded tooth contact,
 pressures, natural frequencies, lumped model."""
+import numpy as np
+
 from ..data.files import read_json
 from ..data.shapes import LUMPED
 from ..data.table import read_table
-from ..measures.ledger import HEADER, list_ledger_rows, list_reasons, read_ledger
+from ..measures.ledger import HEADER, VERDICTS, list_ledger_rows, list_reasons, read_ledger
 from ..measures.speed_peaks import list_exceedances, list_peaks
 from ..plots.bearings import list_bearings
 from ..plots.root_stress import list_root_stresses
@@ -21,13 +23,13 @@ def tell_ledger(run, plots):
         return
     title, rows = read_ledger(path)
     yield Paragraph(title)
-    differing = sum(row["verdict"] == "differs" for row in rows)
-    yield Paragraph(f"{len(rows)} comparisons, {differing} differ by more than their tolerance.",
-                    "alarm" if differing else "")
+    agreeing, differing, open_ones = (sum(row["verdict"] == verdict for row in rows) for verdict in VERDICTS)
+    yield Paragraph(f"{len(rows)} comparisons: {agreeing} agree within their tolerance, {differing} differ by more, {open_ones} "
+                    "are not judged.", "alarm" if differing else "")
     yield from plots
     yield Cells(HEADER, list(list_ledger_rows(rows)),
                 "Difference: value less reference, and over the reference's magnitude. Below each row what it is compared with, "
-                "and why.", list_reasons(rows), EXACT)
+                "and why.", list_reasons(rows), EXACT, {"difference", "%", "tolerance"})
 
 
 def tell_lumped_model(run, plots):
@@ -60,6 +62,13 @@ def tell_rows(table, columns, rows, caption):
     """Some columns of a table as they are named in its file."""
     return Cells([table.label(name) for name in columns],
                  [[cell(table[name][k]) for name in columns] for k in rows], caption, digits=EXACT)
+
+
+def tell_shares(table, named, columns, caption):
+    """Columns that name a row, and shares in per cent, each with its header."""
+    return Cells([*(table.label(name) for name in named), *(header for _, header in columns)],
+                 [[*(cell(table[name][k]) for name in named), *(100 * float(table[name][k]) for name, _ in columns)]
+                  for k in range(table.n_rows)], caption)
 
 
 def cell(value):
@@ -107,8 +116,18 @@ def tell_frequencies(run, plots):
         text = "Lowest natural frequencies of each body at each speed, in axes that turn with it."
         if len(shown) < table.n_rows:
             text += f" {SHOWN_MODES} each of {table.n_rows} rows of modes.csv."
-        yield tell_rows(table, ("body", "speed", "mode", "frequency", "nodal diameter", "nodal circles", "direction",
-                                "fixed frequency", "whirl"), shown, text)
+        names = ["body", "speed", "mode", "frequency"]
+        if np.any(table["nodal diameter"][shown] >= 0):
+            names += ["nodal diameter", "nodal circles", "direction"]
+        # At rest both observers see the same, and without Coriolis forces waves have no direction for the one at rest.
+        if any(whirl in ("forward", "backward") for whirl in table["whirl"][shown]):
+            names += ["fixed frequency", "whirl"]
+            text += " Fixed frequency and whirl: as an observer at rest sees them."
+        cells = tell_rows(table, names, shown, text)
+        # The program's -1 stands for shapes without diameters or circles; - for no direction.
+        cells.rows = [[None if name in ("nodal diameter", "nodal circles") and value < 0 else "" if value == "-" else value
+                       for name, value in zip(names, row)] for row in cells.rows]
+        yield cells
     yield from plots
 
 
@@ -129,14 +148,18 @@ def tell_waves(run, plots):
         return
     # Versions that drove reduced pairs alone did not say so.
     named = ("wave", "nodal diameter", "mesh order", *(["solver"] if "solver" in lines else []))
-    yield tell_rows(lines, (*named, "speed", "speed in contact", "peak speed", "frequency", "damping ratio",
-                            "damping ratio of the width", "damping ratio of the build-up"), range(lines.n_rows),
-                    "Where mesh orders meet waves: by the modes of the free gear, in contact by linear theory, and measured; "
-                    "damping ratios of the wave, and by the measured width and build-up.")
-    yield tell_rows(lines, (*named, "predicted width", "width", "predicted amplitude", "amplitude", "stress amplification"),
-                    range(lines.n_rows),
-                    "Half-power width over the speed, amplitude of the rim and largest stress at a probe over that without "
-                    "waves, at the peak.")
+    yield tell_rows(lines, (*named, "frequency", "speed", "speed in contact", "peak speed"), range(lines.n_rows),
+                    "Pinion speeds at which mesh orders meet waves: by the modes of the free gear, in contact by linear theory, and "
+                    "where the driven wave is largest. Frequency: in axes that turn with the gear.")
+    yield tell_shares(lines, named, (("predicted width", "predicted width [% of the speed]"), ("width", "width [% of the speed]"),
+                                     ("damping ratio", "damping ratio [%]"), ("damping ratio of the width", "by the width [%]"),
+                                     ("damping ratio of the build-up", "by the build-up [%]")),
+                      "Half-power width of the resonance; damping ratio of the wave as it is given, by the measured width and by the "
+                      "measured build-up.")
+    yield Cells([*named, "predicted amplitude [um]", "amplitude [um]", "stress amplification"],
+                [[cell(lines[name][k]) for name in (*named, "predicted amplitude", "amplitude", "stress amplification")]
+                 for k in range(lines.n_rows)],
+                "Amplitude of the rim, and largest stress at a probe over that without waves, at the peak.")
     avoided = read_table(run.path / "speeds_to_avoid.csv")
     if avoided is not None:
         yield tell_rows(avoided, ("from", "to", "stress amplification", "waves"), range(avoided.n_rows),

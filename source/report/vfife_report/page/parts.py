@@ -19,10 +19,11 @@ def format_number(value, digits=EXACT):
     if value is None or value != value:
         return "–"
     if isinstance(value, int):
-        return f"{value:,}".replace(",", "\u202f")
-    text = f"{value:.{digits}g}"
-    if "e" in text and 1e-4 <= abs(value) < 1e7:
-        text = f"{value:.0f}"
+        text = f"{value:,}".replace(",", "\u202f")
+    else:
+        text = f"{value:.{digits}g}"
+        if "e" in text and 1e-4 <= abs(value) < 1e7:
+            text = f"{value:.0f}"
     return text.replace("-", "\u2212", 1) if text.startswith("-") else text
 
 
@@ -44,6 +45,7 @@ class Cells:
     caption: str = ""
     notes: list = None  # a text below each row, as wide as the table may be seen
     digits: int = DIGITS
+    short: frozenset = frozenset()  # columns with DIGITS, whatever the others have
     template = "cells"
 
     def __post_init__(self):
@@ -57,10 +59,11 @@ class Cells:
         return [(text, all(isinstance(row[k], (int, float, type(None))) for row in self.rows))
                 for k, text in enumerate(self.header)]
 
-    def show(self, value):
-        """Class and text of a cell."""
+    def show(self, value, column=None):
+        """Class and text of a cell in the column of that number."""
         if not isinstance(value, str):
-            return "number", format_number(value, self.digits)
+            is_short = column is not None and self.header[column] in self.short
+            return "number", format_number(value, DIGITS if is_short else self.digits)
         return MARKS.get(value, ("long" if len(value) > LONG_TEXT else "", value))
 
 

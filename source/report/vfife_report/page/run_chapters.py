@@ -1,11 +1,11 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Chapters of the report of one run, each of what the run has files for."""
 from ..data.columns import JUDGED
-from ..data.needs import has_rim_over_meshes
+from ..data.needs import has_pair, has_rim_over_meshes
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
 from ..measures.periodicity import measure_column
-from ..measures.quantities import list_quantities, remark
+from ..measures.quantities import list_quantities, list_reactions, remark
 from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
                                   list_other_lines)
 from ..measures.sidebands import SIDEBANDS_HEADER, list_sidebands
@@ -36,8 +36,17 @@ def tell_quantities(run, plots):
     if marked:
         yield Paragraph("The ripple is not steady: its figures are those of this record, and half of it gives others.", "alarm")
     yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],
-                "Definitions in doc/report.md." if run.history is None else
-                "Of the steady part, largest values of the whole run; definitions in doc/report.md.")
+                "Definitions in doc/report.md." if run.history is None or run.is_equilibrium() else
+                f"{describe_part(run)} values of the whole run; definitions in doc/report.md.")
+    yield Cells(["constraint", "force x [N]", "force y [N]", "force z [N]", "moment x [N mm]", "moment y [N mm]",
+                 "moment z [N mm]"], list(list_reactions(run)), "Reactions: what constraints and bearings exert on the bodies.")
+
+
+def describe_part(run):
+    """Of what figures are, as the beginning of a sentence."""
+    if not run.steady_part():
+        return "Largest"
+    return "Of the steady part, largest" if run.is_steady() else "Of the last third, as no steady part was found, largest"
 
 
 def tell_transmission_error(run, plots):
@@ -98,10 +107,14 @@ def tell_rim(run, plots):
 
 def tell_energy(run, plots):
     yield from plots
-    yield Cells(["energy ledger", "value", "unit"], list_values(run.summary.get("energy", {})))
+    if run.is_equilibrium():
+        return
+    rows = list_values(run.summary.get("energy", {}))
+    # A model without a gear pair has few of the parts.
+    yield Cells(["energy ledger", "value", "unit"], rows if has_pair(run) else [row for row in rows if row[1]])
     yield Cells(["damping of", "net torque [N m]", "power [W]", "spin drift [rpm]"],
                 [[a["body"]] + [a[name]["value"] for name in ("net torque", "power", "spin drift")]
-                 for a in run.summary.get("damping audit", [])])
+                 for a in run.summary.get("damping audit", []) if a["net torque"]["value"] or a["power"]["value"]])
 
 
 def tell_checks(run, plots):
@@ -118,14 +131,15 @@ def tell_computation(run, plots):
     statistics = run.summary.get("run")
     if not statistics:
         return
+    # Studies without steps in time have neither them nor a rate.
     rows = [[name, value["value"], value["unit"]] for name, value in statistics.items()
-            if isinstance(value, dict) and "unit" in value]
-    rows += [[name, value, ""] for name, value in statistics.items() if isinstance(value, int)]
+            if isinstance(value, dict) and "unit" in value and value["value"]]
+    rows += [[name, value, ""] for name, value in statistics.items() if isinstance(value, int) and value]
     yield Cells(["", "value", "unit"], rows)
     yield Cells(["section", "time", "unit"], list_values(statistics.get("timers", {})))
     origin = [run.summary.get(name, "") for name in ("version", "revision")]
-    yield Paragraph(f"Program version {origin[0]}, revision {origin[1]}; kernels for "
-                    f"{statistics.get('instruction set', 'unknown instructions')}.", "soft")
+    kernels = f"; kernels for {statistics['instruction set']}" if "instruction set" in statistics else ""
+    yield Paragraph(f"Program version {origin[0]}, revision {origin[1]}{kernels}.", "soft")
 
 
 RUN_CHAPTERS = (
@@ -136,6 +150,7 @@ RUN_CHAPTERS = (
     Chapter("Spectra and periodicity", tell_spectra),
     Chapter("Over the speed"),
     Chapter("Stress at the probes", tell_probes),
+    Chapter("Motion of the probes"),
     Chapter("Motion of the rim", tell_rim),
     Chapter("Sections"),
     Chapter("Energy and damping", tell_energy),

@@ -3,7 +3,7 @@
 import csv
 
 from ..data.columns import JUDGED
-from ..data.naming import find_differences
+from ..data.naming import find_differences, list_unused
 from ..measures.periodicity import measure_column
 from ..measures.quantities import list_quantities
 from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
@@ -20,7 +20,8 @@ RIPPLE_WORDS = {True: "steady", False: "not steady", None: "not judged"}
 
 
 def tell_variants(study, plots):
-    names = find_differences([v.run for v in study.variants])[:SHOWN_DIFFERENCES]
+    runs = [v.run for v in study.variants]
+    names = find_differences(runs)[:SHOWN_DIFFERENCES]
     rows = []
     for variant in study.variants:
         summary = variant.run.summary
@@ -32,13 +33,20 @@ def tell_variants(study, plots):
     if geometries[0] and all(one == geometries[0] for one in geometries):
         yield Cells(["geometry of all variants", "unit", "pinion", "gear"], list(list_geometry_rows(geometries[0])),
                     "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
-    yield Paragraph("A variant's own report is made by make_report.py with its folder.", "soft")
+    edges = [v.name for v in study.variants if v.run.edge_contact and v.run.edge_contact["edges carry"]]
+    if edges:
+        yield Paragraph(f"Edges of the teeth carry: {'; '.join(edges)}. Their own reports say how much.", "alarm")
+    made = all((run.path / "report.html").is_file() for run in runs)
+    yield Paragraph("Each variant's own report: report.html in its folder." if made else
+                    "A variant's own report is made by make_report.py with its folder.", "soft")
 
 
 def read_parameter(run, name):
-    """Empty where it is of no meaning: thickness and angle of a web that is not there."""
+    """Empty where it is of no meaning: thickness and angle of a web that is not there, entries that the study does not use."""
     body, _, word = name.rpartition("/")
     if word.startswith("web ") and run.parameters.get(f"{body}/web") != "conical":
+        return ""
+    if name in list_unused(run.parameters):
         return ""
     return run.parameters.get(name, "")
 
@@ -125,7 +133,7 @@ def tell_computations(study, plots):
     rows = []
     for variant in study.variants:
         run = variant.run.summary.get("run")
-        if run:
+        if run and run["steps"]:
             rows.append([variant.name, variant.run.summary["mesh"]["cells"], run["steps"],
                          run["run time"]["value"], 1e-6 * run["element-steps per second"]["value"],
                          run["ranks"]])
@@ -140,7 +148,7 @@ STUDY_CHAPTERS = (
     Chapter("Over what is varied", tell_sweep, title_sweep),
     Chapter("Means and ripple", tell_means),
     Chapter("Transmission error"),
-    Chapter("Contact force"),
+    Chapter("Contact"),
     Chapter("Periodicity", tell_periodicity),
     Chapter("Lines", tell_lines),
     Chapter("Stresses"),

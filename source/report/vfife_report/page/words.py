@@ -1,6 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """A case in words: titles, sentences and rows made from the parameters in force."""
-from ..data.naming import GEAR, PINION, describe_pair, describe_web
+from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, normalize
 
 # As given: nothing where they are proposed.
 BLANK_ROWS = (
@@ -9,19 +9,29 @@ BLANK_ROWS = (
     ("mean cone distance", GEAR + "Blank/mean cone distance"),
     ("face width", GEAR + "Blank/face width"),
     ("backlash", "Gear pair/Mounting/backlash"))
-ROWS = (("speed of the pinion", "Operation/speed"),
+ROWS = (("speed of the pinion in operation", "Operation/speed"),
         ("torque on the gear", "Operation/torque"),
         ("tooth meshes", "Operation/tooth meshes"),
         ("start", "Dynamics/start"),
         ("bore of the gear", "Operation/hub"),
-        ("damping, mesh damping", "Dynamics/damping", "Dynamics/mesh damping"),
+        ("damping", "Dynamics/damping"),
+        ("mesh damping", "Dynamics/mesh damping"),
         ("contact: discretization, surface", "Contact/discretization", "Contact/surface"),
         ("friction coefficient", "Contact/friction coefficient"),
         ("element frame, stiffness", "Dynamics/frame", "Dynamics/stiffness"))
-# Their files are those of runs: what they read of one and do not use.
-OF_RUNS = {"tooth meshes", "start", "damping, mesh damping", "element frame, stiffness"}
-WITHOUT_LOAD = OF_RUNS | {"torque on the gear", "contact: discretization, surface", "friction coefficient"}
-NOT_USED = {"loaded tooth contact analysis": OF_RUNS, "modal": WITHOUT_LOAD, "linear static": WITHOUT_LOAD}
+
+
+def is_zero(value):
+    """Of a number with or without unit."""
+    return normalize(value)[:1] == (0.0,)
+
+
+def describe_damping(parameters):
+    """The rate in force: a ratio at a frequency stands in for it where both are given."""
+    ratio, frequency = (parameters.get(f"Dynamics/damping {what}", "0") for what in ("ratio", "frequency"))
+    if is_zero(ratio) or is_zero(frequency):
+        return parameters["Dynamics/damping"]
+    return f"{ratio} at {frequency}"
 
 
 def make_title(run):
@@ -30,9 +40,12 @@ def make_title(run):
     kind = parameters.get("Study/kind", "run")
     parts = [describe_pair(parameters), describe_web(parameters)]
     if "Operation/speed" in parameters:
-        parts.append(parameters["Operation/speed"])
-        if "torque on the gear" not in NOT_USED.get(kind, ()):
-            parts.append(parameters["Operation/torque"])
+        # Waves are met at any speed between two.
+        between = [parameters.get(f"Waves/{end} speed") for end in ("lowest", "highest")]
+        parts.append(f"pinion from {between[0]} to {between[1]}" if kind == "waves" and all(between)
+                     else f"pinion at {parameters['Operation/speed']}")
+        if "Operation/torque" not in list_unused(parameters):
+            parts.append(f"{parameters['Operation/torque']} on the gear")
     title = ", ".join(part for part in parts if part) or run.path.resolve().name
     return title if kind == "run" else f"{title}: {kind}"
 
@@ -42,9 +55,11 @@ def list_case_rows(run):
     parameters = run.parameters
     # What was derived is in the table of the geometry.
     given = not run.geometry and parameters.get("Gear pair/Proposal/pinion teeth", "0") == "0"
+    unused = list_unused(parameters)
     for name, *keys in (BLANK_ROWS if given else ()) + ROWS:
-        values = [parameters[key] for key in keys if key in parameters]
-        if any(value != "0" for value in values) and name not in NOT_USED.get(parameters.get("Study/kind"), ()):
+        values = [describe_damping(parameters) if key == "Dynamics/damping" else parameters[key]
+                  for key in keys if key in parameters]
+        if not all(is_zero(value) for value in values) and not unused.issuperset(keys):
             yield name, ", ".join(values)
     web = describe_web(parameters)
     if web.startswith("web"):

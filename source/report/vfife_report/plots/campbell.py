@@ -4,7 +4,7 @@ import numpy as np
 
 from ..data.naming import GEAR, PINION
 from ..data.table import Table, read_table
-from .style import COLOURS, GREY, plt
+from .style import COLOURS, GREY, label_orders, plt
 
 DASHES_OF_DIRECTION = {"standing": "-", "forward": "--", "backward": ":"}
 
@@ -22,16 +22,17 @@ def draw_campbell(run, body):
     draw_branches(axes, branches, mine)
     top = 1.05e-3 * branches["frequency"][mine].max()
     if resonances is not None:
-        mark_resonances(axes, resonances, resonances["body"] == body,
-                        np.abs(branches["speed"][mine]).max(), top)
+        # Bodies without teeth feel a force once a turn: their orders are those of the rotation.
+        mark_resonances(axes, resonances, resonances["body"] == body, np.abs(branches["speed"][mine]).max(), top,
+                        "mesh order" if body in ("pinion", "gear") else "order")
     operation = find_speed_of_operation(run, body)
     if operation:
-        axes.axvline(operation, color=COLOURS[0], linestyle="--", linewidth=0.9)
-        axes.annotate(f"operation, {operation:.0f} rpm", (operation, top), xytext=(-3, -3), textcoords="offset points",
-                      fontsize=8, rotation=90, ha="right", va="top", gid="speed of operation")
-    axes.set(title=f"{body}: natural frequencies in axes that turn with it", ylim=(0, top),
-             xlabel=f"speed of the {body} [rpm]", ylabel="frequency [kHz]")
-    axes.legend(fontsize=7, ncol=2, loc="upper left", bbox_to_anchor=(1., 1.))
+        axes.axvline(operation, color=COLOURS[0], linestyle="--", linewidth=0.9, label=f"operation, {operation:.0f} rpm")
+    axes.margins(x=0)
+    axes.set(ylim=(0, top), xlabel=f"speed of the {body} [rpm]", ylabel="frequency [kHz]")
+    # Above the names of the orders that leave the axes there, and beside those at the side.
+    axes.set_title(f"{body}: natural frequencies in axes that turn with it", pad=16)
+    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.14, 1.), frameon=False)
     return plot
 
 
@@ -46,7 +47,7 @@ def draw_branches(axes, branches, mine):
         label = None
         if (diameter, direction) not in named:
             named.add((diameter, direction))
-            label = f"{diameter} diameters" if diameter >= 0 else "modes"
+            label = f"{diameter} diameter{'s' * (diameter != 1)}" if diameter >= 0 else "modes"
             label += "" if direction == "standing" else ", " + direction
         along = np.argsort(speed)
         axes.plot(speed[along], frequency[along] * 1e-3, DASHES_OF_DIRECTION[direction], marker=".",
@@ -66,17 +67,14 @@ def find_speed_of_operation(run, body):
     return float(words[0]) * teeth[0] / teeth[1] if all(teeth) else None
 
 
-def mark_resonances(axes, resonances, mine, end, top):
-    """Where the tooth mesh meets a branch, and the lines of its orders up to the speed `end` and the frequency `top`
-    [kHz]."""
+def mark_resonances(axes, resonances, mine, end, top, word):
+    """Where a force that stands in space meets a branch, and the lines of its orders, named by `word`, up to the speed `end`
+    and the frequency `top` [kHz]."""
     axes.plot(resonances["speed"][mine], resonances["frequency"][mine] * 1e-3, "o", markersize=5,
               markerfacecolor="none", color=GREY, label="resonance")
-    for order in sorted(set(resonances["mesh order"][mine])):
-        rows = mine & (resonances["mesh order"] == order)
-        slope = np.median(resonances["frequency"][rows] / np.abs(resonances["speed"][rows]))
-        if order > 0:
-            axes.plot([0, end], [0, slope * end * 1e-3], color=GREY, linewidth=0.6, gid=f"mesh order {order:.0f}")
-            # Where the line leaves the picture, which may be above or at the side.
-            reach = min(end, top / (slope * 1e-3))
-            axes.annotate(f"mesh order {order:.0f}", (reach, slope * reach * 1e-3), xytext=(-2, -2),
-                          textcoords="offset points", fontsize=7, color=GREY, ha="right", va="top")
+    # Resonances lie beside the line of their order: so many turns of the body as they have diameters.
+    orders, wave = resonances["mesh order"][mine], resonances["wave"][mine]
+    turns = resonances["nodal diameter"][mine] * ((wave == "backward") * 1. - (wave == "forward"))
+    slopes = 1e-3 * (resonances["frequency"][mine] / np.abs(resonances["speed"][mine]) - turns / 60)
+    label_orders(axes, [(order, np.median(slopes[orders == order])) for order in sorted(set(orders)) if order > 0], end, top,
+                 word)

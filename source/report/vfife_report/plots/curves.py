@@ -5,6 +5,7 @@ import numpy as np
 from ..measures.quantities import list_quantities
 from .style import COLOURS, add_legend, plt
 
+LINES = ("-", "--", ":")  # where there are more curves than colours
 NOT_DRAWN = ("trend a tooth mesh", "change from mesh to mesh (rms)", "periodic share of the variance",
              "duration of the passage", "in contact for")
 
@@ -28,17 +29,29 @@ def scale_axis(axes, axis, room):
     axes.set_xlabel(axis.label)
 
 
+def split_name(name):
+    """What a quantity is of, and which number of it: "dte, mean" of a run's history, "transmission error mean" of an
+    analysis over positions."""
+    of, comma, what = name.rpartition(", ")
+    if comma:
+        return of, what
+    for what in ("mean", "peak to peak"):
+        if name.endswith(f" {what}"):
+            return name.removesuffix(f" {what}"), what
+    return "", name
+
+
 def collect_curves(axis):
     """Panels of curves: title and unit -> curves, name -> values over the axis. Means of a history for
     themselves, its ripple together, the rest by what the quantities are of."""
     panels = {}
     for position, variant in enumerate(axis.variants):
         for name, value, unit in list_quantities(variant.run):
-            of, _, what = name.rpartition(", ")
+            of, what = split_name(name)
             if what.startswith(NOT_DRAWN):
                 continue
             title = f"{of}, ripple" if what in ("peak to peak", "standard deviation") else \
-                name if what == "mean" else of
+                f"{of}, mean" if what == "mean" else of
             curves = panels.setdefault((title, unit), {})
             curves.setdefault(what, np.full(len(axis.values), np.nan))[position] = value
     return panels
@@ -54,7 +67,8 @@ def draw_curves(study):
     plot, grid = plt.subplots(rows, 2, figsize=(9, 0.4 + 2.7 * rows), squeeze=False)
     for axes, ((title, unit), curves) in zip(grid.ravel(), panels.items()):
         for number, (name, values) in enumerate(curves.items()):
-            axes.plot(axis.values, values, "o-", markersize=4, color=COLOURS[1 + number % 6], label=name)
+            axes.plot(axis.values, values, "o", linestyle=LINES[number // 6 % len(LINES)], markersize=4,
+                      color=COLOURS[1 + number % 6], label=name)
         only = next(iter(curves)) if len(curves) == 1 else ""
         axes.set(title=title if title.endswith(only) else ", ".join(filter(None, (title, only))), ylabel=f"[{unit}]")
         scale_axis(axes, axis, 0.16)

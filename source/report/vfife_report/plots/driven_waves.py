@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..data.table import Table, read_table
-from .style import COLOURS, GREY, add_legend, plt
+from .style import COLOURS, GREY, add_legend, label_orders, plt
 
 COLOURS_OF_SOLVER = {"reduced": COLOURS[1], "run": COLOURS[3], None: COLOURS[1]}
 NAMES_OF_SOLVER = {"reduced": "reduced pair", "run": "run", None: "reduced pair"}
@@ -46,15 +46,11 @@ def draw_waves_met(run):
     top = 1.05e-3 * frequencies["fixed frequency"].max()
     if lines is not None:
         slope = np.median(lines["mesh frequency"] / lines["speed in contact"])
-        for order in np.unique(lines["mesh order"]):
-            axes.plot([0, end], [0, 1e-3 * order * slope * end], color=GREY, linewidth=0.8)
-            reach = min(end, top / (1e-3 * order * slope))
-            axes.annotate(f"mesh order {order:.0f}", (reach, 1e-3 * order * slope * reach), xytext=(-2, -2),
-                          textcoords="offset points", fontsize=7, color=GREY, ha="right", va="top")
+        label_orders(axes, [(order, 1e-3 * order * slope) for order in np.unique(lines["mesh order"])], end, top)
         draw_bubbles(axes, lines)
-    axes.set(title="Waves and mesh orders as an observer at rest sees them", xlim=(0, end), ylim=(0, top),
-             xlabel="pinion speed [rpm]", ylabel="frequency [kHz]")
-    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1., 1.), frameon=False)
+    axes.set(xlim=(0, end), ylim=(0, top), xlabel="pinion speed [rpm]", ylabel="frequency [kHz]")
+    axes.set_title("Waves and mesh orders as an observer at rest sees them", pad=16)
+    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.13, 1.), frameon=False)
     return plot
 
 

@@ -8,6 +8,9 @@ from ..measures.periodicity import compute_mesh_average
 from .style import COLOURS, GREY, PALE, add_legend, label_ends, plt
 
 
+NAMED_PAIRS = 24  # more of them have no room for their names
+
+
 def mark_steady_part(run, axes):
     """To be called when the curves are drawn: the words stand in a strip above all of them."""
     part = run.steady_part()
@@ -69,8 +72,8 @@ def draw_contact_force(run):
     axes.plot(time, history[CONTACT_FORCE], color=COLOURS[0], label="total")
     title = "Contact force"
     if teeth is not None and "pinion tooth" in teeth:
-        draw_tooth_pairs(axes, history, teeth)
-        title += " and its share on tooth pairs (pinion tooth/gear tooth)"
+        named = draw_tooth_pairs(axes, history, teeth)
+        title += " and its share on tooth pairs" + " (pinion tooth/gear tooth)" * named
     axes.set_ylabel("contact force [N]")
     axes.set_ylim(bottom=0)
     mark_steady_part(run, axes)
@@ -81,6 +84,7 @@ def draw_contact_force(run):
 
 
 def draw_tooth_pairs(axes, history, teeth):
+    """Whether they are named: where there are few enough."""
     pairs = dict.fromkeys(zip(teeth["side"], teeth["pinion tooth"], teeth["gear tooth"]))
     for number, (side, pinion, gear) in enumerate(pairs):
         rows = (teeth["side"] == side) & (teeth["pinion tooth"] == pinion)
@@ -95,10 +99,38 @@ def draw_tooth_pairs(axes, history, teeth):
         axes.plot(1e3 * history["time"], np.where(around, force, np.nan), color=colour,
                   linestyle="-" if side == "drive" else "--",
                   label=f"teeth {pinion:.0f}/{gear:.0f}, {side}")
+        if len(pairs) > NAMED_PAIRS:
+            continue
         top = np.argmax(force)
         axes.annotate(f"{pinion:.0f}/{gear:.0f}", (1e3 * history["time"][top], force[top]),
                       xytext=(0, 3), textcoords="offset points", color=colour, ha="center", fontsize=8,
                       path_effects=[withStroke(linewidth=2, foreground="white")])
+    return len(pairs) <= NAMED_PAIRS
+
+
+def list_model_probes(run):
+    """Names of the probes whose displacement the history has."""
+    return [name.removesuffix(" displacement x") for name in run.history.columns if name.endswith(" displacement x")]
+
+
+def draw_model_probes(run):
+    """Displacements of each probe of a model without a gear pair, and von Mises stresses below."""
+    history, probes = run.history, list_model_probes(run)
+    time = 1e3 * history["time"]
+    plot, panels = plt.subplots(len(probes) + 1, 1, sharex=True, squeeze=False, figsize=(8, 1 + 2.2 * (len(probes) + 1)))
+    for number, (name, axes) in enumerate(zip(probes, panels[:, 0])):
+        for axis, colour in zip("xyz", COLOURS[1:]):
+            axes.plot(time, history[f"{name} displacement {axis}"], color=colour, label=axis)
+        axes.set(title=name, ylabel=f"displacement [{history.units[f'{name} displacement x']}]")
+        if number == 0:
+            add_legend(axes, fontsize=9)
+    below = panels[-1, 0]
+    for name, colour in zip(probes, np.resize(COLOURS, len(probes))):
+        below.plot(time, history[f"{name} von mises"], color=colour, label=name)
+    below.set(title="von Mises stress", ylabel="[MPa]", xlabel="time [ms]", ylim=(0, None))
+    below.margins(x=0)
+    add_legend(below, fontsize=9)
+    return plot
 
 
 def draw_energies(run):

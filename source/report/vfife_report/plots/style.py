@@ -7,6 +7,7 @@ matplotlib.use("Agg")  # no display is needed
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
 from matplotlib.ticker import AutoLocator, MaxNLocator  # noqa: E402
+from matplotlib.transforms import ScaledTranslation  # noqa: E402
 
 # Okabe and Ito's colours, told apart by colour-blind readers too; black first.
 COLOURS = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]
@@ -37,6 +38,8 @@ plt.rcParams.update({
     "svg.hashsalt": "vfife",  # the same run gives the same file
     "savefig.dpi": 100,
 })
+
+TITLE_ROOM = 0.28  # height of a title's line [inches]
 
 # Of pictures so wide that they are shown smaller than they are.
 WIDE = {"font.size": 15, "axes.titlesize": 15}
@@ -71,8 +74,23 @@ def add_legend(axes, **options):
     if place is None or place.is_last_col():
         options = {**options, "loc": "upper left", "bbox_to_anchor": (1.01, 1), "ncol": 1}
     else:
-        options = {"fontsize": 8, **options, "loc": "lower left", "bbox_to_anchor": (0, 1.01)}
+        # Above the title, where the axes have one.
+        above = ScaledTranslation(0, TITLE_ROOM if axes.get_title(loc="left") else 0.03, axes.figure.dpi_scale_trans)
+        options = {"fontsize": 8, **options, "loc": "lower left", "bbox_to_anchor": (0, 1),
+                   "bbox_transform": axes.transAxes + above}
     axes.legend(frameon=False, borderaxespad=0, **options)
+
+
+def label_orders(axes, orders, end, top, word="mesh order"):
+    """Lines of orders through the origin, (order, slope) each, up to the abscissa `end` and the ordinate `top`, named where
+    they leave the axes: above or to the right, where no curve is."""
+    for order, slope in orders:
+        reach = min(end, top / slope)
+        name = f"{word} {order:.0f}"
+        axes.plot([0, end], [0, slope * end], color=GREY, linewidth=0.7, gid=name)
+        place = {"xytext": (3, 0), "va": "center"} if reach == end else {"xytext": (0, 3), "ha": "center"}
+        axes.annotate(name, (reach, slope * reach), textcoords="offset points", fontsize=7, color=GREY, annotation_clip=False,
+                      **place)
 
 
 def darken_edges(colour, edge):

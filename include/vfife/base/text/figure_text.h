@@ -1,0 +1,16 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_base_text_figure_text_h
+#define vfife_base_text_figure_text_h
+
+#include <string>
+
+namespace vfife
+{
+  /**
+   * @p value with three significant digits, as one reads a figure in a sentence: "54.2", "1829",
+   * "0.000354"; exponents below 1e-4 and from 1e7 on only ("1.2e-05").
+   */
+  std::string figure_text(double value);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,19 @@
+# Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+"""Entries that a study reads, because its file is that of a run, and does not use: nothing of its case."""
+
+_OF_STEPS = {"Operation/tooth meshes", "Dynamics/start", "Dynamics/end time", "Dynamics/damping", "Dynamics/damping ratio",
+             "Dynamics/damping frequency", "Dynamics/mesh damping"}
+_OF_ELEMENTS = {"Dynamics/frame", "Dynamics/stiffness"}
+_OF_LOAD = {"Operation/torque", "Contact/discretization", "Contact/surface", "Contact/friction coefficient"}
+_BY_KIND = {"loaded tooth contact analysis": _OF_STEPS | _OF_ELEMENTS,
+            "modal": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD,
+            "linear static": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD,
+            "static": _OF_STEPS,
+            "reduced": _OF_ELEMENTS,
+            "waves": _OF_ELEMENTS | {"Operation/tooth meshes", "Dynamics/start"}}
+_OF_PAIRS = {"Operation/tooth meshes", "Operation/hub", "Dynamics/mesh damping"}
+
+
+def list_unused_entries(parameters, has_pair):
+    """Paths of those that the study of these parameters leaves unused, by its kind and whether it is of a gear pair."""
+    return _BY_KIND.get(parameters.get("Study/kind"), set()) | (set() if has_pair else _OF_PAIRS)
