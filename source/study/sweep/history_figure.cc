@@ -221,6 +221,8 @@ namespace vfife
   {
     static const Choices<FigureTable> tables = {{"history", FigureTable::history},
                                                 {"teeth", FigureTable::teeth},
+                                                {"probe_waves", FigureTable::probe_waves},
+                                                {"fillet_waves", FigureTable::fillet_waves},
                                                 {"resonance", FigureTable::resonance},
                                                 {"wave_response", FigureTable::wave_response},
                                                 {"stress_response", FigureTable::stress_response}};
@@ -292,6 +294,10 @@ namespace vfife
         return "history.csv";
       case FigureTable::teeth:
         return "teeth.csv";
+      case FigureTable::probe_waves:
+        return "probe_waves.csv";
+      case FigureTable::fillet_waves:
+        return "fillet_waves.csv";
       case FigureTable::resonance:
         return "resonance.csv";
       case FigureTable::wave_response:
@@ -304,7 +310,8 @@ namespace vfife
 
   bool HistoryFigure::is_over_speed() const
   {
-    return table != FigureTable::history && table != FigureTable::teeth;
+    return table == FigureTable::resonance || table == FigureTable::wave_response ||
+           table == FigureTable::stress_response;
   }
 
   Figure HistoryFigure::compute(const Table &history) const

@@ -38,6 +38,8 @@ namespace vfife
   {
     history,        ///< history.csv
     teeth,          ///< teeth.csv: rows of several tooth pairs at a time
+    probe_waves,    ///< probe_waves.csv: rows of several probes at a time
+    fillet_waves,   ///< fillet_waves.csv: rows of several facets at a time
     resonance,      ///< resonance.csv: rows over speed
     wave_response,  ///< wave_response.csv: rows over speed
     stress_response ///< stress_response.csv: rows of several places at a speed
