@@ -14,10 +14,20 @@ namespace vfife
   }
 
 
+  namespace
+  {
+    /** @p mean_gradients: of the undeformed element. */
+    Matrix3 deformation_gradient_of(const HexahedronNodes &mean_gradients, const HexahedronNodes &x)
+    {
+      // Relative to one node: the columns of the gradients sum to zero only up to round-off.
+      return (x.colwise() - x.col(0).eval()) * mean_gradients.transpose();
+    }
+  } // namespace
+
+
   Matrix3 compute_mean_deformation_gradient(const HexahedronNodes &X, const HexahedronNodes &x)
   {
-    // Relative to one node: the columns of b sum to zero only up to round-off.
-    return (x.colwise() - x.col(0).eval()) * compute_mean_gradients(X).transpose();
+    return deformation_gradient_of(compute_mean_gradients(X), x);
   }
 
 
@@ -52,12 +62,28 @@ namespace vfife
   }
 
 
-  Matrix3 compute_frame(const FrameKind kind, const HexahedronNodes &X, const HexahedronNodes &x)
+  ElementFrame::ElementFrame(const FrameKind kind, const HexahedronNodes &X)
+    : kind_(kind)
+  {
+    if (kind == FrameKind::polar)
+      mean_gradients_ = compute_mean_gradients(X);
+    else
+      triad_ = compute_triad(X);
+  }
+
+
+  Matrix3 ElementFrame::compute(const HexahedronNodes &x) const
   {
     // Three nodes: triad(X)^T takes the reference axes to x y z, triad(x)
     // takes those to the present axes.
-    return kind == FrameKind::polar
-             ? compute_polar_rotation(compute_mean_deformation_gradient(X, x))
-             : Matrix3(compute_triad(x) * compute_triad(X).transpose());
+    return kind_ == FrameKind::polar
+             ? compute_polar_rotation(deformation_gradient_of(mean_gradients_, x))
+             : Matrix3(compute_triad(x) * triad_.transpose());
+  }
+
+
+  Matrix3 compute_frame(const FrameKind kind, const HexahedronNodes &X, const HexahedronNodes &x)
+  {
+    return ElementFrame(kind, X).compute(x);
   }
 } // namespace vfife

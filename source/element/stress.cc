@@ -18,27 +18,50 @@ namespace vfife
   }
 
 
+  StressRecovery::StressRecovery(const HexahedronNodes &X,
+                                 const Material        &material,
+                                 const StiffnessKind    kind,
+                                 const FrameKind        frame)
+    : frame_(frame, X)
+    , from_first_(X.colwise() - X.col(0).eval())
+  {
+    // The strain at a point is that of the nodes and of the bubbles which they leave without force.
+    const Eigen::Matrix<double, 6, 6>  D       = compute_elasticity(material);
+    const ElementStrains               strains = compute_element_strains(X, kind);
+    const Eigen::Matrix<double, 9, 24> bubbles = compute_bubble_recovery(strains, material);
+
+    // The points are the corners of a cube shrunk by sqrt(3).
+    of_displacements_.setZero();
+    for (unsigned int q = 0; q < 8; ++q)
+      {
+        const Eigen::Matrix<double, 6, 24> at_point =
+          D * (strains.displacement[q] + strains.bubble[q] * bubbles);
+        for (unsigned int a = 0; a < 8; ++a)
+          of_displacements_.middleRows<6>(6 * a) +=
+            shape_functions(std::sqrt(3.) * reference_corner(a))[q] * at_point;
+      }
+  }
+
+
+  Eigen::Matrix<double, 6, 8> StressRecovery::compute(const HexahedronNodes &x) const
+  {
+    // As compute_local_displacements().
+    const HexahedronNodes u =
+      frame_.compute(x).transpose() * (x.colwise() - x.col(0).eval()) - from_first_;
+    Eigen::Matrix<double, 6, 8> stresses;
+    Eigen::Map<Eigen::Matrix<double, 48, 1>>(stresses.data()).noalias() =
+      of_displacements_ * Eigen::Map<const Vector24>(u.data());
+    return stresses;
+  }
+
+
   Eigen::Matrix<double, 6, 8> compute_nodal_stresses(const HexahedronNodes &X,
                                                      const HexahedronNodes &x,
                                                      const Material        &material,
                                                      const StiffnessKind    kind,
                                                      const FrameKind        frame)
   {
-    // The strain at a point is that of the nodes and of the bubbles which they leave without force.
-    const Vector24                    u       = compute_local_displacements(X, x, frame);
-    const Eigen::Matrix<double, 6, 6> D       = compute_elasticity(material);
-    const ElementStrains              strains = compute_element_strains(X, kind);
-    const Eigen::Matrix<double, 9, 1> bubbles = compute_bubble_recovery(strains, material) * u;
-
-    Eigen::Matrix<double, 6, 8> at_points;
-    for (unsigned int q = 0; q < 8; ++q)
-      at_points.col(q) = D * (strains.displacement[q] * u + strains.bubble[q] * bubbles);
-
-    // The points are the corners of a cube shrunk by sqrt(3).
-    Eigen::Matrix<double, 6, 8> at_nodes;
-    for (unsigned int a = 0; a < 8; ++a)
-      at_nodes.col(a) = at_points * shape_functions(std::sqrt(3.) * reference_corner(a));
-    return at_nodes;
+    return StressRecovery(X, material, kind, frame).compute(x);
   }
 
 

@@ -65,6 +65,22 @@ namespace
 
     const UpdateSums sums =
       update_nodes(first, last, dt, damping, axis, owned.data(), f.data(), x.data(), v.data(), set);
+    // The same beside the old state, and what is measured on the way.
+    std::vector<double> x_beside = x_old, v_beside = v_old;
+    NodalMotion         motion, motion_expected;
+    const UpdateSums    sums_beside = update_nodes(first,
+                                                last,
+                                                dt,
+                                                damping,
+                                                axis,
+                                                owned.data(),
+                                                f.data(),
+                                                x_old.data(),
+                                                v_old.data(),
+                                                x_beside.data(),
+                                                v_beside.data(),
+                                                &motion,
+                                                set);
 
     const double        a          = 0.5 * damping.zeta * dt;
     std::vector<double> x_expected = x_old, v_expected = v_old;
@@ -90,6 +106,7 @@ namespace
             damping.zeta * m *
             axis.direction.dot(Vector3((node(x_old, i) - axis.point).cross(mean - u)));
         add_node_moments(axis, m, node(x_expected, i), w, expected);
+        motion_expected.add(axis, m, node(x_old, i), node(v_old, i), w);
       }
     const std::string name =
       std::string("update, ") + name_of(set) + (use_axis ? ", axis" : ", free");
@@ -107,6 +124,19 @@ namespace
                   (sums.first_moment - expected.first_moment).norm() +
                   (sums.angular_momentum - expected.angular_momentum).norm() +
                   (sums.second_moment - expected.second_moment).norm(),
+                1e-13);
+    check_below(name + ": beside the old state",
+                largest_difference(x_beside, x) + largest_difference(v_beside, v) +
+                  std::abs(sums_beside.kinetic - sums.kinetic),
+                1e-15);
+    check_below(name + ": motion",
+                (motion.momentum - motion_expected.momentum).norm() +
+                  (motion.angular_momentum - motion_expected.angular_momentum).norm() +
+                  std::abs(motion.speed - motion_expected.speed) +
+                  std::abs(motion.turning_mass - motion_expected.turning_mass) +
+                  std::abs(motion.mass - motion_expected.mass) +
+                  (motion.change - motion_expected.change).norm() +
+                  std::abs(motion.square_of_change - motion_expected.square_of_change),
                 1e-13);
   }
 

@@ -430,9 +430,15 @@ namespace
             watch.observe_step({sums});
           };
         };
-        const std::vector<double> mean_speeds =
-          sum_motion(model, state, state.velocity, ring.node_masses(), self).mean_speeds;
-        const auto sample = [&](const double omega) {
+        NodalMotion motion;
+        for (unsigned int i = 0; i < ring.n_nodes(); ++i)
+          motion.add(UpdateAxis::of(ring),
+                     ring.node_masses()[i],
+                     state.node_position(i),
+                     state.node_velocity(i),
+                     state.node_velocity(i));
+        const std::vector<double> mean_speeds = sum_motion(model, {motion}, self).mean_speeds;
+        const auto                sample      = [&](const double omega) {
           return
             [&, omega](DampingWatch &watch) { watch.observe_sample(mean_speeds, rates(omega)); };
         };

@@ -36,6 +36,20 @@ namespace vfife
    * Throws NumericalError where the frame does not exist (singular F or collinear a, b, d).
    */
   Matrix3 compute_frame(FrameKind kind, const HexahedronNodes &X, const HexahedronNodes &x);
+
+  /** compute_frame() of one undeformed element in many states. */
+  class ElementFrame
+  {
+  public:
+    ElementFrame(FrameKind kind, const HexahedronNodes &X);
+
+    Matrix3 compute(const HexahedronNodes &x) const;
+
+  private:
+    FrameKind       kind_;
+    HexahedronNodes mean_gradients_; ///< polar
+    Matrix3         triad_;          ///< three nodes: of the undeformed element
+  };
 } // namespace vfife
 
 #endif

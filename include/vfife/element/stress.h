@@ -15,11 +15,33 @@ namespace vfife
   compute_local_displacements(const HexahedronNodes &X, const HexahedronNodes &x, FrameKind frame);
 
   /**
-   * Stresses at the 8 nodes [MPa], one column a node, in the axes of the reference configuration @p
-   * X (turned with the element). Evaluated at the 2x2x2 points with the bubbles of @p kind
-   * recovered, then extrapolated trilinearly; exact at the nodes of rectangular elements in pure
-   * bending.
+   * Nodal stresses of an element, and of all its turned copies. What its undeformed shape and its
+   * material tell is found once, so that a state costs a product of a matrix and a vector.
    */
+  class StressRecovery
+  {
+  public:
+    /** Of the reference configuration @p X. Throws as compute_element_strains(). */
+    StressRecovery(const HexahedronNodes &X,
+                   const Material        &material,
+                   StiffnessKind          kind,
+                   FrameKind              frame);
+
+    /**
+     * Stresses at the 8 nodes, now at @p x [MPa], one column a node, in the axes of the reference
+     * configuration (turned with the element). Evaluated at the 2x2x2 points with the bubbles of
+     * the kind recovered, then extrapolated trilinearly; exact at the nodes of rectangular elements
+     * in pure bending.
+     */
+    Eigen::Matrix<double, 6, 8> compute(const HexahedronNodes &x) const;
+
+  private:
+    ElementFrame                  frame_;
+    HexahedronNodes               from_first_;       ///< X - X_0 [mm]
+    Eigen::Matrix<double, 48, 24> of_displacements_; ///< rows 6 node + component [MPa/mm]
+  };
+
+  /** StressRecovery of an element that is looked at once. */
   Eigen::Matrix<double, 6, 8> compute_nodal_stresses(const HexahedronNodes &X,
                                                      const HexahedronNodes &x,
                                                      const Material        &material,

@@ -50,6 +50,7 @@ namespace vfife
     , loads_(model, operator_, communicator)
     , bearings_(model, operator_.partition(), communicator)
     , constraints_(model, operator_.partition(), communicator)
+    , transmission_(model, operator_.partition())
     , element_step_(find_element_step(model, options.step_bound, operator_, communicator, log))
     , forces_(operator_.make_field())
     , rigid_(model.bodies.size())
@@ -194,7 +195,7 @@ namespace vfife
           energy_.add_work(powers, 0.5 * dt_);
         if (due)
           {
-            take_motion(state);
+            take_motion();
             take_energies(measures);
             take_reactions(state);
             show(observers, last);
@@ -312,7 +313,8 @@ namespace vfife
                                               before.position.data(),
                                               before.velocity.data(),
                                               state.position.data(),
-                                              state.velocity.data());
+                                              state.velocity.data(),
+                                              keeps ? &motions_[b] : nullptr);
       }
     constraints_.apply(state.time,
                        dt_,
@@ -322,6 +324,8 @@ namespace vfife
                        state.position,
                        state.velocity,
                        sums_);
+    if (keeps)
+      constraints_.add_motion(state.velocity, motions_);
     powers.torque += torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
     damper_power += bearings_.half_damper_power(state.velocity);
 

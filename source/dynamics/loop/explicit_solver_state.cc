@@ -128,7 +128,7 @@ namespace vfife
   void ExplicitSolver::take_measurements(State &state)
   {
     const auto scope = timers_.time(timers_.section("measurement"));
-    measure_transmission(model_, state, communicator_);
+    transmission_.measure(state, communicator_);
     state.measured.probes = measure_probes(model_, model_.probes, state, operator_, communicator_);
     measure_contact(contact_, walls_, state.measured);
     state.measured.bearings = bearings_.bearing_states();
@@ -144,6 +144,7 @@ namespace vfife
     observed_.partition   = state.partition;
     observed_.body_motion = state.body_motion;
     observed_.measured    = state.measured;
+    motions_.assign(model_.bodies.size(), {});
     std::swap(observed_.position, state.position);
     std::swap(observed_.velocity, state.velocity);
   }
@@ -154,11 +155,10 @@ namespace vfife
     observed_.contact_force = operator_.make_field();
   }
 
-  void ExplicitSolver::take_motion(const State &state)
+  void ExplicitSolver::take_motion()
   {
-    const auto       scope = timers_.time(timers_.section("measurement"));
-    const MotionSums motion =
-      sum_motion(model_, observed_, state.velocity, operator_.masses(), communicator_);
+    const auto       scope              = timers_.time(timers_.section("measurement"));
+    const MotionSums motion             = sum_motion(model_, motions_, communicator_);
     observed_.measured.momentum         = motion.momentum;
     observed_.measured.angular_momentum = motion.angular_momentum;
     alternating_energy_                 = motion.alternating_energy;
@@ -282,6 +282,6 @@ namespace vfife
     // What a failure before the next measurement would show.
     observe_from(state);
     observed_.measured.energy = energy_.ledger();
-    measure_transmission(model_, observed_, communicator_);
+    transmission_.measure(observed_, communicator_);
   }
 } // namespace vfife

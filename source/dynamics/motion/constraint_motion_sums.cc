@@ -45,4 +45,17 @@ namespace vfife
           group.axis.direction.dot((node.old_position - group.axis.point).cross(reaction));
       }
   }
+
+  void ConstraintMotion::add_motion(const NodeField          &velocities,
+                                    std::vector<NodalMotion> &motions) const
+  {
+    for (const Group &group : groups_)
+      for (const Node &node : group.nodes)
+        if (node.owned)
+          motions[group.body].add(UpdateAxis::of(model_.bodies[group.body]),
+                                  node.mass,
+                                  node.old_position,
+                                  node.old_velocity,
+                                  velocities.value(node.local));
+  }
 } // namespace vfife

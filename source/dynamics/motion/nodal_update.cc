@@ -2,6 +2,8 @@
 #include <vfife/dynamics/motion/nodal_update.h>
 #include <vfife/dynamics/motion/update_kernels.h>
 
+#include <cmath>
+
 namespace vfife
 {
   namespace generic
@@ -39,6 +41,18 @@ namespace vfife
       Eigen::Map<Vector3>(out, 3) = vector;
     }
 
+    /** @p found: the sums of a kernel. */
+    void add_found(const double *found, NodalMotion &motion)
+    {
+      motion.momentum += Eigen::Map<const Vector3>(found + sum_of_old_momentum);
+      motion.angular_momentum += Eigen::Map<const Vector3>(found + sum_of_old_angular_momentum);
+      motion.speed += found[sum_of_speed];
+      motion.turning_mass += found[sum_of_turning_mass];
+      motion.mass += found[sum_of_mass];
+      motion.change += Eigen::Map<const Vector3>(found + sum_of_change);
+      motion.square_of_change += found[sum_of_square_of_change];
+    }
+
     UpdateCoefficients
     make_coefficients(const double dt, const BodyDamping &damping, const UpdateAxis &axis)
     {
@@ -61,6 +75,25 @@ namespace vfife
     }
   } // namespace
 
+  void NodalMotion::add(const UpdateAxis &axis,
+                        const double      node_mass,
+                        const Vector3    &x,
+                        const Vector3    &v,
+                        const Vector3    &next)
+  {
+    momentum += node_mass * v;
+    angular_momentum += node_mass * x.cross(v);
+    const double square = axis.direction.cross(x - axis.point).squaredNorm();
+    if (square > 0)
+      {
+        speed += node_mass * std::sqrt(v.squaredNorm() / square);
+        turning_mass += node_mass;
+      }
+    mass += node_mass;
+    change += node_mass * (next - v);
+    square_of_change += node_mass * (next - v).squaredNorm();
+  }
+
   UpdateSums update_nodes(const std::size_t    first,
                           const std::size_t    last,
                           const double         dt,
@@ -72,10 +105,13 @@ namespace vfife
                           const double        *old_velocities,
                           double              *positions,
                           double              *velocities,
+                          NodalMotion         *motion,
                           const InstructionSet instruction_set)
   {
-    double found[n_update_sums] = {};
-    select_update(instruction_set)(make_coefficients(dt, damping, axis),
+    double             found[n_measured_sums] = {};
+    UpdateCoefficients coefficients           = make_coefficients(dt, damping, axis);
+    coefficients.measures                     = motion != nullptr;
+    select_update(instruction_set)(coefficients,
                                    first,
                                    last,
                                    owned,
@@ -85,6 +121,8 @@ namespace vfife
                                    positions,
                                    velocities,
                                    found);
+    if (motion != nullptr)
+      add_found(found, *motion);
     // The kernel leaves zeta out of what the damper does.
     UpdateSums sums;
     sums.kinetic        = found[sum_of_kinetic];
@@ -133,6 +171,7 @@ namespace vfife
                         velocities,
                         positions,
                         velocities,
+                        nullptr,
                         instruction_set);
   }
 } // namespace vfife

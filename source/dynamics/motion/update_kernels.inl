@@ -134,7 +134,7 @@ namespace vfife
                                   const Vec<double, N>     &m,
                                   const Vec<double, N> (&x)[4],
                                   const Vec<double, N> (&v)[4],
-                                  Vec<double, N> (&sums)[n_update_sums])
+                                  Vec<double, N> (&sums)[n_measured_sums])
     {
       using V = Vec<double, N>;
       if constexpr (use_axis)
@@ -157,8 +157,45 @@ namespace vfife
     }
 
 
+    /** What NodalMotion sums: x and v before the update, v after it, e = direction x (x - point).
+     */
+    template <unsigned int N>
+    VFIFE_INLINE void add_motion(const Vec<double, N> &m,
+                                 const Vec<double, N> (&x)[4],
+                                 const Vec<double, N> (&v)[4],
+                                 const Vec<double, N> (&v_new)[4],
+                                 const Vec<double, N> (&e)[3],
+                                 Vec<double, N> (&sums)[n_measured_sums])
+    {
+      using V = Vec<double, N>;
+      V change[3];
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const unsigned int j = (i + 1) % 3, k = (i + 2) % 3;
+          sums[sum_of_old_momentum + i] += m * v[i];
+          sums[sum_of_old_angular_momentum + i] += m * (x[j] * v[k] - x[k] * v[j]);
+          change[i] = v_new[i] - v[i];
+          sums[sum_of_change + i] += m * change[i];
+        }
+      sums[sum_of_mass] += m;
+      sums[sum_of_square_of_change] += m * product<N>(change, change);
+
+      // |v|/r, and 1 where there is one: not on the axis.
+      double speed[N], square[N], turns[N];
+      product<N>(v, v).store(speed);
+      product<N>(e, e).store(square);
+      for (unsigned int lane = 0; lane < N; ++lane)
+        {
+          turns[lane] = square[lane] > 0. ? 1. : 0.;
+          speed[lane] = square[lane] > 0. ? __builtin_sqrt(speed[lane] / square[lane]) : 0.;
+        }
+      sums[sum_of_speed] += m * V::load(speed);
+      sums[sum_of_turning_mass] += m * V::load(turns);
+    }
+
+
     /** One step of N nodes: update, store, and what the sums want of both states. */
-    template <unsigned int N, bool use_axis>
+    template <unsigned int N, bool use_axis, bool measures>
     VFIFE_INLINE void update_block(const UpdateCoefficients &coefficients,
                                    const unsigned char      *owned,
                                    const double             *forces,
@@ -166,7 +203,7 @@ namespace vfife
                                    const double             *old_velocities,
                                    double                   *positions,
                                    double                   *velocities,
-                                   Vec<double, N> (&sums)[n_update_sums])
+                                   Vec<double, N> (&sums)[n_measured_sums])
     {
       // 1. Positions (and 1/m), velocities (and m), forces.
       using V = Vec<double, N>;
@@ -206,18 +243,19 @@ namespace vfife
       sums[sum_of_kinetic] += 0.5 * m * product<N>(v, v_new);
       sums[sum_of_damping_power] += m * product<N>(relative, mean);
       sums[sum_of_mesh_power] += m * product<N>(slip, mean);
+      V e[3];
+      if constexpr (use_axis || measures)
+        rigid_field<N>(coefficients.lever, coefficients.direction, x, e);
       if constexpr (use_axis)
-        {
-          V e[3];
-          rigid_field<N>(coefficients.lever, coefficients.direction, x, e);
-          sums[sum_of_damping_torque] -= m * product<N>(e, relative);
-        }
+        sums[sum_of_damping_torque] -= m * product<N>(e, relative);
+      if constexpr (measures)
+        add_motion<N>(m, x, v, v_new, e, sums);
       add_moments<N, use_axis>(coefficients, m, x_new, v_new, sums);
     }
 
 
     /** As many blocks of N nodes as there are; returns the first node left over. */
-    template <unsigned int N, bool use_axis>
+    template <unsigned int N, bool use_axis, bool measures>
     VFIFE_INLINE std::size_t update_blocks(const UpdateCoefficients &coefficients,
                                            const std::size_t         first,
                                            const std::size_t         last,
@@ -229,20 +267,20 @@ namespace vfife
                                            double                   *velocities,
                                            double                   *sums)
     {
-      Vec<double, N> block_sums[n_update_sums];
+      Vec<double, N> block_sums[n_measured_sums];
       for (auto &sum : block_sums)
         sum = 0.;
       std::size_t node = first;
       for (; node + N <= last; node += N)
-        update_block<N, use_axis>(coefficients,
-                                  owned + node,
-                                  forces + 4 * node,
-                                  old_positions + 4 * node,
-                                  old_velocities + 4 * node,
-                                  positions + 4 * node,
-                                  velocities + 4 * node,
-                                  block_sums);
-      for (unsigned int s = 0; s < n_update_sums; ++s)
+        update_block<N, use_axis, measures>(coefficients,
+                                            owned + node,
+                                            forces + 4 * node,
+                                            old_positions + 4 * node,
+                                            old_velocities + 4 * node,
+                                            positions + 4 * node,
+                                            velocities + 4 * node,
+                                            block_sums);
+      for (unsigned int s = 0; s < (measures ? n_measured_sums : n_update_sums); ++s)
         {
           double lanes[N];
           block_sums[s].store(lanes);
@@ -254,7 +292,7 @@ namespace vfife
 
 
     /** Blocks as wide as the registers, then the nodes left over one by one. */
-    template <bool use_axis>
+    template <bool use_axis, bool measures>
     VFIFE_INLINE void update_all(const UpdateCoefficients &coefficients,
                                  const std::size_t         first,
                                  const std::size_t         last,
@@ -266,26 +304,37 @@ namespace vfife
                                  double                   *velocities,
                                  double                   *sums)
     {
-      const std::size_t rest = update_blocks<VFIFE_KERNEL_WIDTH, use_axis>(coefficients,
-                                                                           first,
-                                                                           last,
-                                                                           owned,
-                                                                           forces,
-                                                                           old_positions,
-                                                                           old_velocities,
-                                                                           positions,
-                                                                           velocities,
-                                                                           sums);
-      update_blocks<1, use_axis>(coefficients,
-                                 rest,
-                                 last,
-                                 owned,
-                                 forces,
-                                 old_positions,
-                                 old_velocities,
-                                 positions,
-                                 velocities,
-                                 sums);
+      const std::size_t rest = update_blocks<VFIFE_KERNEL_WIDTH, use_axis, measures>(coefficients,
+                                                                                     first,
+                                                                                     last,
+                                                                                     owned,
+                                                                                     forces,
+                                                                                     old_positions,
+                                                                                     old_velocities,
+                                                                                     positions,
+                                                                                     velocities,
+                                                                                     sums);
+      update_blocks<1, use_axis, measures>(coefficients,
+                                           rest,
+                                           last,
+                                           owned,
+                                           forces,
+                                           old_positions,
+                                           old_velocities,
+                                           positions,
+                                           velocities,
+                                           sums);
+    }
+
+
+    /** update_all() with the sums that are asked for. */
+    template <bool use_axis, typename... Arguments>
+    VFIFE_INLINE void update_for(const UpdateCoefficients &coefficients, Arguments... arguments)
+    {
+      if (coefficients.measures)
+        update_all<use_axis, true>(coefficients, arguments...);
+      else
+        update_all<use_axis, false>(coefficients, arguments...);
     }
 
 
@@ -312,7 +361,7 @@ namespace vfife
                        double                   *sums)
     {
       if (coefficients.use_axis)
-        update_all<true>(coefficients,
+        update_for<true>(coefficients,
                          first,
                          last,
                          owned,
@@ -323,7 +372,7 @@ namespace vfife
                          velocities,
                          sums);
       else
-        update_all<false>(coefficients,
+        update_for<false>(coefficients,
                           first,
                           last,
                           owned,

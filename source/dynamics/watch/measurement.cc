@@ -8,77 +8,9 @@
 #include <vfife/model/body_frame.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace vfife
 {
-  namespace
-  {
-    /** Of nodes of a body on this rank: sum of mass times rotation about its axis beyond the turn
-     * @p turned of the whole body since time zero, and sum of the masses. */
-    std::array<double, 2> add_rotations(const Body                      &body,
-                                        const std::vector<unsigned int> &nodes,
-                                        const double                     turned,
-                                        const State                     &state)
-    {
-      const Vector3        &a        = body.axis.direction;
-      const Matrix3         rotation = rotation_about(a, turned);
-      std::array<double, 2> sums     = {};
-      for (const unsigned int node : nodes)
-        {
-          const std::uint32_t local = state.partition->find_owned(body.first_node + node);
-          if (local == Partition::absent)
-            continue;
-          // The angle in the plane across the axis from where the whole body's turn has the node.
-          const Vector3 expected =
-            rotation * (body.placement(body.node_positions()[node]) - body.axis.point);
-          const Vector3 r    = state.node_position(local) - body.axis.point;
-          const Vector3 flat = expected - a.dot(expected) * a;
-          sums[0] += body.node_masses()[node] * std::atan2(a.dot(flat.cross(r)), flat.dot(r));
-          sums[1] += body.node_masses()[node];
-        }
-      return sums;
-    }
-  } // namespace
-
-  void measure_transmission(const Model &model, State &state, const Communicator &communicator)
-  {
-    if (!model.transmission)
-      return;
-    // DTE = theta_g - (z_p/z_g) theta_p, each theta = start + kinematic turn + lead: the kinematic
-    // turns cancel; start and leads of the gear's bore or rim and of the driver's bore remain. A
-    // driver that turns as prescribed has no lead.
-    const Transmission &t      = *model.transmission;
-    const Body         &driven = model.bodies[t.driven];
-    const double        turned = t.driven_turn(state.time); // in the drive direction
-
-    // Differences from the kinematic turn are measured, so that no digits are lost in large angles.
-    // Mass-weighted means over bore and rim of the driven body and the driver's bore.
-    std::vector<double> sums;
-    const auto          append =
-      [&](const Body &body, const std::vector<unsigned int> &nodes, const double turn) {
-        const auto found = add_rotations(body, nodes, turn, state);
-        sums.insert(sums.end(), found.begin(), found.end());
-      };
-    for (const auto *nodes : {&t.driven_bore, &t.driven_rim})
-      append(driven, *nodes, t.driven_sense * turned);
-    if (!t.driver_bore.empty())
-      append(model.bodies[t.driver], t.driver_bore, t.driver_sense * t.driver_turn(state.time));
-    communicator.sum(sums);
-    const double  bore       = t.driven_sense * (sums[0] / sums[1]);
-    const double  rim        = t.driven_sense * (sums[2] / sums[3]);
-    const double  drive      = t.driver_bore.empty() ? 0. : t.driver_sense * (sums[4] / sums[5]);
-    Measurements &m          = state.measured;
-    const double  start      = t.driven_start - t.ratio() * (t.driver_start + drive);
-    m.driver_angle           = t.driver_start + t.driver_turn(state.time) + drive;
-    m.rate_factor            = t.rate_history.value(state.time);
-    m.driven_angle           = t.driven_start + turned + bore;
-    m.rim_angle              = t.driven_start + turned + rim;
-    m.transmission_error     = start + bore;
-    m.rim_transmission_error = start + rim;
-  }
-
   void
   measure_contact(const ContactSystem &contact, const RigidWalls &walls, Measurements &measured)
   {

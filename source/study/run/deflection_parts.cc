@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
-#include <vfife/dynamics/watch/measurement.h>
+#include <vfife/dynamics/watch/transmission_measurement.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/load_shares.h>
 #include <vfife/study/run/deflection_parts.h>
@@ -96,7 +96,7 @@ namespace vfife
     const Transmission &t = *model_.transmission;
     // Leads of the driven member's bore and rim from the kinematic turn [rad], the rim's rigid
     // motion and the approach of the flanks, which the arm turns into an angle.
-    measure_transmission(model_, state, communicator_);
+    TransmissionMeasurement(model_, *state.partition).measure(state, communicator_);
 
     Shape shape;
     shape.hub_lead    = state.measured.transmission_error;

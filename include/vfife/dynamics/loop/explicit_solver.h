@@ -14,6 +14,7 @@
 #include <vfife/dynamics/watch/damping_watch.h>
 #include <vfife/dynamics/watch/energy_book.h>
 #include <vfife/dynamics/watch/energy_watch.h>
+#include <vfife/dynamics/watch/transmission_measurement.h>
 #include <vfife/model/observer.h>
 
 #include <functional>
@@ -148,7 +149,7 @@ namespace vfife
     /** Observers see this state until there is a sample. */
     void observe_from(const State &state);
     /** What needs the velocities after the update. */
-    void take_motion(const State &state);
+    void take_motion();
     void take_energies(const ElementMeasures &measures);
     void take_reactions(const State &state);
     void show(Observers &observers, bool last);
@@ -163,23 +164,25 @@ namespace vfife
     Timers                &timers_;
 
     // What acts, and what holds.
-    VfifeOperator    operator_;
-    ContactSystem    contact_;
-    RigidWalls       walls_;
-    TorqueLoads      torques_;
-    NodalLoads       loads_;
-    BearingLoads     bearings_;
-    ConstraintMotion constraints_;
-    double           element_step_;   ///< [s]
-    double           dt_         = 0; ///< of a substep [s]
-    unsigned int     n_substeps_ = 1; ///< in State::dt
-    double           safe_step_  = 0; ///< by the worst element [s]
+    VfifeOperator           operator_;
+    ContactSystem           contact_;
+    RigidWalls              walls_;
+    TorqueLoads             torques_;
+    NodalLoads              loads_;
+    BearingLoads            bearings_;
+    ConstraintMotion        constraints_;
+    TransmissionMeasurement transmission_;
+    double                  element_step_;   ///< [s]
+    double                  dt_         = 0; ///< of a substep [s]
+    unsigned int            n_substeps_ = 1; ///< in State::dt
+    double                  safe_step_  = 0; ///< by the worst element [s]
 
     // One step; rates, damping and sums of each body.
     NodeField                  forces_;
     std::vector<RigidVelocity> rigid_;
     std::vector<BodyDamping>   damping_;
-    std::vector<BodySums>      sums_; ///< of the last update, over all ranks
+    std::vector<BodySums>      sums_;    ///< of the last update, over all ranks
+    std::vector<NodalMotion>   motions_; ///< of the last sample, of this rank
 
     // What is kept of a run.
     std::optional<Beginning> beginning_; ///< of the run in progress

@@ -81,6 +81,10 @@ namespace vfife
      * rotation_is_free), of a rigid hub its share of the hub's torque; else nothing. Collective. */
     void project(const NodeField &positions, NodeField &forces, bool rotation_is_free) const;
 
+    /** Adds the nodes that this rank owns to the motion of their bodies, at the time before the
+     * last apply(). @p velocities: v+. */
+    void add_motion(const NodeField &velocities, std::vector<NodalMotion> &motions) const;
+
     /**
      * Adds to @p reactions (one a constraint) what the constraints exerted on this rank's nodes at
      * the time before the last apply(), with its @p damping and @p forces: m (v+ - v-)/dt less

@@ -20,13 +20,36 @@ namespace vfife
   };
 
   /**
+   * Sums over nodes of a body at an instant: x, the velocities v_- half a step before it and v_+
+   * half a step after.
+   */
+  struct NodalMotion
+  {
+    Vector3 momentum         = Vector3::Zero(); ///< sum m v_- [N s]
+    Vector3 angular_momentum = Vector3::Zero(); ///< sum m x x v_-, about the fixed origin [N mm s]
+    double  speed            = 0;               ///< sum m |v_-|/r, r from the axis [t rad/s]
+    double  turning_mass     = 0;               ///< sum m of the nodes off the axis [t]
+    double  mass             = 0;               ///< sum m [t]
+    Vector3 change           = Vector3::Zero(); ///< sum m (v_+ - v_-) [N s]
+    double  square_of_change = 0;               ///< sum m |v_+ - v_-|^2 [mJ]
+
+    /** One more node, and the line about which its body turns. */
+    void add(const UpdateAxis &axis,
+             double            node_mass,
+             const Vector3    &x,
+             const Vector3    &v,
+             const Vector3    &next);
+  };
+
+  /**
    * Central differences for nodes [first, last):
    *   v_+ = ((1 - a) v_- + dt (f/m - slip) + 2 a u)/(1 + a),  a = zeta dt/2,  x += dt v_+,
    * which centres the damping force at the old time. Records of the NodeFields of a State; mass
    * and inverse mass of constrained nodes are zero there, so that they add nothing; whoever
    * constrains them sets them afterwards.
    * @p owned: 1 where a node counts in the sums. Instruction sets differ by round-off.
-   * New positions and velocities may go where the old ones are, or elsewhere.
+   * New positions and velocities may go where the old ones are, or elsewhere. @p motion, unless it
+   * is nullptr, gets the sums of the nodes that count added: each node is at hand here.
    */
   UpdateSums update_nodes(std::size_t          first,
                           std::size_t          last,
@@ -39,6 +62,7 @@ namespace vfife
                           const double        *old_velocities,
                           double              *positions,
                           double              *velocities,
+                          NodalMotion         *motion,
                           InstructionSet       instruction_set = best_instruction_set());
 
   /** The same in place. */

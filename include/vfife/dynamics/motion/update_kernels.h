@@ -22,6 +22,7 @@ namespace vfife
     double direction[3]  = {}; ///< of the axis
     double lever[3]      = {}; ///< of the axis at the origin: minus direction x point [mm]
     bool   use_axis      = false;
+    bool   measures      = false; ///< whether the sums of NodalMotion are made
   };
 
   /** Where each sum of UpdateSums stands in the results of an update kernel; damping sums lack the
@@ -38,7 +39,16 @@ namespace vfife
     sum_of_first_moment     = 7,  ///< three
     sum_of_angular_momentum = 10, ///< three
     sum_of_second_moment    = 13, ///< six: xx yy zz xy yz zx
-    n_update_sums           = 19
+    n_update_sums           = 19,
+    /** Those of NodalMotion, where they are asked for. */
+    sum_of_old_momentum         = 19, ///< three
+    sum_of_old_angular_momentum = 22, ///< three
+    sum_of_speed                = 25,
+    sum_of_turning_mass         = 26,
+    sum_of_mass                 = 27,
+    sum_of_change               = 28, ///< three
+    sum_of_square_of_change     = 31,
+    n_measured_sums             = 32
   };
 
   /** Updates nodes [@p first, @p last) and adds to @p sums; arrays as in update_nodes(). */

@@ -14,9 +14,6 @@ namespace vfife
   class RigidWalls;
   class VfifeOperator;
 
-  /** Sets angles and transmission errors of the measurements from positions. Collective. */
-  void measure_transmission(const Model &model, State &state, const Communicator &communicator);
-
   /** Sets what the measurements say of contact pairs and walls, of the forces added last.
    * Collective. */
   void

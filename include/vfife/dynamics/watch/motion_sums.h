@@ -2,7 +2,7 @@
 #ifndef vfife_dynamics_watch_motion_sums_h
 #define vfife_dynamics_watch_motion_sums_h
 
-#include <vfife/model/state.h>
+#include <vfife/dynamics/motion/nodal_update.h>
 
 #include <vector>
 
@@ -30,14 +30,12 @@ namespace vfife
   };
 
   /**
-   * Of @p state and the velocities @p next after it, of all ranks, in one pass over the nodes and
-   * one reduction. @p masses [t] of this rank's nodes. Collective.
+   * Of all ranks, in one reduction; @p motions: of each body of the model, over the nodes that this
+   * rank counts. Collective.
    */
-  MotionSums sum_motion(const Model               &model,
-                        const State               &state,
-                        const NodeField           &next,
-                        const std::vector<double> &masses,
-                        const Communicator        &communicator);
+  MotionSums sum_motion(const Model                    &model,
+                        const std::vector<NodalMotion> &motions,
+                        const Communicator             &communicator);
 } // namespace vfife
 
 #endif

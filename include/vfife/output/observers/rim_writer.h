@@ -6,6 +6,7 @@
 #include <vfife/output/observers/sampled_table.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace vfife
@@ -46,20 +47,40 @@ namespace vfife
   private:
     void add_rows(const Model &model, const State &state) override;
 
+    /** A node of the rim that this rank owns: a copy of a node of the first sector. */
     struct Node
     {
-      unsigned int number;       ///< of the body
-      double       share;        ///< of the rim's mass
-      double       cosine, sine; ///< of its angle about the axis
-      Matrix3      axes;         ///< r, theta, z at time zero in the fixed frame (columns)
+      std::uint32_t local; ///< of the partition
+      std::uint32_t place; ///< of places_
+      std::uint32_t sector;
     };
 
-    RimWaves measure_positions(const Model &model, const State &state) const;
+    /** A node of the first sector, in the body frame. */
+    struct Place
+    {
+      Vector3 at_rest; ///< undeformed, from the axis [mm]
+      Matrix3 weights; ///< share of the rim's mass times the directions r, theta, z (rows)
+      double  angle;   ///< of r, from x [rad]
+    };
+
+    void     find_nodes(const Model &model, const Partition &partition);
+    RimWaves measure_positions(const Model &model, const State &state);
 
     const OutputFolder &folder_;
     Measure             measure_;
     unsigned int        n_diameters_; ///< largest number of nodal diameters
-    std::vector<Node>   nodes_;
+
+    // Of the partition of the states that are measured.
+    std::shared_ptr<const Partition> partition_;
+    unsigned int                     n_sectors_ = 1;
+    std::vector<Node>                nodes_;
+    std::vector<Place>               places_;
+    std::vector<Matrix3>             turns_back_;      ///< of each sector onto the first
+    std::vector<unsigned int>        columns_;         ///< of each sector below
+    Eigen::MatrixXd                  cosines_;         ///< of n times the sector's angle
+    Eigen::MatrixXd                  sines_;           ///< rows: columns, columns: n
+    Eigen::MatrixXd                  even_, odd_;      ///< sums, differences of two sectors [mm]
+    Eigen::MatrixXd                  as_cos_, as_sin_; ///< their waves [mm]
   };
 } // namespace vfife
 
