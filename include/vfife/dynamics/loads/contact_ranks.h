@@ -69,7 +69,8 @@ namespace vfife
       const std::vector<char> bytes =
         exchange_bytes(records.data(), records.size() * sizeof(Record));
       std::vector<Record> all(bytes.size() / sizeof(Record));
-      std::memcpy(all.data(), bytes.data(), bytes.size());
+      if (!all.empty()) // memcpy must not be given what empty vectors have
+        std::memcpy(all.data(), bytes.data(), bytes.size());
       return all;
     }
 
