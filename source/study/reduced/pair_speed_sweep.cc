@@ -20,12 +20,11 @@ namespace vfife
 {
   namespace
   {
-    /** Decay times in a step of the slow tooth mesh: what is left of a vibration after one is
-     * exp(-...). */
-    constexpr double slow_decay_times = 4.;
-    /** Steps in the slow mesh. What acts is the mean of the forces at both ends of a step: where a
-     * force changes much in one, it goes to and fro. */
-    constexpr unsigned int slow_steps = 150;
+    /** Decay times in a step of the slow tooth mesh, and steps in it: a vibration is gone within a
+     * few of them. What acts is the mean of the forces at both ends of a step: in steps of several
+     * decay times the load alone would turn the gear far, and forces go to and fro. */
+    constexpr double       slow_decay_times = .5;
+    constexpr unsigned int slow_steps       = 300;
   } // namespace
 
   void PairSpeedSweepOptions::declare(dealii::ParameterHandler &prm)
