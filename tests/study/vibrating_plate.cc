@@ -41,8 +41,8 @@ namespace
   {
     std::complex<double> sum = 0;
     for (std::size_t i = 0; i < time.size(); ++i)
-      sum += std::polar((1 - std::cos(2 * pi * time[i] / time.back())) * signal[i],
-                        -2 * pi * f * time[i]);
+      sum += (1 - std::cos(2 * pi * time[i] / time.back())) * signal[i] *
+             std::polar(1., -2 * pi * f * time[i]);
     return std::abs(sum);
   }
 
