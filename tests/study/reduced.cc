@@ -179,6 +179,7 @@ namespace
               "Reduced/counted meshes=3",
               "Reduced/cutoff frequency=20 kHz",
               "Reduced/allowed amplification=1.03",
+              "Reduced/highest frequency=20 kHz",
               "Fillets/teeth=all",
               "Output/history every=50"});
     const Columns stress = read_columns("stresses/stress_response.csv");

@@ -1,11 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Where made-up curves over speed are above a level; how long a speed settles.
+// Where made-up curves over speed are above a level; how long a speed settles, and what is left of
+// vibrations above a frequency.
 #include "../tests.h"
 
 #include <vfife/base/types.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/study/reduced/pair_speed_sweep.h>
 #include <vfife/study/reduced/speed_ranges.h>
+#include <vfife/study/reduced/speed_response.h>
 
 using namespace vfife;
 
@@ -82,6 +84,39 @@ namespace
     check_close("root: to", table.numbers("to")[2], 1500, 1e-9);
   }
 
+  void spectra()
+  {
+    // Mean 7, 3 periods of amplitude 2, 20 of 5.
+    std::vector<double> samples, slow;
+    for (unsigned int i = 0; i < 100; ++i)
+      {
+        slow.push_back(7 + 2 * std::sin(2 * pi * 3 * i / 100 + .4));
+        samples.push_back(slow.back() + 5 * std::cos(2 * pi * 20 * i / 100));
+      }
+    const auto distance = [&slow](const std::vector<double> &other) {
+      double worst = 0;
+      for (std::size_t i = 0; i < slow.size(); ++i)
+        worst = largest_of(worst, std::abs(other[i] - slow[i]));
+      return worst;
+    };
+    check_below("without fast vibrations", distance(cut_spectrum(samples, 19)), 1e-12);
+    check_close("with them", distance(cut_spectrum(samples, 20)), 5., 1e-12);
+    check("all of few samples", cut_spectrum({1, 2, 4}, 1) == std::vector<double>({1, 2, 4}));
+
+    SpeedResponse response(3);
+    for (const double sample : samples)
+      response.add({0, sample, false, {}, {sample}});
+    check_close("largest force", response.response(0).largest_force, 9., 2e-2);
+    check_close("largest stress", response.largest_stress(0), 9., 2e-2);
+
+    PairSpeedSweepSetup setup;
+    setup.cutoff                 = 60e3;
+    setup.reduced.counted_meshes = 10;
+    check("below half the cut-off", setup.count_vibrations(7000) == 42);
+    setup.options.highest_frequency = 14.1e3;
+    check("below the one given", setup.count_vibrations(7000) == 20);
+  }
+
   void settling()
   {
     PairSpeedSweepSetup setup;
@@ -98,6 +133,7 @@ namespace
 int main()
 {
   settling();
+  spectra();
   ranges();
   exceedances();
 }

@@ -41,6 +41,19 @@ namespace vfife
                    "Of contact force over its mean and of stresses over those without vibration, "
                    "in a sweep: exceedances.csv has the speeds with more. 0: nothing is judged",
                    Range::not_negative());
+    declare_quantity(prm,
+                     "highest frequency",
+                     highest_frequency,
+                     "Hz",
+                     "Of vibrations of force and stress that a sweep looks at: near the cut-off "
+                     "those of reduced bodies are not real. 0: half the cut-off",
+                     Range::not_negative());
+  }
+
+  std::size_t PairSpeedSweepSetup::count_vibrations(const double mesh_frequency) const
+  {
+    const double highest = options.highest_frequency > 0 ? options.highest_frequency : .5 * cutoff;
+    return std::max(1., std::floor(highest / mesh_frequency * reduced.counted_meshes));
   }
 
   unsigned int PairSpeedSweepSetup::find_settling_meshes(const double mesh_frequency) const
@@ -208,7 +221,7 @@ namespace vfife
     const unsigned int settling = setup_.find_settling_meshes(mesh_frequency_at(speed));
     for (unsigned int i = 0; i < settling * steps; ++i)
       pair_.step();
-    SpeedResponse response;
+    SpeedResponse response(setup_.count_vibrations(mesh_frequency_at(speed)));
     State         state;
     for (unsigned int i = 1; i <= setup_.reduced.counted_meshes * steps; ++i)
       {

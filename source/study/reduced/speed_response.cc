@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/complex.h>
+#include <vfife/base/types.h>
 #include <vfife/study/reduced/speed_response.h>
 
 #include <algorithm>
@@ -30,6 +31,32 @@ namespace vfife
     };
   } // namespace
 
+  std::vector<double> cut_spectrum(const std::vector<double> &samples, const std::size_t highest)
+  {
+    const std::size_t n = samples.size();
+    if (2 * highest + 1 >= n)
+      return samples;
+    std::vector<double> cut(n, 0.);
+    for (std::size_t k = 0; k <= highest; ++k)
+      {
+        const Complex turn = std::polar(1., 2. * pi * k / n);
+        Complex       part = 0, phase = 1;
+        for (const double sample : samples)
+          {
+            part += sample * std::conj(phase);
+            phase *= turn;
+          }
+        part *= (k > 0 ? 2. : 1.) / n;
+        phase = 1;
+        for (double &value : cut)
+          {
+            value += (part * phase).real();
+            phase *= turn;
+          }
+      }
+    return cut;
+  }
+
   void SpeedResponse::add(SpeedSample sample)
   {
     samples_.push_back(std::move(sample));
@@ -43,7 +70,7 @@ namespace vfife
         errors.push_back(sample.error);
         forces.push_back(sample.force);
       }
-    const Statistics error(errors), force(forces);
+    const Statistics error(errors), force(cut_spectrum(forces, highest_));
     LumpedResponse   response;
     response.mean_error    = error.mean;
     response.rms_error     = error.rms;
@@ -82,9 +109,10 @@ namespace vfife
 
   double SpeedResponse::largest_stress(const std::size_t place) const
   {
-    double largest = 0;
+    std::vector<double> stresses;
     for (const SpeedSample &sample : samples_)
-      largest = std::max(largest, sample.stresses[place]);
-    return largest;
+      stresses.push_back(sample.stresses[place]);
+    const std::vector<double> cut = cut_spectrum(stresses, highest_);
+    return *std::max_element(cut.begin(), cut.end());
   }
 } // namespace vfife

@@ -29,6 +29,7 @@ namespace vfife
   {
     double settling_decay_times  = 0; ///< that a speed settles, at least
     double allowed_amplification = 0; ///< of forces and stresses; 0: nothing is judged
+    double highest_frequency     = 0; ///< of their vibrations [Hz]; 0: half the cut-off
 
     void declare(dealii::ParameterHandler &prm);
   };
@@ -43,6 +44,8 @@ namespace vfife
     double                damping = 0; ///< of the momentum [1/s]
     unsigned int          samples = 0; ///< in a tooth mesh
 
+    /** Vibrations below the highest frequency in the counted tooth meshes of a frequency [Hz]. */
+    std::size_t count_vibrations(double mesh_frequency) const;
     /** Tooth meshes of a frequency [Hz] in which a speed settles. */
     unsigned int find_settling_meshes(double mesh_frequency) const;
   };

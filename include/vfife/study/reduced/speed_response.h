@@ -22,12 +22,27 @@ namespace vfife
       stresses; ///< of StressWavePlaces::names(), the largest of all sectors [MPa]
   };
 
-  /** What a pair does at one speed, from equal samples of whole tooth meshes. */
+  /**
+   * Equal samples of whole periods without what they have above @p highest periods in the record:
+   * its mean and its first Fourier terms. The same where the samples have no more.
+   */
+  std::vector<double> cut_spectrum(const std::vector<double> &samples, std::size_t highest);
+
+  /**
+   * What a pair does at one speed, from equal samples of whole tooth meshes. Forces and stresses
+   * are those below a frequency: modes near the cut-off of reduced bodies are not the bodies' own.
+   */
   class SpeedResponse
   {
   public:
     /** Waves of the rim with 1 to this many diameters are followed. */
     static constexpr unsigned int largest_wave = 6;
+
+    /** @p highest: vibrations in the record of forces and stresses that are looked at. */
+    explicit SpeedResponse(const std::size_t highest)
+      : highest_(highest)
+    {
+    }
 
     void add(SpeedSample sample);
 
@@ -38,6 +53,7 @@ namespace vfife
     double largest_stress(std::size_t place) const;
 
   private:
+    std::size_t              highest_;
     std::vector<SpeedSample> samples_;
   };
 } // namespace vfife
