@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 namespace vfife
 {
@@ -175,6 +174,20 @@ namespace vfife
         }
       return not_known;
     }
+    /** By the names of their files. */
+    const Choices<FigureTable> &figure_table_choices()
+    {
+      static const Choices<FigureTable> choices = {{"history", FigureTable::history},
+                                                   {"teeth", FigureTable::teeth},
+                                                   {"probe_waves", FigureTable::probe_waves},
+                                                   {"fillet_waves", FigureTable::fillet_waves},
+                                                   {"resonance", FigureTable::resonance},
+                                                   {"wave_response", FigureTable::wave_response},
+                                                   {"stress_response",
+                                                    FigureTable::stress_response}};
+      return choices;
+    }
+
     /** @p own: that of the column; @p over: that of the column of times or speeds. */
     std::string unit_of(const FigureValue value, const std::string &own, const std::string &over)
     {
@@ -219,18 +232,11 @@ namespace vfife
 
   void HistoryFigure::declare(dealii::ParameterHandler &prm)
   {
-    static const Choices<FigureTable> tables = {{"history", FigureTable::history},
-                                                {"teeth", FigureTable::teeth},
-                                                {"probe_waves", FigureTable::probe_waves},
-                                                {"fillet_waves", FigureTable::fillet_waves},
-                                                {"resonance", FigureTable::resonance},
-                                                {"wave_response", FigureTable::wave_response},
-                                                {"stress_response", FigureTable::stress_response}};
     declare_choice(
       prm,
       "table",
       table,
-      tables,
+      figure_table_choices(),
       "Of which column is one. Of others than histories there are mean, largest, where "
       "largest, smallest and largest size, of all rows: of all tooth pairs, speeds, "
       "places");
@@ -288,24 +294,7 @@ namespace vfife
 
   std::string HistoryFigure::file() const
   {
-    switch (table)
-      {
-      case FigureTable::history:
-        return "history.csv";
-      case FigureTable::teeth:
-        return "teeth.csv";
-      case FigureTable::probe_waves:
-        return "probe_waves.csv";
-      case FigureTable::fillet_waves:
-        return "fillet_waves.csv";
-      case FigureTable::resonance:
-        return "resonance.csv";
-      case FigureTable::wave_response:
-        return "wave_response.csv";
-      case FigureTable::stress_response:
-        return "stress_response.csv";
-      }
-    throw std::logic_error("a table of figures without a name");
+    return word_of(table, figure_table_choices()) + ".csv";
   }
 
   bool HistoryFigure::is_over_speed() const
