@@ -171,7 +171,7 @@ namespace
              "stresses",
              world,
              {"Reduced/sweep=up",
-              "Reduced/lowest speed=300 rpm",
+              "Reduced/lowest speed=150 rpm",
               "Reduced/highest speed=18000 rpm",
               "Reduced/speeds=2",
               "Reduced/settling meshes=1",
@@ -196,12 +196,12 @@ namespace
                                               "convex fillet"}));
     for (std::size_t i = 0; i < 4; ++i)
       {
-        check_close(places[i] + ", slowly", stress.at("amplification")[i], 1., 3e-2);
+        check_close(places[i] + ", slowly", stress.at("amplification")[i], 1., 5e-3);
         check(places[i] + ", faster: vibrates",
               stress.at("amplification")[i + 4] > stress.at("amplification")[i]);
       }
-    // Without vibration: the equilibrium that a reduced pair at that speed starts from, and what
-    // the position of the mesh adds, at both speeds the same.
+    // Without vibration: in some position of the mesh more than in the equilibrium that a reduced
+    // pair at that speed starts from.
     std::ofstream("one_speed.prm") << pair_text("reduced");
     const auto start = [&](const std::string &speed) {
       run_pair("one_speed.prm",
@@ -213,17 +213,35 @@ namespace
                 "Output/stress waves=1"});
       return read_columns("one_speed/probe_waves.csv").at("largest von mises");
     };
-    const std::vector<double> slow = start("300 rpm"), fast = start("18000 rpm"),
+    const std::vector<double> slow = start("150 rpm"), fast = start("18000 rpm"),
                               &rest = stress.at("stress without vibration");
     for (unsigned int p = 0; p < 2; ++p)
       {
         check(places[p] + ": more in some position of the mesh",
               rest[p] > slow[p] && rest[p] < 1.1 * slow[p]);
-        // Bodies are reduced at the highest speed, 1e-3 of stresses.
-        check_below(places[p] + ": at both speeds the same",
-                    std::abs((rest[p + 4] - fast[p]) - (rest[p] - slow[p])) / fast[p],
-                    2e-3);
+        check(places[p] + ": of this speed", rest[p + 4] > fast[p] && rest[p + 4] < 1.1 * fast[p]);
       }
+    // Without any vibration of the mesh's orders what passes the sectors with the mesh is left.
+    run_pair("stresses.prm",
+             "slow_stresses",
+             world,
+             {"Reduced/sweep=up",
+              "Reduced/lowest speed=17999 rpm",
+              "Reduced/highest speed=18000 rpm",
+              "Reduced/speeds=2",
+              "Reduced/settling meshes=1",
+              "Reduced/settling decay times=4",
+              "Reduced/counted meshes=3",
+              "Reduced/cutoff frequency=20 kHz",
+              "Reduced/highest frequency=2 kHz",
+              "Fillets/teeth=all",
+              "Output/history every=50"});
+    const Columns without = read_columns("slow_stresses/stress_response.csv");
+    for (unsigned int p = 0; p < 4; ++p)
+      check_close(places[p] + ", faster without vibration",
+                  without.at("amplification")[p],
+                  1.,
+                  2e-2);
     const Columns ranges         = read_columns("stresses/exceedances.csv");
     const auto   &amplifications = ranges.at("largest amplification");
     check("exceedances are above what is allowed",

@@ -1,11 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-// Where made-up curves over speed are above a level; how long a speed settles, and what is left of
-// vibrations above a frequency.
+// Where made-up curves over speed are above a level; how long a speed settles; what a low pass
+// leaves of known vibrations, and what passes the sectors of a body with the tooth mesh.
 #include "../tests.h"
 
+#include <vfife/base/complex.h>
 #include <vfife/base/types.h>
 #include <vfife/lumped/speed_sweep.h>
+#include <vfife/study/reduced/low_pass.h>
 #include <vfife/study/reduced/pair_speed_sweep.h>
+#include <vfife/study/reduced/slow_mesh.h>
 #include <vfife/study/reduced/speed_ranges.h>
 #include <vfife/study/reduced/speed_response.h>
 
@@ -84,37 +87,120 @@ namespace
     check_close("root: to", table.numbers("to")[2], 1500, 1e-9);
   }
 
-  void spectra()
+  /** What is left of the samples that @p value says. */
+  std::vector<double>
+  pass(LowPass low_pass, const unsigned int n, const std::function<double(int)> &value)
   {
-    // Mean 7, 3 periods of amplitude 2, 20 of 5.
-    std::vector<double> samples, slow;
-    for (unsigned int i = 0; i < 100; ++i)
-      {
-        slow.push_back(7 + 2 * std::sin(2 * pi * 3 * i / 100 + .4));
-        samples.push_back(slow.back() + 5 * std::cos(2 * pi * 20 * i / 100));
-      }
-    const auto distance = [&slow](const std::vector<double> &other) {
-      double worst = 0;
-      for (std::size_t i = 0; i < slow.size(); ++i)
-        worst = largest_of(worst, std::abs(other[i] - slow[i]));
-      return worst;
+    std::vector<double> left;
+    for (unsigned int i = 0; i < n; ++i)
+      if (const auto slow = low_pass.add(Eigen::VectorXd::Constant(1, value(i))))
+        left.push_back((*slow)[0]);
+    return left;
+  }
+
+  void low_pass()
+  {
+    const double  frequency = .1;
+    const LowPass filter(frequency);
+    check("three periods on both sides", filter.reach() == 30);
+    const auto amplitude_and_change = [&](const double of_frequency) {
+      const auto value = [&](const int i) {
+        return std::cos(2 * pi * of_frequency * frequency * i + .4);
+      };
+      const std::vector<double> left  = pass(filter, 200, value);
+      double                    worst = 0, squares = 0;
+      for (std::size_t i = 0; i < left.size(); ++i)
+        {
+          squares += left[i] * left[i];
+          worst = largest_of(worst, std::abs(left[i] - value(i + filter.reach())));
+        }
+      return std::make_pair(std::sqrt(2. * squares / left.size()), worst);
     };
-    check_below("without fast vibrations", distance(cut_spectrum(samples, 19)), 1e-12);
-    check_close("with them", distance(cut_spectrum(samples, 20)), 5., 1e-12);
-    check("all of few samples", cut_spectrum({1, 2, 4}, 1) == std::vector<double>({1, 2, 4}));
+    for (const double part : {.1, .3, .5, .6})
+      check_below("below: not changed, nor later", amplitude_and_change(part).second, 1e-2);
+    check_close("half of it at the frequency", amplitude_and_change(1.).first, .5, 1e-2);
+    for (const double part : {1.4, 2., 3.3, 5.})
+      check_below("above: gone", amplitude_and_change(part).first, 1e-2);
+    const std::vector<double> line  = pass(filter, 100, [](const int i) { return 7. + 3. * i; });
+    double                    worst = 0;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      worst = largest_of(worst, std::abs(line[i] - (7. + 3. * (i + 30.))));
+    check("samples with enough of them around", line.size() == 40);
+    check_below("a straight line as it is", worst, 1e-11);
+    check("all of few samples", pass(LowPass(.5), 3, [](const int i) {
+                                  return double(i);
+                                }) == std::vector<double>({0, 1, 2}));
+  }
 
-    SpeedResponse response(3);
-    for (const double sample : samples)
-      response.add({0, sample, false, {}, {sample}});
-    check_close("largest force", response.response(0).largest_force, 9., 2e-2);
-    check_close("largest stress", response.largest_stress(0), 9., 2e-2);
+  void slow_mesh()
+  {
+    // Of four sectors, the pulse that passes them from one to the next in a mesh.
+    const auto pulse = [](const double meshes) {
+      Eigen::MatrixXd sectors(4, 1);
+      for (unsigned int k = 0; k < 4; ++k)
+        sectors(k, 0) = std::cos(.5 * pi * (k + meshes));
+      return sectors;
+    };
+    SlowMesh mesh(1), backwards(-1);
+    for (unsigned int i = 0; i <= 200; ++i)
+      {
+        mesh.add(pulse(i / 200.));
+        backwards.add(pulse(-(i / 200.)));
+      }
+    double worst = 0;
+    for (const double at : {-5.25, -1., 0., .5, 1., 2.375, 7.1})
+      {
+        worst = largest_of(worst, (mesh.at(at) - pulse(at)).norm());
+        worst = largest_of(worst, (backwards.at(at) - pulse(-at)).norm());
+      }
+    check_below("a pulse passes the sectors", worst, 1e-4);
+  }
 
+  void responses()
+  {
+    // Of the force: mean 7, slow amplitude 2, fast 5. Of stresses: slow ones that are known, where
+    // fast ones belong to them, and vibrations.
+    const LowPass filter(.05);
+    SpeedResponse response(filter, [](const Eigen::MatrixXd &stresses) {
+      return std::vector<double>({stresses.maxCoeff(), stresses(0, 0)});
+    });
+    check("samples around those that count", response.n_around() == 60);
+    const auto slow = [](const int i) { return 2 * std::sin(2 * pi * .02 * i + .4); };
+    const auto fast = [](const int i) { return 5 * std::cos(2 * pi * .2 * i); };
+    for (int i = 0; i < 200 + 2 * 60; ++i)
+      {
+        SpeedSample sample;
+        sample.error               = i;
+        sample.coast               = i < 160;
+        sample.force               = i == 70 ? 0. : 7. + slow(i) + fast(i);
+        sample.waves               = {Complex(0., i)};
+        sample.slow_stresses       = Eigen::MatrixXd::Constant(2, 1, fast(i));
+        sample.slow_stresses(0, 0) = 0;
+        sample.vibration           = Eigen::MatrixXd::Constant(2, 1, slow(i) + fast(i));
+        response.add(sample);
+      }
+    const LumpedResponse found = response.response(0);
+    check_close("those around do not count", found.mean_error, .5 * (60 + 259), 1e-12);
+    check_close("teeth on the other side", found.time_coast, .5, 1e-12);
+    check("contact lost once, with all vibrations", found.losses == 1);
+    check_close("time apart", found.time_apart, 1. / 200, 1e-12);
+    check_close("waves move with the samples", response.wave(1).second, 99.5, 1e-12);
+    check_close("largest force", found.largest_force, 9., 1e-1);
+    check_close("slow stresses with all they have", response.largest_stress(0), 7., 1e-1);
+    check_close("vibrations without fast ones", response.largest_stress(1), 2., 1e-2);
+  }
+
+  void frequencies()
+  {
     PairSpeedSweepSetup setup;
-    setup.cutoff                 = 60e3;
-    setup.reduced.counted_meshes = 10;
-    check("below half the cut-off", setup.count_vibrations(7000) == 42);
-    setup.options.highest_frequency = 14.1e3;
-    check("below the one given", setup.count_vibrations(7000) == 20);
+    setup.cutoff  = 60e3;
+    setup.samples = 25;
+    check_close("half the cut-off", setup.highest_frequency(), 30e3, 0);
+    setup.options.highest_frequency = 14e3;
+    check_close("the one given", setup.highest_frequency(), 14e3, 0);
+    check("four samples a period", setup.find_stride(500., 900) == 6);
+    check("no fewer than a history", setup.find_stride(9000., 100) == 4);
+    check("no more than steps", setup.find_stride(100., 50) == 1);
   }
 
   void settling()
@@ -133,7 +219,10 @@ namespace
 int main()
 {
   settling();
-  spectra();
+  low_pass();
+  slow_mesh();
+  responses();
+  frequencies();
   ranges();
   exceedances();
 }

@@ -25,6 +25,13 @@ namespace vfife
      * decay times the load alone would turn the gear far, and forces go to and fro. */
     constexpr double       slow_decay_times = .5;
     constexpr unsigned int slow_steps       = 300;
+
+    /** Where the pair starts, in tooth meshes after the start of the slow one: that is the second
+     * one, the first one settles. */
+    constexpr double slow_mesh_start = -1;
+
+    /** Samples in a period of the highest frequency, where there are as many steps. */
+    constexpr double samples_a_period = 4;
   } // namespace
 
   void PairSpeedSweepOptions::declare(dealii::ParameterHandler &prm)
@@ -50,10 +57,20 @@ namespace vfife
                      Range::not_negative());
   }
 
-  std::size_t PairSpeedSweepSetup::count_vibrations(const double mesh_frequency) const
+  double PairSpeedSweepSetup::highest_frequency() const
   {
-    const double highest = options.highest_frequency > 0 ? options.highest_frequency : .5 * cutoff;
-    return std::max(1., std::floor(highest / mesh_frequency * reduced.counted_meshes));
+    return options.highest_frequency > 0 ? options.highest_frequency : .5 * cutoff;
+  }
+
+  unsigned int PairSpeedSweepSetup::find_stride(const double       mesh_frequency,
+                                                const unsigned int steps) const
+  {
+    const double       enough = samples_a_period * highest_frequency() / mesh_frequency;
+    const unsigned int most   = steps / samples;
+    unsigned int       stride = most;
+    while (stride > 1 && (most % stride != 0 || steps / stride < enough))
+      --stride;
+    return stride;
   }
 
   unsigned int PairSpeedSweepSetup::find_settling_meshes(const double mesh_frequency) const
@@ -98,6 +115,7 @@ namespace vfife
     , setup_(std::move(setup))
     , places_(places)
     , pair_(pair)
+    , slow_mesh_(model.transmission->driven_sense * pair.sector_sense(model.transmission->driven))
     , resonance_(make_resonance_response_table())
     , waves_(make_wave_response_table())
     , stresses_(make_stress_response_table())
@@ -117,64 +135,59 @@ namespace vfife
     return steps;
   }
 
-  std::vector<double> PairSpeedSweep::measure_stresses() const
+  Eigen::MatrixXd PairSpeedSweep::read_stresses() const
   {
     const ProbeMeasure probes = [this](const std::vector<Probe> &copies) {
       return pair_.measure_probes(copies);
     };
     if (places_.fillets().empty())
-      return places_.measure_largest(probes, nullptr);
+      return places_.read(probes, nullptr);
     const FilletStrains strains = measure_fillet_readings(pair_)(State());
-    return places_.measure_largest(probes, &strains);
+    return places_.read(probes, &strains);
   }
 
-  std::vector<double> PairSpeedSweep::find_mesh_part()
+  void PairSpeedSweep::record_slow_mesh()
   {
-    std::vector<double> part(places_.names().size(), not_known);
     if (!(setup_.damping > 0))
-      return part; // nothing comes to rest
+      return; // nothing comes to rest
     const double step = slow_decay_times * 2. / setup_.damping;
     pair_.set_speed(2. * pi / (model_.transmission->driver_teeth * slow_steps * step), step);
     pair_.start();
-    const std::vector<double> first = measure_stresses();
-    std::vector<double>       largest(first.size(), 0.);
-    // The first tooth mesh settles.
     for (unsigned int s = 1; s <= 2 * slow_steps; ++s)
       {
         pair_.step();
-        if (s <= slow_steps)
-          continue;
-        const std::vector<double> now = measure_stresses();
+        if (s >= slow_steps)
+          slow_mesh_.add(read_stresses());
+      }
+  }
+
+  std::vector<double> PairSpeedSweep::find_stresses_at_rest(const double speed)
+  {
+    std::vector<double> largest(places_.names().size(), slow_mesh_.empty() ? not_known : 0.);
+    if (slow_mesh_.empty())
+      return largest;
+    set_speed(speed);
+    pair_.start();
+    // What the spin adds is the same in all sectors.
+    const Eigen::RowVectorXd spin =
+      (read_stresses() - slow_mesh_.at(slow_mesh_start)).colwise().mean();
+    for (unsigned int s = 0; s <= slow_steps; ++s)
+      {
+        const double              place = double(s) / slow_steps;
+        const std::vector<double> now = places_.find_largest(slow_mesh_.at(place).rowwise() + spin);
         for (std::size_t p = 0; p < now.size(); ++p)
           largest[p] = std::max(largest[p], now[p]);
       }
-    for (std::size_t p = 0; p < part.size(); ++p)
-      part[p] = largest[p] - first[p];
-    return part;
-  }
-
-  std::vector<std::vector<double>>
-  PairSpeedSweep::find_stresses_at_rest(const std::vector<double> &speeds)
-  {
-    // At one instant all sectors together show what one of them passes through in a turn, but for
-    // what the position of the tooth mesh adds.
-    const std::vector<double>        part = find_mesh_part();
-    std::vector<std::vector<double>> at_rest;
-    for (const double speed : speeds)
-      {
-        set_speed(speed);
-        pair_.start();
-        at_rest.push_back(measure_stresses());
-        for (std::size_t p = 0; p < part.size(); ++p)
-          at_rest.back()[p] += part[p];
-      }
-    return at_rest;
+    return largest;
   }
 
   void PairSpeedSweep::run(const std::function<void()> &report, Log &log)
   {
-    const std::vector<double>              speeds  = list_speeds(setup_.speeds, true);
-    const std::vector<std::vector<double>> at_rest = find_stresses_at_rest(speeds);
+    const std::vector<double> speeds = list_speeds(setup_.speeds, true);
+    record_slow_mesh();
+    std::vector<std::vector<double>> at_rest;
+    for (const double speed : speeds)
+      at_rest.push_back(find_stresses_at_rest(speed));
     set_speed(speeds.front());
     log.line("equilibrium at the lowest speed: ", pair_.start().iterations, " iterations");
 
@@ -208,7 +221,11 @@ namespace vfife
     });
     for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
       sample.waves.push_back(find_rim_wave(rim, 2, n) * std::polar(1., -(n * turned)));
-    sample.stresses = measure_stresses();
+    const double meshes  = std::abs(m.driver_angle - t.driver_start) * t.driver_teeth / (2. * pi);
+    sample.vibration     = read_stresses();
+    sample.slow_stresses = slow_mesh_.empty() ? Eigen::MatrixXd(0. * sample.vibration)
+                                              : slow_mesh_.at(meshes + slow_mesh_start);
+    sample.vibration -= sample.slow_stresses;
     return sample;
   }
 
@@ -221,13 +238,18 @@ namespace vfife
     const unsigned int settling = setup_.find_settling_meshes(mesh_frequency_at(speed));
     for (unsigned int i = 0; i < settling * steps; ++i)
       pair_.step();
-    SpeedResponse response(setup_.count_vibrations(mesh_frequency_at(speed)));
-    State         state;
-    for (unsigned int i = 1; i <= setup_.reduced.counted_meshes * steps; ++i)
+    const unsigned int stride = setup_.find_stride(mesh_frequency_at(speed), steps);
+    SpeedResponse      response(
+      LowPass(setup_.highest_frequency() * stride / (mesh_frequency_at(speed) * steps)),
+      [this](const Eigen::MatrixXd &stresses) { return places_.find_largest(stresses); });
+    State              state;
+    const unsigned int n_samples =
+      setup_.reduced.counted_meshes * steps / stride + 2 * response.n_around();
+    for (unsigned int i = 0; i < n_samples; ++i)
       {
-        pair_.step();
-        if (i % (steps / setup_.samples) == 0)
-          response.add(take_sample(state));
+        for (unsigned int s = 0; s < stride; ++s)
+          pair_.step();
+        response.add(take_sample(state));
       }
 
     const double         rpm   = speed * 30. / pi;

@@ -31,46 +31,46 @@ namespace vfife
     };
   } // namespace
 
-  std::vector<double> cut_spectrum(const std::vector<double> &samples, const std::size_t highest)
+  SpeedResponse::SpeedResponse(LowPass low_pass, FindLargest find_largest)
+    : low_pass_(std::move(low_pass))
+    , find_largest_(std::move(find_largest))
   {
-    const std::size_t n = samples.size();
-    if (2 * highest + 1 >= n)
-      return samples;
-    std::vector<double> cut(n, 0.);
-    for (std::size_t k = 0; k <= highest; ++k)
-      {
-        const Complex turn = std::polar(1., 2. * pi * k / n);
-        Complex       part = 0, phase = 1;
-        for (const double sample : samples)
-          {
-            part += sample * std::conj(phase);
-            phase *= turn;
-          }
-        part *= (k > 0 ? 2. : 1.) / n;
-        phase = 1;
-        for (double &value : cut)
-          {
-            value += (part * phase).real();
-            phase *= turn;
-          }
-      }
-    return cut;
   }
 
   void SpeedResponse::add(SpeedSample sample)
   {
-    samples_.push_back(std::move(sample));
+    Eigen::VectorXd all(1 + sample.vibration.size());
+    all << sample.force,
+      Eigen::Map<const Eigen::VectorXd>(sample.vibration.data(), sample.vibration.size());
+    waiting_.push_back(std::move(sample));
+    const std::optional<Eigen::VectorXd> slow = low_pass_.add(std::move(all));
+    if (waiting_.size() <= n_around())
+      return;
+    // Where there are not as many before it, the sample is one of those around.
+    if (slow)
+      count(std::move(waiting_.front()), *slow);
+    waiting_.pop_front();
+  }
+
+  void SpeedResponse::count(SpeedSample sample, const Eigen::VectorXd &slow)
+  {
+    errors_.push_back(sample.error);
+    forces_.push_back(sample.force);
+    slow_forces_.push_back(slow[0]);
+    n_coast_ += sample.coast ? 1 : 0;
+    for (std::size_t n = 0; n < sample.waves.size(); ++n)
+      waves_[n].push_back(sample.waves[n]);
+    Eigen::Map<Eigen::VectorXd>(sample.slow_stresses.data(), sample.slow_stresses.size()) +=
+      slow.tail(slow.size() - 1);
+    const std::vector<double> largest = find_largest_(sample.slow_stresses);
+    largest_stresses_.resize(largest.size(), 0.);
+    for (std::size_t p = 0; p < largest.size(); ++p)
+      largest_stresses_[p] = std::max(largest_stresses_[p], largest[p]);
   }
 
   LumpedResponse SpeedResponse::response(const double energy_error) const
   {
-    std::vector<double> errors, forces;
-    for (const SpeedSample &sample : samples_)
-      {
-        errors.push_back(sample.error);
-        forces.push_back(sample.force);
-      }
-    const Statistics error(errors), force(cut_spectrum(forces, highest_));
+    const Statistics error(errors_), force(slow_forces_);
     LumpedResponse   response;
     response.mean_error    = error.mean;
     response.rms_error     = error.rms;
@@ -80,39 +80,30 @@ namespace vfife
     response.pp_force      = force.largest - force.least;
     response.largest_force = force.largest;
     unsigned int n_apart   = 0;
-    for (std::size_t i = 0; i < forces.size(); ++i)
-      if (!(forces[i] > 0))
+    for (std::size_t i = 0; i < forces_.size(); ++i)
+      if (!(forces_[i] > 0))
         {
           ++n_apart;
-          response.losses += i > 0 && forces[i - 1] > 0 ? 1 : 0;
+          response.losses += i > 0 && forces_[i - 1] > 0 ? 1 : 0;
         }
-    const auto n_coast    = std::count_if(samples_.begin(), samples_.end(), [](const auto &sample) {
-      return sample.coast;
-    });
-    response.time_apart   = double(n_apart) / samples_.size();
-    response.time_coast   = double(n_coast) / samples_.size();
+    response.time_apart   = double(n_apart) / forces_.size();
+    response.time_coast   = double(n_coast_) / forces_.size();
     response.energy_error = energy_error;
     return response;
   }
 
   std::pair<double, double> SpeedResponse::wave(const unsigned int n) const
   {
-    Complex mean = 0;
-    for (const SpeedSample &sample : samples_)
-      mean += sample.waves[n - 1];
-    mean /= double(samples_.size());
-    double largest = 0;
-    for (const SpeedSample &sample : samples_)
-      largest = std::max(largest, std::abs(sample.waves[n - 1] - mean));
+    const std::vector<Complex> &wave = waves_[n - 1];
+    const Complex mean = std::accumulate(wave.begin(), wave.end(), Complex()) / double(wave.size());
+    double        largest = 0;
+    for (const Complex &now : wave)
+      largest = std::max(largest, std::abs(now - mean));
     return {std::abs(mean), largest};
   }
 
   double SpeedResponse::largest_stress(const std::size_t place) const
   {
-    std::vector<double> stresses;
-    for (const SpeedSample &sample : samples_)
-      stresses.push_back(sample.stresses[place]);
-    const std::vector<double> cut = cut_spectrum(stresses, highest_);
-    return *std::max_element(cut.begin(), cut.end());
+    return largest_stresses_[place];
   }
 } // namespace vfife

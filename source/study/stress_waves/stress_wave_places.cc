@@ -154,16 +154,58 @@ namespace vfife
     return stresses;
   }
 
-  std::vector<double> StressWavePlaces::measure_largest(const ProbeMeasure        &probes,
-                                                        const FilletStrains *const strains) const
+  Eigen::MatrixXd StressWavePlaces::read(const ProbeMeasure        &probes,
+                                         const FilletStrains *const strains) const
   {
-    std::vector<double> largest = measure_probes(probes);
-    for (std::size_t f = 0; f < fillets_.size(); ++f)
+    std::size_t n_columns = 6 * copies_.size();
+    for (const MemberFillet *member : fillets_)
+      n_columns += 3 * count_facets(member->fillet);
+    Eigen::MatrixXd read   = Eigen::MatrixXd::Zero(n_sectors_, n_columns);
+    std::size_t     column = 0;
+    for (const std::vector<Probe> &copies : copies_)
+      {
+        const std::vector<ProbeValue> values = probes(copies);
+        for (std::size_t m = 0; m < values.size(); ++m)
+          read.block<1, 6>(copies[m].node / nodes_per_sector_, column) =
+            Eigen::Map<const Eigen::Matrix<double, 1, 6>>(values[m].stress.data());
+        column += 6;
+      }
+    for (std::size_t f = 0; strains != nullptr && f < fillets_.size(); ++f)
+      {
+        for_each_facet(*fillets_[f],
+                       *strains,
+                       [&](const std::size_t    facet,
+                           const unsigned int   tooth,
+                           const SurfaceTensor &strain) {
+                         read.block<1, 3>(tooth, column + 3 * facet) = strain.transpose();
+                       });
+        column += 3 * count_facets(fillets_[f]->fillet);
+      }
+    return read;
+  }
+
+  std::vector<double> StressWavePlaces::find_largest(const Eigen::MatrixXd &read) const
+  {
+    std::vector<double> largest;
+    Eigen::Index        column = 0;
+    for (std::size_t p = 0; p < copies_.size(); ++p, column += 6)
       {
         largest.push_back(0);
-        if (strains != nullptr)
-          for (const double tension : measure_tensions(f, *strains))
-            largest.back() = std::max(largest.back(), tension);
+        for (Eigen::Index sector = 0; sector < read.rows(); ++sector)
+          largest.back() =
+            std::max(largest.back(),
+                     von_mises(Stress(read.block<1, 6>(sector, column).transpose())));
+      }
+    for (const MemberFillet *member : fillets_)
+      {
+        largest.push_back(0);
+        const Eigen::Index end = column + 3 * count_facets(member->fillet);
+        for (; column < end; column += 3)
+          for (Eigen::Index tooth = 0; tooth < read.rows(); ++tooth)
+            largest.back() =
+              std::max(largest.back(),
+                       find_tension(SurfaceTensor(read.block<1, 3>(tooth, column).transpose()),
+                                    material_));
       }
     return largest;
   }

@@ -5,6 +5,7 @@
 #include <vfife/base/text/table.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/reduced/reduced_options.h>
+#include <vfife/study/reduced/slow_mesh.h>
 
 #include <functional>
 #include <string>
@@ -44,8 +45,11 @@ namespace vfife
     double                damping = 0; ///< of the momentum [1/s]
     unsigned int          samples = 0; ///< in a tooth mesh
 
-    /** Vibrations below the highest frequency in the counted tooth meshes of a frequency [Hz]. */
-    std::size_t count_vibrations(double mesh_frequency) const;
+    /** Of vibrations of force and stress that are looked at [Hz]. */
+    double highest_frequency() const;
+    /** Steps between two samples, a part of those between samples of a history: as many as show the
+     * highest frequency well. @p steps: in a tooth mesh of a frequency [Hz]. */
+    unsigned int find_stride(double mesh_frequency, unsigned int steps) const;
     /** Tooth meshes of a frequency [Hz] in which a speed settles. */
     unsigned int find_settling_meshes(double mesh_frequency) const;
   };
@@ -92,14 +96,14 @@ namespace vfife
   private:
     double mesh_frequency_at(double speed) const;
     /** Returns the steps in a tooth mesh. */
-    unsigned int        set_speed(double speed);
-    std::vector<double> measure_stresses() const;
-    SpeedSample         take_sample(State &state) const;
-    /** Of each place: its largest stress in a tooth mesh so slow that nothing vibrates, less that
-     * where the mesh starts [MPa]; not known without damping. */
-    std::vector<double> find_mesh_part();
-    /** By speed and place: of the equilibrium at that speed, and the part of the mesh. */
-    std::vector<std::vector<double>> find_stresses_at_rest(const std::vector<double> &speeds);
+    unsigned int    set_speed(double speed);
+    Eigen::MatrixXd read_stresses() const;
+    SpeedSample     take_sample(State &state) const;
+    /** A tooth mesh so slow that nothing vibrates; empty without damping. */
+    void record_slow_mesh();
+    /** By place, the largest of all sectors and positions of the slow mesh with the spin of a speed
+     * [MPa]; not known without that mesh. */
+    std::vector<double> find_stresses_at_rest(double speed);
     /** @p at_rest: those at that speed. */
     void turn_at(double                     speed,
                  const std::string         &direction,
@@ -110,6 +114,7 @@ namespace vfife
     PairSpeedSweepSetup     setup_;
     const StressWavePlaces &places_;
     ReducedPair            &pair_;
+    SlowMesh                slow_mesh_;
     Table                   resonance_, waves_, stresses_;
   };
 } // namespace vfife

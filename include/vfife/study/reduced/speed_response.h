@@ -3,8 +3,13 @@
 #define vfife_study_reduced_speed_response_h
 
 #include <vfife/lumped/lumped_solver.h>
+#include <vfife/study/reduced/low_pass.h>
+
+#include <Eigen/Core>
 
 #include <complex>
+#include <deque>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -18,19 +23,15 @@ namespace vfife
     bool   coast = false; ///< whether coast flanks touch
     /** By number of diameters from 1 on, of the rim's axial motion in space [um]. */
     std::vector<std::complex<double>> waves;
-    std::vector<double>
-      stresses; ///< of StressWavePlaces::names(), the largest of all sectors [MPa]
+    /** As StressWavePlaces::read() has them: without vibration at this position of the tooth mesh,
+     * and what there is beyond. */
+    Eigen::MatrixXd slow_stresses, vibration;
   };
 
   /**
-   * Equal samples of whole periods without what they have above @p highest periods in the record:
-   * its mean and its first Fourier terms. The same where the samples have no more.
-   */
-  std::vector<double> cut_spectrum(const std::vector<double> &samples, std::size_t highest);
-
-  /**
-   * What a pair does at one speed, from equal samples of whole tooth meshes. Forces and stresses
-   * are those below a frequency: modes near the cut-off of reduced bodies are not the bodies' own.
+   * What a pair does at one speed, from equal samples of whole tooth meshes. Forces and vibrations
+   * of stresses are those below a frequency: modes near the cut-off of reduced bodies are not the
+   * bodies' own.
    */
   class SpeedResponse
   {
@@ -38,10 +39,15 @@ namespace vfife
     /** Waves of the rim with 1 to this many diameters are followed. */
     static constexpr unsigned int largest_wave = 6;
 
-    /** @p highest: vibrations in the record of forces and stresses that are looked at. */
-    explicit SpeedResponse(const std::size_t highest)
-      : highest_(highest)
+    /** Of each place the largest of stresses of one instant. */
+    using FindLargest = std::function<std::vector<double>(const Eigen::MatrixXd &)>;
+
+    SpeedResponse(LowPass low_pass, FindLargest find_largest);
+
+    /** Samples that have to be added before those that count, and after them. */
+    unsigned int n_around() const
     {
+      return low_pass_.reach();
     }
 
     void add(SpeedSample sample);
@@ -53,8 +59,16 @@ namespace vfife
     double largest_stress(std::size_t place) const;
 
   private:
-    std::size_t              highest_;
-    std::vector<SpeedSample> samples_;
+    /** Counts a sample whose force and vibration of stresses, one after the other, are @p slow. */
+    void count(SpeedSample sample, const Eigen::VectorXd &slow);
+
+    LowPass                           low_pass_;
+    FindLargest                       find_largest_;
+    std::deque<SpeedSample>           waiting_; ///< for those after them
+    std::vector<double>               errors_, forces_, slow_forces_;
+    std::size_t                       n_coast_ = 0;
+    std::vector<std::complex<double>> waves_[largest_wave];
+    std::vector<double>               largest_stresses_; ///< by place
   };
 } // namespace vfife
 

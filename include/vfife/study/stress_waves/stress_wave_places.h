@@ -68,10 +68,18 @@ namespace vfife
     /** Tensions at the facets of one of the fillets, the largest of all teeth now [MPa]. */
     std::vector<double> measure_tensions(std::size_t fillet, const FilletStrains &strains) const;
 
-    /** Of each place of names() the largest now [MPa]: von Mises stress of all copies of a probe,
-     * tension at all facets of a fillet of all teeth, which @p strains are of (nullptr: 0). */
+    /** A row a sector: ProbeValue::stress of each probe's copy there [MPa], then the strains of
+     * each facet of its tooth's fillets, which @p strains are of (nullptr: 0). */
+    Eigen::MatrixXd read(const ProbeMeasure &probes, const FilletStrains *strains) const;
+    /** Of each place of names() the largest of all sectors in what read() has, or in sums of such
+     * [MPa]: von Mises stress of a probe, tension at all facets of a fillet. */
+    std::vector<double> find_largest(const Eigen::MatrixXd &read) const;
+    /** The same of what there is now. */
     std::vector<double> measure_largest(const ProbeMeasure  &probes,
-                                        const FilletStrains *strains) const;
+                                        const FilletStrains *strains) const
+    {
+      return find_largest(read(probes, strains));
+    }
 
     /** Of each place of names() the largest over a period of waves whose amplitudes go as exp(i
      * omega t) [MPa]: von Mises stress of a probe, tension at the facets of a fillet. */
