@@ -110,10 +110,10 @@ def make_parameters(web_thickness="5"):
 
 
 def write_parameters(folder, parameters):
-    """parameters.json as the program writes it."""
+    """parameters.json as the program writes it, of values, units and, where they count, defaults."""
     (folder / "parameters.json").write_text(json.dumps(
-        {name: {"value": value, "unit": unit, "default": ""}
-         for name, (value, unit) in parameters.items()}))
+        {name: {"value": value, "unit": unit, "default": default[0] if default else ""}
+         for name, (value, unit, *default) in parameters.items()}))
 
 
 def write_run(folder, web_thickness="5", fields=True):

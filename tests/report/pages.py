@@ -145,6 +145,24 @@ class Pages(unittest.TestCase):
                       for row in csv.DictReader((Path(name) / "pictures" / "model_probes.csv").read_text().splitlines())}
             self.assertEqual(curves, {"x": 1e-3, "y": 1e-15, "z": 0.0123456, "tip": 5})
 
+    def test_parts_of_a_model(self):
+        """Bodies, constraints and loads with what is given of them, which no default tells."""
+        with tempfile.TemporaryDirectory() as name:
+            self.write_model(Path(name), "static")
+            write_parameters(Path(name), {
+                "Study/kind": ("static", ""), "Model/bodies": ("beam", "", "beam"),
+                "Model/Body beam/mesh": ("beam", "", "block"), "Model/Body beam/length": ("100 mm", "mm", "10"),
+                "Model/Body beam/width": ("10", "mm", "10"), "Model/Constraint clamp/kind": ("fixed", "", "fixed"),
+                "Model/Constraint clamp/nodes": ("x-", "", ""), "Model/Load end/kind": ("moment", "", "force"),
+                "Model/Load end/moment": ("0, -3, 0", "N mm", "0, 0, 0"), "Model/Load end/nodes": ("x+", "", ""),
+                "Model/Contact pads/Friction/coefficient": ("0.3", "-", "0"), "Model/Contact pads/kind": ("wall", "", "bodies")})
+            main([name])
+            rows = re.findall("<tr>(.*?)</tr>", self.read(name), re.S)
+            cells = [re.findall("<td[^>]*>(.*?)</td>", row, re.S) for row in rows]
+            for row in (["body", "beam", "beam", "length 100 mm"], ["constraint", "clamp", "fixed", "nodes x-"],
+                        ["load", "end", "moment", "moment 0, -3, 0 N mm; nodes x+"], ["contact", "pads", "wall", "Friction/coefficient 0.3"]):
+                self.assertIn(row, cells)
+
     def test_unsteady_ripple(self):
         """Figures of a ripple that is not steady are marked, means are not."""
         for steady in (True, False):

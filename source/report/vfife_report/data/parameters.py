@@ -9,7 +9,7 @@ UNIT = re.compile(r"\[([^\[\]]+)\]$")
 
 
 def read_parameters(folder):
-    """Values as texts by "Section/Sub/name", a bare number with its entry's unit: parameters.json of a
+    """Values as texts by "Section/Sub/name", bare numbers with its entry's unit: parameters.json of a
     folder. Results of versions that wrote no such file, and those copied beside a sweep, have parameters.prm.
     Empty without either."""
     path, earlier = folder / "parameters.json", folder / "parameters.prm"
@@ -17,6 +17,15 @@ def read_parameters(folder):
         entries = read_json(path, PARAMETERS)
         return {name: add_unit(entry["value"], entry["unit"]) for name, entry in entries.items()}
     return read_parameter_file(earlier) if earlier.is_file() else {}
+
+
+def read_given(folder):
+    """Those of read_parameters() that differ from their defaults; empty where a folder does not tell defaults."""
+    path = folder / "parameters.json"
+    if not path.is_file():
+        return {}
+    return {name: add_unit(entry["value"], entry["unit"]) for name, entry in read_json(path, PARAMETERS).items()
+            if entry["value"] != entry["default"]}
 
 
 def read_parameter_file(path):
@@ -50,11 +59,12 @@ def parse_parameters(text, path):
 
 
 def add_unit(value, unit):
-    """Only to a bare number, and only where it has one."""
+    """Only to a bare number or several of them, and only where it has one."""
     if unit in ("", "-"):
         return value
     try:
-        float(value)
+        for number in value.split(","):
+            float(number)
     except ValueError:
         return value
     return f"{value} {unit}"

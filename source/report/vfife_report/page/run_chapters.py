@@ -12,7 +12,7 @@ from ..measures.sidebands import SIDEBANDS_HEADER, list_sidebands
 from ..measures.waves import list_wave_lines
 from .chapter import Chapter
 from .parts import EXACT, Cells, Paragraph, list_values
-from .words import list_case_rows, list_geometry_rows, list_sentences
+from .words import list_case_rows, list_geometry_rows, list_model_rows, list_sentences
 
 
 def tell_case(run, plots):
@@ -25,6 +25,8 @@ def tell_case(run, plots):
     if run.geometry:
         yield Cells(["geometry", "unit", "pinion", "gear"], list(list_geometry_rows(run.geometry)),
                     "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
+    yield Cells(["of the model", "name", "kind", "given"], list(list_model_rows(run)), "Given: entries that differ from their "
+                "defaults (doc/parameter_reference.md).")
     if run.parameters:
         yield Paragraph("All parameters that were used: parameters.prm in the run's folder.", "soft")
     yield from plots

@@ -1,6 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """A case in words: titles, sentences and rows made from the parameters in force."""
 from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, normalize
+from ..data.parameters import read_given
 
 # As given: nothing where they are proposed.
 BLANK_ROWS = (
@@ -76,6 +77,18 @@ def list_case_rows(run):
     for body in run.bodies():
         yield body["name"], (f"{body['cells']} elements, {body['nodes']} nodes, "
                              f"{body['mass']['value']:.4g} {body['mass']['unit']}")
+
+
+def list_model_rows(run):
+    """What, name, kind and other entries of what a model is made of, as far as they differ from the defaults."""
+    given = read_given(run.path)
+    for what, word in (("Body", "mesh"), ("Constraint", "kind"), ("Load", "kind"), ("Contact", "kind"), ("Probe", None)):
+        start = f"Model/{what} "
+        for name in dict.fromkeys(key[len(start):].partition("/")[0] for key in run.parameters if key.startswith(start)):
+            entries = {key[len(start) + len(name) + 1:]: value for key, value in given.items() if key.startswith(f"{start}{name}/")}
+            entries.pop(word, None)
+            yield [what.lower(), name, run.parameters[f"{start}{name}/{word}"] if word else "",
+                   "; ".join(f"{entry} {value}" for entry, value in entries.items())]
 
 
 def list_geometry_rows(geometry):
