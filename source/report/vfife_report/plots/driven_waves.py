@@ -7,6 +7,8 @@ from .style import COLOURS, GREY, add_legend, label_orders, plt
 
 COLOURS_OF_SOLVER = {"reduced": COLOURS[1], "run": COLOURS[3], None: COLOURS[1]}
 NAMES_OF_SOLVER = {"reduced": "reduced pair", "run": "run", None: "reduced pair"}
+FULL, OPEN = {"markersize": 4}, {"markersize": 8, "fillstyle": "none"}  # one shows around the other where both agree
+MARKS_OF_SOLVER = {"reduced": FULL, "run": OPEN, None: FULL}
 DASHES_OF_WAVE = {"forward": "--", "backward": "-"}
 LARGEST_BUBBLE = 900  # area of the marker of the largest amplitude [points^2]
 PANELS_IN_ROW = 2
@@ -111,8 +113,8 @@ def draw_driven_waves(run):
             if place == 0:
                 axes.plot(waves["speed"][mine], waves["linear amplitude"][mine], "x--", color=COLOURS[2], markersize=4,
                           label="linear theory")
-            axes.plot(waves["speed"][mine], waves["amplitude"][mine], "o", color=COLOURS_OF_SOLVER[solver], markersize=4,
-                      label=NAMES_OF_SOLVER[solver])
+            axes.plot(waves["speed"][mine], waves["amplitude"][mine], "o", color=COLOURS_OF_SOLVER[solver],
+                      label=NAMES_OF_SOLVER[solver], **MARKS_OF_SOLVER[solver])
             axes.plot(waves["speed"][mine], waves["fitted amplitude"][mine], "+", color=COLOURS[0], markersize=6,
                       label="resonance curve" if place == 0 else None)
         axes.axvline(lines["speed"][row], color=GREY, linewidth=0.7)
@@ -130,8 +132,8 @@ def draw_growth(run):
     for row, axes in zip(shown, panels):
         for place, solver in enumerate(list_solvers(lines, row)):
             mine = find_line(growth, lines, row, solver)
-            axes.plot(1e3 * growth["time"][mine], growth["amplitude"][mine], ".", color=COLOURS_OF_SOLVER[solver],
-                      markersize=3, label=NAMES_OF_SOLVER[solver])
+            axes.plot(1e3 * growth["time"][mine], growth["amplitude"][mine], "o", color=COLOURS_OF_SOLVER[solver],
+                      label=NAMES_OF_SOLVER[solver], **MARKS_OF_SOLVER[solver])
             axes.plot(1e3 * growth["time"][mine], growth["fitted amplitude"][mine], color=COLOURS[0], linewidth=0.8,
                       label="fit" if place == 0 else None)
         finish_panel(axes, lines, row)
