@@ -3,13 +3,13 @@
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/table.h>
+#include <vfife/base/types.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
@@ -158,7 +158,7 @@ namespace vfife
         if (!was_there && column.is_text)
           column.texts.assign(n_rows_, "");
         else if (!was_there)
-          column.numbers.assign(n_rows_, std::numeric_limits<double>::quiet_NaN());
+          column.numbers.assign(n_rows_, not_known);
       }
   }
 

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/types.h>
 #include <vfife/dynamics/motion/prescribed_place.h>
 
 #include <Eigen/LU>
@@ -150,7 +151,7 @@ namespace vfife
         if (i > 0 && worst <= 8. * std::numeric_limits<double>::epsilon() * size)
           break;
         if (i == largest_iterations || !x.allFinite())
-          return Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+          return Vector3::Constant(not_known);
         x -= directions * jacobian.fullPivLu().solve(residual);
       }
     // Along a coordinate axis to the last digit, so that a held node does not tremble.

@@ -1,10 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/types.h>
 #include <vfife/fem/modes/campbell.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
@@ -31,13 +31,13 @@ namespace vfife
     {
       const ModeDescription &d = mode.description;
       if (d.nodal_diameter < 0 || mode.frequency == 0)
-        return std::numeric_limits<double>::quiet_NaN();
+        return not_known;
       const double sense = direction_of(d) == "forward"    ? 1.
                            : direction_of(d) == "backward" ? -1.
                                                            : 0.;
       // Standing waves in turning axes are two travelling ones to others, unless nothing turns.
       if (sense == 0 && d.nodal_diameter > 0 && rate != 0)
-        return std::numeric_limits<double>::quiet_NaN();
+        return not_known;
       return d.nodal_diameter * std::abs(rate) +
              (sense == 0 ? 1. : sense) * 2. * pi * mode.frequency;
     }

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/types.h>
 #include <vfife/fem/modes/gyroscopic_modes.h>
 #include <vfife/fem/modes/rotating_body.h>
 #include <vfife/fem/solvers/direct_solver.h>
@@ -123,8 +124,7 @@ namespace vfife
     // M u'' + (2 C + zeta M) u' + K u = 0, u = phi exp(lambda t): the first order of zeta is
     // delta lambda = -zeta omega m/(2 omega m + g), m = phi* M phi and g the skew part; with
     // omega^2 m + omega g = k this is -zeta omega^2 m/(omega^2 m + k) = -zeta T/(T + U).
-    return frequency > 0 ? zeta * kinetic_share / (2. * pi * frequency)
-                         : std::numeric_limits<double>::quiet_NaN();
+    return frequency > 0 ? zeta * kinetic_share / (2. * pi * frequency) : not_known;
   }
 
   ModesAtSpeed RotatingBody::find_modes(const double rate) const

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/types.h>
 #include <vfife/gear/newton.h>
 #include <vfife/gear/spiral_bevel/flank_contact.h>
 #include <vfife/gear/spiral_bevel/local_contact.h>
@@ -182,7 +183,7 @@ namespace vfife
         double                t, rotation;
         const MachineSettings trial = settings(x, t, rotation);
         if (!(trial.ratio_of_roll > 0.))
-          return Matrix3::Constant(std::numeric_limits<double>::quiet_NaN());
+          return Matrix3::Constant(not_known);
         const Flank   flank(trial, blank_.pitch_angle);
         const Matrix3 R = turned_frame(frame_, rotation).rotation;
         return R * flank.curvature_tensor(flank.evaluate(t, 0.)) * R.transpose();

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/types.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body.h>
 #include <vfife/output/files/mode_writer.h>
@@ -6,7 +7,6 @@
 #include <vfife/output/files/vtu_writer.h>
 
 #include <cstdio>
-#include <limits>
 #include <utility>
 
 namespace vfife
@@ -36,8 +36,6 @@ namespace vfife
         {shape.name, shape.unit, 3, {shape.displacements.begin(), shape.displacements.end()}});
     for (VtuArray &field : fields)
       grid.point_data.push_back(std::move(field));
-    folder.write_file(name, [&](std::ostream &out) {
-      write_vtu(out, grid, std::numeric_limits<double>::quiet_NaN());
-    });
+    folder.write_file(name, [&](std::ostream &out) { write_vtu(out, grid, not_known); });
   }
 } // namespace vfife

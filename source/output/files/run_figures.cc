@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/types.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/measures/root_stress.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 
 namespace vfife
 {
@@ -64,7 +64,7 @@ namespace vfife
         return found->get<double>();
       if (found != nullptr && found->is_boolean())
         return found->get<bool>() ? 1 : 0;
-      return std::numeric_limits<double>::quiet_NaN();
+      return not_known;
     }
 
     bool ends_with(const std::string &figure, const std::string &name)
@@ -126,8 +126,7 @@ namespace vfife
   double read_figure(const std::string &path, const std::string &pointer)
   {
     const Json json = read_json(path);
-    return json.is_structured() ? read_number(json, pointer)
-                                : std::numeric_limits<double>::quiet_NaN();
+    return json.is_structured() ? read_number(json, pointer) : not_known;
   }
 
   bool tells_of_computation(const std::string &figure)
@@ -184,8 +183,7 @@ namespace vfife
               std::none_of(names.begin(), names.end(), [&name = name](const auto &known) {
                 return known.first == name;
               }))
-            names.push_back(
-              {name, {std::numeric_limits<double>::quiet_NaN(), figure.value("unit", "-")}});
+            names.push_back({name, {not_known, figure.value("unit", "-")}});
       }
     std::vector<NamedFigures> all(folders.size(), names);
     for (std::size_t i = 0; i < folders.size(); ++i)

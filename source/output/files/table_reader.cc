@@ -2,11 +2,11 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/csv_text.h>
 #include <vfife/base/text/shown_text.h>
+#include <vfife/base/types.h>
 #include <vfife/output/files/table_reader.h>
 
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 
 namespace vfife
 {
@@ -20,7 +20,7 @@ namespace vfife
         return text;
       // Also "nan" and "inf"; an empty cell is no number.
       if (text.empty())
-        return std::numeric_limits<double>::quiet_NaN();
+        return not_known;
       char        *end   = nullptr;
       const double value = std::strtod(text.c_str(), &end);
       if (end != text.c_str() + text.size())

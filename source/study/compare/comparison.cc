@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/types.h>
 #include <vfife/study/compare/comparison.h>
 
 #include <nlohmann/json.hpp>
@@ -66,7 +67,7 @@ namespace vfife
                      row.reference,
                      row.reference_kind,
                      row.difference(),
-                     row.tolerance.value_or(std::numeric_limits<double>::quiet_NaN()),
+                     row.tolerance.value_or(not_known),
                      row.verdict(),
                      row.reason});
     return table;

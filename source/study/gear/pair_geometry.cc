@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
+#include <vfife/base/types.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/study/gear/pair_geometry.h>
 
@@ -7,7 +8,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace vfife
 {
@@ -61,7 +61,7 @@ namespace vfife
     void add_body(const GearBodyOptions &body, NamedFigures &figures)
     {
       const auto add = [&figures](const char *name, const bool has, const double size) {
-        figures.push_back({name, {has ? size : std::numeric_limits<double>::quiet_NaN(), "mm"}});
+        figures.push_back({name, {has ? size : not_known, "mm"}});
       };
       const bool has_web = body.web == WebKind::conical;
       add("bore radius", body.web != WebKind::none, body.bore_radius);

@@ -3,6 +3,7 @@
 // figures.
 #include <vfife/base/errors.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/base/types.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace vfife
 {
@@ -173,7 +173,7 @@ namespace vfife
             {
               // A run that has failed may have figures of what it has done until then.
               if (reports[i].outcome != Outcome::finished)
-                figure.value = std::numeric_limits<double>::quiet_NaN();
+                figure.value = not_known;
               known.back().emplace_back(name, figure);
             }
       }

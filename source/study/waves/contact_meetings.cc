@@ -1,13 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/complex.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/types.h>
 #include <vfife/study/waves/contact_meetings.h>
 #include <vfife/study/waves/linear_response.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace vfife
@@ -257,8 +257,7 @@ namespace vfife
                        meeting.order,
                        meeting.share,
                        meeting.turn_share,
-                       gain.size() == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                        : std::abs((gain * wave)(0)) / half,
+                       gain.size() == 0 ? not_known : std::abs((gain * wave)(0)) / half,
                        2. * std::abs(meeting.turn) / half / arcsecond,
                        2e-3 * std::abs(meeting.moment) / half});
       }

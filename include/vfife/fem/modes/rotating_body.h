@@ -2,11 +2,11 @@
 #ifndef vfife_fem_modes_rotating_body_h
 #define vfife_fem_modes_rotating_body_h
 
+#include <vfife/base/types.h>
 #include <vfife/fem/fem_options.h>
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/modes/mode_description.h>
 
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -21,21 +21,14 @@ namespace vfife
     double          kinetic_share = 0.5;
     ModeDescription description;
     /** As in Mode; not a number for sectors and with Coriolis forces. */
-    std::array<double, 6> effective_mass = not_known();
+    std::array<double, 6> effective_mass = {
+      {not_known, not_known, not_known, not_known, not_known, not_known}};
     /** Displacements of the body's nodes, 3 a node, fixed frame, largest 1 mm. */
     std::vector<double> shape;
 
     /** Of the force -zeta m v relative to the turning body, to the first order of zeta [1/s]; not a
      * number for a rigid motion [-]. */
     double damping_ratio(double zeta) const;
-
-  private:
-    static std::array<double, 6> not_known()
-    {
-      std::array<double, 6> values;
-      values.fill(std::numeric_limits<double>::quiet_NaN());
-      return values;
-    }
   };
 
   /** All modes of one body at one speed. */

@@ -5,7 +5,6 @@
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +20,8 @@ namespace vfife
   struct ComparisonRow
   {
     std::string quantity, unit;
-    double      value     = std::numeric_limits<double>::quiet_NaN();
-    double      reference = std::numeric_limits<double>::quiet_NaN();
+    double      value     = not_known;
+    double      reference = not_known;
     std::string reference_kind; ///< "FEM", "lumped", "balance"
     /** Of the difference's magnitude, in `unit`; nothing: the row is not judged. */
     std::optional<double> tolerance;

@@ -2,8 +2,9 @@
 #ifndef vfife_study_sweep_error_estimate_h
 #define vfife_study_sweep_error_estimate_h
 
+#include <vfife/base/types.h>
+
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,8 @@ namespace vfife
   /** How far the last value of a sequence may be from its limit. */
   struct ErrorEstimate
   {
-    double      error  = std::numeric_limits<double>::quiet_NaN(); ///< not negative
-    double      order  = std::numeric_limits<double>::quiet_NaN(); ///< of Richardson's limit
+    double      error  = not_known; ///< not negative
+    double      order  = not_known; ///< of Richardson's limit
     ErrorMethod method = ErrorMethod::not_known;
     std::size_t n_used = 0; ///< values that are numbers
     std::size_t n_all  = 0;

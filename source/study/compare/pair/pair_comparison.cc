@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/types.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/pair/arm_range.h>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -30,7 +30,7 @@ namespace vfife
     double peak_to_peak(const std::vector<double> &values)
     {
       if (values.empty() || std::isnan(std::accumulate(values.begin(), values.end(), 0.)))
-        return std::numeric_limits<double>::quiet_NaN();
+        return not_known;
       const auto ends = std::minmax_element(values.begin(), values.end());
       return *ends.second - *ends.first;
     }
