@@ -13,9 +13,9 @@ namespace vfife
   /**
    * Samples at equal times without what vibrates above a frequency, none of them later: a mean over
    * reach() samples on both sides with the weights of the ideal low pass under Hann's window
-   * (Oppenheim and Schafer, Discrete-Time Signal Processing, 7.5). Half of what has the frequency
-   * is left, less than 1 % beyond 1.4 of it, and less than 1 % of what has 0.6 of it is lost;
-   * straight lines pass as they are.
+   * (Oppenheim and Schafer, Discrete-Time Signal Processing, 3rd ed., 7.5). Half of what has the
+   * frequency is left, less than 1 % beyond 1.4 of it, and less than 1 % of what has 0.6 of it is
+   * lost; straight lines pass as they are.
    */
   class LowPass
   {

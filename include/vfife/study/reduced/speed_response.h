@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <complex>
 #include <deque>
 #include <functional>
@@ -62,13 +63,13 @@ namespace vfife
     /** Counts a sample whose force and vibration of stresses, one after the other, are @p slow. */
     void count(SpeedSample sample, const Eigen::VectorXd &slow);
 
-    LowPass                           low_pass_;
-    FindLargest                       find_largest_;
-    std::deque<SpeedSample>           waiting_; ///< for those after them
-    std::vector<double>               errors_, forces_, slow_forces_;
-    std::size_t                       n_coast_ = 0;
-    std::vector<std::complex<double>> waves_[largest_wave];
-    std::vector<double>               largest_stresses_; ///< by place
+    LowPass                                                     low_pass_;
+    FindLargest                                                 find_largest_;
+    std::deque<SpeedSample>                                     waiting_; ///< for those after them
+    std::vector<double>                                         errors_, forces_, slow_forces_;
+    std::size_t                                                 n_coast_ = 0;
+    std::array<std::vector<std::complex<double>>, largest_wave> waves_;
+    std::vector<double>                                         largest_stresses_; ///< by place
   };
 } // namespace vfife
 
