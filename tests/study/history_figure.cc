@@ -99,6 +99,20 @@ namespace
     taken(FigureValue::zero_crossing_rate, "Hz", .5 * 2 / (4.45 - 8. / 18));
   }
 
+  /** A pulse that the end of the record cuts off: above half of 8 from 1.5 s on. */
+  void cut_off()
+  {
+    Table table;
+    table.add_column("time", "s");
+    table.add_column("force", "N");
+    for (const auto &[time, force] : {std::make_pair(1., 0.), {2., 8.}, {4., 6.}, {4.5, 5.}})
+      table.add_row({time, force});
+    HistoryFigure figure;
+    figure.column = "force";
+    figure.value  = FigureValue::time_above_half;
+    check_close("above half at the end", figure.compute(table).value, 3., 1e-14);
+  }
+
   /** Rows over speed, up and down. */
   void over_speed()
   {
@@ -237,6 +251,7 @@ int main()
 {
   values();
   single_values();
+  cut_off();
   over_speed();
   shares_of_meshes();
   trend();

@@ -291,6 +291,13 @@ end
                 5e-2);
     check("forces on modes are not known of runs",
           std::isnan(lines.at("amplitude by the forces")[0]));
+    const std::vector<double> times =
+      read_columns("runs/line_1_speed_2/probe_waves.csv").at("time");
+    const auto   first = std::find_if(times.begin(), times.end(), [](const double t) {
+      return t > 0; // what there is at the start is of the equilibrium
+    });
+    const double seen  = (times.back() - *first) * lines.at("mesh frequency")[0];
+    check("waves of stress are those of the last tooth mesh", seen > .9 && seen < 1. + 1e-9);
     for (const std::size_t k : {0, 1, 2})
       {
         check_close("run over reduced: amplitude at a speed",

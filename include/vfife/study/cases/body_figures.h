@@ -30,7 +30,7 @@ namespace vfife
     void write_to(Log &log) const;
   };
 
-  /** A row for each body: mesh.csv. Differences are mesh over true body less one. */
+  /** A row for each body: mesh.csv. Differences are mesh over true body less one [%]. */
   Table body_figures_table(const std::vector<BodyFigures> &bodies);
 } // namespace vfife
 
