@@ -132,6 +132,7 @@ namespace
     };
     show_verdict("far from each other", both({31, 29, 29.5, 28.5, 28}));
     show_verdict("the same errors, shifted by 1", both({12, 10, 10.5, 9.5, 9}));
+    show_verdict("shifted by more than either error", both({13, 11, 11.5, 10.5, 10}));
     show_verdict("other errors", both({9, 9, 9, 9, 9.5}));
     show_verdict("a run failed", both({31, missing, 29.5, 28.5, 28}));
     show_verdict("two runs failed", both({missing, missing, 29.5, 28.5, 28}));
