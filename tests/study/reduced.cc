@@ -167,21 +167,25 @@ namespace
   void stresses(Communicator &world)
   {
     std::ofstream("stresses.prm") << pair_text("reduced");
-    run_pair("stresses.prm",
-             "stresses",
-             world,
-             {"Reduced/sweep=up",
-              "Reduced/lowest speed=150 rpm",
-              "Reduced/highest speed=18000 rpm",
-              "Reduced/speeds=2",
-              "Reduced/settling meshes=1",
-              "Reduced/settling decay times=4",
-              "Reduced/counted meshes=3",
-              "Reduced/cutoff frequency=20 kHz",
-              "Reduced/allowed amplification=1.03",
-              "Reduced/highest frequency=20 kHz",
-              "Fillets/teeth=all",
-              "Output/history every=50"});
+    const auto sweep =
+      [&](const std::string &folder, const std::string &lowest, const std::string &frequency) {
+        run_pair("stresses.prm",
+                 folder,
+                 world,
+                 {"Reduced/sweep=up",
+                  "Reduced/lowest speed=" + lowest,
+                  "Reduced/highest speed=18000 rpm",
+                  "Reduced/speeds=2",
+                  "Reduced/settling meshes=1",
+                  "Reduced/settling decay times=4",
+                  "Reduced/counted meshes=3",
+                  "Reduced/cutoff frequency=20 kHz",
+                  "Reduced/allowed amplification=1.03",
+                  "Reduced/highest frequency=" + frequency,
+                  "Fillets/teeth=all",
+                  "Output/history every=50"});
+      };
+    sweep("stresses", "150 rpm", "20 kHz");
     const Columns stress = read_columns("stresses/stress_response.csv");
     const Table   table  = read_result_table("stresses/stress_response.csv");
     const auto   &places = table.column("place").texts;
@@ -222,20 +226,7 @@ namespace
         check(places[p] + ": of this speed", rest[p + 4] > fast[p] && rest[p + 4] < 1.1 * fast[p]);
       }
     // Without any vibration of the mesh's orders what passes the sectors with the mesh is left.
-    run_pair("stresses.prm",
-             "slow_stresses",
-             world,
-             {"Reduced/sweep=up",
-              "Reduced/lowest speed=17999 rpm",
-              "Reduced/highest speed=18000 rpm",
-              "Reduced/speeds=2",
-              "Reduced/settling meshes=1",
-              "Reduced/settling decay times=4",
-              "Reduced/counted meshes=3",
-              "Reduced/cutoff frequency=20 kHz",
-              "Reduced/highest frequency=2 kHz",
-              "Fillets/teeth=all",
-              "Output/history every=50"});
+    sweep("slow_stresses", "17999 rpm", "2 kHz");
     const Columns without = read_columns("slow_stresses/stress_response.csv");
     for (unsigned int p = 0; p < 4; ++p)
       check_close(places[p] + ", faster without vibration",
