@@ -221,10 +221,11 @@ namespace vfife
     });
     for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)
       sample.waves.push_back(find_rim_wave(rim, 2, n) * std::polar(1., -(n * turned)));
-    const double meshes  = std::abs(m.driver_angle - t.driver_start) * t.driver_teeth / (2. * pi);
-    sample.vibration     = read_stresses();
-    sample.slow_stresses = slow_mesh_.empty() ? Eigen::MatrixXd(0. * sample.vibration)
-                                              : slow_mesh_.at(meshes + slow_mesh_start);
+    const double meshes = std::abs(m.driver_angle - t.driver_start) * t.driver_teeth / (2. * pi);
+    sample.vibration    = read_stresses();
+    sample.slow_stresses.setZero(sample.vibration.rows(), sample.vibration.cols());
+    if (!slow_mesh_.empty())
+      sample.slow_stresses = slow_mesh_.at(meshes + slow_mesh_start);
     sample.vibration -= sample.slow_stresses;
     return sample;
   }

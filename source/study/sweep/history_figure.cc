@@ -174,6 +174,7 @@ namespace vfife
         }
       return not_known;
     }
+
     /** By the names of their files. */
     const Choices<FigureTable> &figure_table_choices()
     {
