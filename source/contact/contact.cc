@@ -147,6 +147,24 @@ namespace vfife
   }
 
 
+  void Contact::set_shares(const std::vector<PointShare> &shares)
+  {
+    // The second pass has the same pairs in the same order.
+    for (ContactPass &pass : passes_)
+      pass.set_shares(shares);
+    results_ = passes_[0].results();
+  }
+
+
+  std::vector<double> Contact::take_work()
+  {
+    std::vector<double> of_pairs(candidate_pairs_.size(), 0.);
+    for (ContactPass &pass : passes_)
+      pass.take_work(of_pairs);
+    return of_pairs;
+  }
+
+
   void Contact::set_penalty(const double penalty, const double mass_per_area)
   {
     if (!(penalty > 0. && std::isfinite(penalty)) || !(mass_per_area >= 0.))
@@ -180,14 +198,12 @@ namespace vfife
   void Contact::add_forces(const SurfaceMotion &slave,
                            const SurfaceMotion &master,
                            const double         dt,
-                           const unsigned int   rank,
-                           const unsigned int   n_ranks,
                            double              *slave_forces,
                            double              *master_forces)
   {
     if (!(penalty_ > 0.))
       throw NumericalError("contact: no penalty has been set (Contact::set_penalty)");
-    std::vector<TouchingPoint> points = locate(slave, master, dt, 0., rank, n_ranks);
+    std::vector<TouchingPoint> points = locate(slave, master, dt, 0.);
     find_explicit_pressures(dt, points);
     press(points, dt, slave_forces, master_forces);
   }
@@ -216,9 +232,7 @@ namespace vfife
   std::vector<TouchingPoint> Contact::locate(const SurfaceMotion &slave,
                                              const SurfaceMotion &master,
                                              const double         dt,
-                                             const double         look_ahead,
-                                             const unsigned int   rank,
-                                             const unsigned int   n_ranks)
+                                             const double         look_ahead)
   {
     const SurfaceInteraction   interaction = this->interaction(dt);
     std::vector<TouchingPoint> points;
@@ -227,7 +241,7 @@ namespace vfife
         // The second pass: the same pairs in the same order, seen from the master.
         const SurfaceMotion &of_slave  = i == 0 ? slave : master,
                             &of_master = i == 0 ? master : slave;
-        passes_[i].locate(of_slave, of_master, interaction, look_ahead, rank, n_ranks);
+        passes_[i].locate(of_slave, of_master, interaction, look_ahead);
         for (TouchingPoint &point : passes_[i].touching())
           point.pass = i;
         points.insert(points.end(), passes_[i].touching().begin(), passes_[i].touching().end());
@@ -263,13 +277,12 @@ namespace vfife
   ContactPoint Contact::smallest_gap(const SurfaceMotion &slave,
                                      const SurfaceMotion &master,
                                      const double         reach,
-                                     const unsigned int   rank,
-                                     const unsigned int   n_ranks)
+                                     const PointShare    &share)
   {
-    ContactPoint smallest = passes_[0].smallest_gap(slave, master, reach, rank, n_ranks);
+    ContactPoint smallest = passes_[0].smallest_gap(slave, master, reach, share);
     if (passes_.size() == 2)
       {
-        ContactPoint other = passes_[1].smallest_gap(master, slave, reach, rank, n_ranks);
+        ContactPoint other = passes_[1].smallest_gap(master, slave, reach, share);
         other.swapped      = true;
         if (other.gap < smallest.gap)
           smallest = other;

@@ -70,8 +70,7 @@ namespace vfife
   void ContactPass::set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs)
   {
     // Lists and projections of pairs that stay are taken over, new pairs begin without a list.
-    std::vector<Pair>         kept;
-    std::vector<unsigned int> slave_groups, master_groups;
+    std::vector<Pair> kept;
     for (const auto &groups : pairs)
       {
         const auto old = std::find_if(pairs_.begin(), pairs_.end(), [&groups](const Pair &pair) {
@@ -85,12 +84,49 @@ namespace vfife
             kept.back().slave_group  = groups.first;
             kept.back().master_group = groups.second;
           }
-        slave_groups.push_back(groups.first);
-        master_groups.push_back(groups.second);
       }
     pairs_ = std::move(kept);
+    follow_groups();
+    results_.clear();
+  }
 
-    // Paths are measured for every group that is in some pair.
+
+  void ContactPass::set_shares(const std::vector<PointShare> &shares)
+  {
+    // Points that come from other ranks are listed anew; what is gone is forgotten.
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      if (!(pairs_[i].share == shares[i]))
+        {
+          Pair changed;
+          changed.slave_group  = pairs_[i].slave_group;
+          changed.master_group = pairs_[i].master_group;
+          changed.share        = shares[i];
+          pairs_[i]            = std::move(changed);
+        }
+    follow_groups();
+    clear_results();
+  }
+
+
+  void ContactPass::take_work(std::vector<double> &of_pairs)
+  {
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      {
+        of_pairs[i] += pairs_[i].work;
+        pairs_[i].work = 0.;
+      }
+  }
+
+
+  void ContactPass::follow_groups()
+  {
+    std::vector<unsigned int> slave_groups, master_groups;
+    for (const Pair &pair : pairs_)
+      if (!pair.share.empty())
+        {
+          slave_groups.push_back(pair.slave_group);
+          master_groups.push_back(pair.master_group);
+        }
     for (auto *groups : {&slave_groups, &master_groups})
       {
         std::sort(groups->begin(), groups->end());
@@ -98,7 +134,6 @@ namespace vfife
       }
     slave_path_.set_active(slave_groups);
     master_path_.set_active(master_groups);
-    results_.clear();
   }
 
 
@@ -183,11 +218,7 @@ namespace vfife
   }
 
 
-  void ContactPass::find_points(Pair              &pair,
-                                const double       open_reach,
-                                const double       depth_reach,
-                                const unsigned int rank,
-                                const unsigned int n_ranks)
+  void ContactPass::find_points(Pair &pair, const double open_reach, const double depth_reach)
   {
     ++n_wide_searches_;
     std::vector<AnchorOfPoint> anchors;
@@ -206,7 +237,7 @@ namespace vfife
     std::vector<unsigned int> near;
     for (const unsigned int facet : slave_.group_facets(pair.slave_group))
       {
-        if (facet % n_ranks != rank)
+        if (!pair.share.has(facet))
           continue;
         // Master facets near the whole slave facet, then the nearest foot of each of its points.
         tree.find(Box::around(current_corners(slave_, facet), reach), near);
@@ -263,17 +294,18 @@ namespace vfife
   }
 
 
-  void ContactPass::list_points(const unsigned int rank, const unsigned int n_ranks)
+  void ContactPass::list_points()
   {
     for (Pair &pair : pairs_)
       {
+        if (pair.share.empty())
+          continue;
         // The list is good until the gap of a point that is not in it could have closed.
         const double path =
           slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
         if (pair.listed && path - pair.built_at <= skin_)
           continue;
-        find_points(
-          pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_, rank, n_ranks);
+        find_points(pair, gap_per_motion * skin_, depth_limit_ + gap_per_motion * skin_);
         pair.listed   = true;
         pair.built_at = path;
       }
@@ -283,17 +315,8 @@ namespace vfife
   void ContactPass::locate(const SurfaceMotion      &slave,
                            const SurfaceMotion      &master,
                            const SurfaceInteraction &interaction,
-                           const double              look_ahead,
-                           const unsigned int        rank,
-                           const unsigned int        n_ranks)
+                           const double              look_ahead)
   {
-    // Other points than before are this rank's: all lists are to be made anew.
-    if (rank != rank_ || n_ranks != n_ranks_)
-      for (Pair &pair : pairs_)
-        pair.listed = false;
-    rank_    = rank;
-    n_ranks_ = n_ranks;
-
     has_friction_ = interaction.friction > 0. && mode_ != FrictionMode::none;
     for (Pair &pair : pairs_)
       pair.anchors.resize(has_friction_ ? pair.points.size() : 0);
@@ -310,7 +333,7 @@ namespace vfife
     // How far the groups have moved; who may touch; where the points lie; what the law says.
     update_paths(slave, master);
     add_time(&ContactTimes::motion);
-    list_points(rank, n_ranks);
+    list_points();
     if (has_friction_ && !restored_.empty())
       {
         for (Pair &pair : pairs_)

@@ -27,6 +27,10 @@ namespace vfife
     /** Share of a gap that the groups may move before its point is looked at again (1/1.25). */
     constexpr double sleep_per_gap = 0.8;
 
+    /** What a point that touches costs besides, its pressure and forces, in the cost of finding
+     * where it lies (measured, doc/verification.md). */
+    constexpr double work_of_touching = 2.;
+
     /** Cosine between the normals below which slave and master count as facing each other. */
     constexpr double facing_cosine = -0.2;
 
@@ -93,11 +97,13 @@ namespace vfife
     const double path =
       slave_path_.length(pair.slave_group) + master_path_.length(pair.master_group);
     pair.touching.clear();
+    unsigned int n_awake = 0;
     for (unsigned int i = 0; i < pair.points.size(); ++i)
       {
         // Asleep: the gap was too wide to have closed since.
         if (path < pair.awake_at[i])
           continue;
+        ++n_awake;
         ListedPoint  &point = pair.points[i];
         const Vector3 x     = slave_point(point.slave_facet, point.rule_point);
         if (!locate(pair, point, x, path, pair.awake_at[i]))
@@ -126,6 +132,7 @@ namespace vfife
         if (has_friction_)
           open(pair, i, true);
       }
+    pair.work += n_awake + work_of_touching * pair.touching.size();
   }
 
 
@@ -183,6 +190,7 @@ namespace vfife
           -basis.slope_xi * basis.dual_xi - basis.slope_eta * basis.dual_eta;
 
         TouchingPoint touching;
+        touching.pair         = number;
         touching.slave_facet  = point.slave_facet;
         touching.rule_point   = point.rule_point;
         touching.slave_nodes  = slave_.corners(point.slave_facet);

@@ -8,30 +8,18 @@
 
 namespace vfife
 {
-  void ContactPass::leave_to_others()
-  {
-    for (Pair &pair : pairs_)
-      {
-        Pair left;
-        left.slave_group  = pair.slave_group;
-        left.master_group = pair.master_group;
-        pair              = std::move(left);
-      }
-    restored_.clear();
-    clear_results();
-  }
-
-
   void ContactPass::serialize(ByteStream &stream)
   {
     std::size_t n = pairs_.size();
-    stream.pass(n, rank_, n_ranks_, n_wide_searches_);
+    stream.pass(n, n_wide_searches_);
     stream.require(n <= static_cast<std::size_t>(slave_.n_groups()) * master_.n_groups(),
                    "more pairs of groups than there are");
     pairs_.resize(n);
     for (Pair &pair : pairs_)
       stream.pass(pair.slave_group,
                   pair.master_group,
+                  pair.share,
+                  pair.work,
                   pair.listed,
                   pair.built_at,
                   pair.points,

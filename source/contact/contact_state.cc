@@ -22,14 +22,6 @@ namespace vfife
   }
 
 
-  void Contact::leave_to_others()
-  {
-    for (ContactPass &pass : passes_)
-      pass.leave_to_others();
-    results_ = passes_[0].results();
-  }
-
-
   void Contact::set_friction_mode(const FrictionMode mode)
   {
     for (ContactPass &pass : passes_)

@@ -118,7 +118,8 @@ namespace
             GroupPairResult sum;
             for (unsigned int rank = 0; rank < n_ranks; ++rank)
               {
-                add_forces(shared, slave, master, 1e-7, rank, n_ranks);
+                shared.set_shares({{rank, n_ranks}});
+                add_forces(shared, slave, master);
                 sum.force += shared.results()[0].force;
                 sum.moment += shared.results()[0].moment;
                 sum.energy += shared.results()[0].energy;

@@ -45,10 +45,8 @@ namespace
     }
 
     /** Force on the slave that is moved by @p way over the master, both then by @p common. */
-    Vector3 move(const Vector3     &way,
-                 const RigidMotion &common  = {},
-                 const unsigned int rank    = 0,
-                 const unsigned int n_ranks = 1)
+    Vector3
+    move(const Vector3 &way, const RigidMotion &common = {}, const PointShare &share = PointShare())
     {
       RigidMotion over = common;
       over.translation = common(way - depth * Vector3::UnitZ());
@@ -57,7 +55,8 @@ namespace
       slave.clear_forces();
       master.clear_forces();
       contact.find_candidates(slave.body, master.body, 1.);
-      add_forces(contact, slave, master, 1e-7, rank, n_ranks);
+      contact.set_shares({share});
+      add_forces(contact, slave, master, 1e-7);
       return slave.force();
     }
 
@@ -194,8 +193,8 @@ namespace
     for (const Vector3 &place : places)
       {
         whole.move(place);
-        first.move(place, {}, 0, 2);
-        second.move(place, {}, 1, 2);
+        first.move(place, {}, {0, 2});
+        second.move(place, {}, {1, 2});
       }
     for (const Plates *plates : {&first, &second})
       {
@@ -215,7 +214,7 @@ namespace
     const Vector3 on(4.8 * elastic_limit, 0.1 * elastic_limit, 0.);
     const Vector3 expected = whole.move(on);
     check_close("shares of two ranks",
-                (first.move(on, {}, 0, 2) + second.move(on, {}, 1, 2) - expected).norm(),
+                (first.move(on, {}, {0, 2}) + second.move(on, {}, {1, 2}) - expected).norm(),
                 0.,
                 1e-9);
     check_close("gone on with the anchors of two ranks on one",

@@ -197,20 +197,11 @@ namespace test_surfaces
     RigidMotion         body;
   };
 
-  inline void add_forces(Contact           &contact,
-                         MovingSurface     &slave,
-                         MovingSurface     &master,
-                         const double       dt      = 1e-7,
-                         const unsigned int rank    = 0,
-                         const unsigned int n_ranks = 1)
+  inline void
+  add_forces(Contact &contact, MovingSurface &slave, MovingSurface &master, const double dt = 1e-7)
   {
-    contact.add_forces(slave.motion(),
-                       master.motion(),
-                       dt,
-                       rank,
-                       n_ranks,
-                       slave.forces.data(),
-                       master.forces.data());
+    contact.add_forces(
+      slave.motion(), master.motion(), dt, slave.forces.data(), master.forces.data());
   }
 
   /** A penalty [N/mm^3] that is given, not from the step. */

@@ -80,28 +80,29 @@ namespace vfife
       return penalty_;
     }
 
+    /** Which points of each candidate pair, in their order, are this rank's (in the second of two
+     * passes by the master's facets); a pair that is found is this rank's alone at first. A change
+     * costs a wide search, and where points stick is forgotten (restore_anchors()). */
+    void set_shares(const std::vector<PointShare> &shares);
+
+    /** What each candidate pair has cost on this rank since the last call, in the cost of finding
+     * where a point lies. */
+    std::vector<double> take_work();
+
     /**
-     * Adds the contact forces [N] of the slave facets f with f % n_ranks == rank (of master facets
-     * in the second of two passes) to 3 doubles per surface node. @p dt is the time step [s]. Keep
-     * `rank` and `n_ranks` for an object: a change costs a wide search. Throws NumericalError when
-     * a position is not finite.
+     * Adds the contact forces [N] of this rank's points to 3 doubles per surface node. @p dt is the
+     * time step [s]. Throws NumericalError when a position is not finite.
      */
     void add_forces(const SurfaceMotion &slave,
                     const SurfaceMotion &master,
                     double               dt,
-                    unsigned int         rank,
-                    unsigned int         n_ranks,
                     double              *slave_forces,
                     double              *master_forces);
 
     /** The first part of add_forces(): the points of this rank that touch, or that may within
      * @p look_ahead [s], their pressures those of the evaluation before. */
-    std::vector<TouchingPoint> locate(const SurfaceMotion &slave,
-                                      const SurfaceMotion &master,
-                                      double               dt,
-                                      double               look_ahead,
-                                      unsigned int         rank,
-                                      unsigned int         n_ranks);
+    std::vector<TouchingPoint>
+    locate(const SurfaceMotion &slave, const SurfaceMotion &master, double dt, double look_ahead);
 
     /** The pressures of the gaps as they are. */
     void find_explicit_pressures(double dt, std::vector<TouchingPoint> &points) const;
@@ -129,23 +130,19 @@ namespace vfife
     }
 
     /**
-     * The point with the smallest gap (negative: penetration) of this rank over all candidate
-     * pairs, also when open: gaps within +- @p reach [mm] are looked at, found without warm start.
-     * The gap is infinite when there is none.
+     * The point with the smallest gap (negative: penetration) over all candidate pairs, of the @p
+     * share of each, also when open: gaps within +- @p reach [mm] are looked at, found without warm
+     * start. The gap is infinite when there is none.
      */
     ContactPoint smallest_gap(const SurfaceMotion &slave,
                               const SurfaceMotion &master,
                               double               reach,
-                              unsigned int         rank    = 0,
-                              unsigned int         n_ranks = 1);
+                              const PointShare    &share = PointShare());
 
     /** Surface nodes (slave's, master's, each sorted) of facets of candidate pairs with a point
      * nearer than @p reach [mm] to the other surface, found without warm start. */
     std::pair<std::vector<unsigned int>, std::vector<unsigned int>>
     find_near_nodes(const SurfaceMotion &slave, const SurfaceMotion &master, double reach);
-
-    /** Forgets points, anchors and results: other ranks go on with the candidate pairs. */
-    void leave_to_others();
 
     /** Undeformed tributary areas of the surface nodes [mm^2]. */
     const std::vector<double> &slave_node_areas() const

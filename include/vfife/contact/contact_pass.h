@@ -7,6 +7,7 @@
 #include <vfife/contact/contact_times.h>
 #include <vfife/contact/law/contact_spring.h>
 #include <vfife/contact/law/surface_interaction.h>
+#include <vfife/contact/point_share.h>
 #include <vfife/contact/search/broad_search.h>
 #include <vfife/contact/search/carried_area.h>
 #include <vfife/contact/search/group_path.h>
@@ -43,17 +44,21 @@ namespace vfife
     /** Pairs of groups to look at (sorted); lists of pairs that remain are kept. */
     void set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs);
 
+    /** See Contact::set_shares. */
+    void set_shares(const std::vector<PointShare> &shares);
+
+    /** See Contact::take_work: adds it. */
+    void take_work(std::vector<double> &of_pairs);
+
     /**
-     * The points that touch, of this rank: those with a gap below zero, and those that close or
-     * have been closed within @p look_ahead [s]. The velocities of the surfaces are read where
-     * there is damping or where @p look_ahead is not 0.
+     * The points that touch, of this rank's share: those with a gap below zero, and those that
+     * close or have been closed within @p look_ahead [s]. The velocities of the surfaces are read
+     * where there is damping or where @p look_ahead is not 0.
      */
     void locate(const SurfaceMotion      &slave,
                 const SurfaceMotion      &master,
                 const SurfaceInteraction &interaction,
-                double                    look_ahead,
-                unsigned int              rank,
-                unsigned int              n_ranks);
+                double                    look_ahead);
 
     /** What locate() has found, and where press() reads the pressures. */
     std::vector<TouchingPoint> &touching()
@@ -68,8 +73,7 @@ namespace vfife
     ContactPoint smallest_gap(const SurfaceMotion &slave,
                               const SurfaceMotion &master,
                               double               reach,
-                              unsigned int         rank,
-                              unsigned int         n_ranks);
+                              const PointShare    &share);
 
     /** See Contact::find_near_nodes: adds them. */
     void add_near_nodes(const SurfaceMotion       &slave,
@@ -94,8 +98,7 @@ namespace vfife
 
     /** For checkpoints: lists with their last projections, and paths. */
     void serialize(ByteStream &stream);
-    /** See Contact::leave_to_others, Contact::set_friction_mode, Contact::anchors. */
-    void leave_to_others();
+    /** See Contact::set_friction_mode, Contact::anchors. */
     void set_friction_mode(FrictionMode mode);
     void append_anchors(unsigned int pass, std::vector<AnchorOfPoint> &anchors) const;
     void restore_anchors(const std::vector<AnchorOfPoint> &anchors);
@@ -155,6 +158,8 @@ namespace vfife
     struct Pair
     {
       unsigned int             slave_group, master_group;
+      PointShare               share;
+      double                   work     = 0.; ///< since take_work()
       bool                     listed   = false;
       double                   built_at = 0.; ///< path at the wide search [mm]
       std::vector<ListedPoint> points;
@@ -181,8 +186,9 @@ namespace vfife
     void    check_lists(const ByteStream &stream) const;
     void    update_paths(const SurfaceMotion &slave, const SurfaceMotion &master);
     Vector3 slave_point(unsigned int facet, unsigned int rule_point) const;
-    void    find_points(
-         Pair &pair, double open_reach, double depth_reach, unsigned int rank, unsigned int n_ranks);
+    void    find_points(Pair &pair, double open_reach, double depth_reach);
+    /** Groups whose motion is measured: those of pairs that this rank has points of. */
+    void follow_groups();
     /** Boxes of the master's facets of a group, in their order. */
     std::vector<Box> facet_boxes(unsigned int group) const;
     /** The nearest foot on the facets with the numbers @p near in @p group; the facet found goes to
@@ -194,7 +200,7 @@ namespace vfife
                       const Vector3                   &slave_normal,
                       double                           reach,
                       Projection                      &projection);
-    void list_points(unsigned int rank, unsigned int n_ranks);
+    void list_points();
     void clear_results();
     void find_gaps(Pair &pair, double look_ahead);
     bool
@@ -237,7 +243,6 @@ namespace vfife
     std::vector<GroupPairResult> results_;
     std::vector<TouchingPoint>   touching_; ///< of all pairs, in their order
     std::vector<Touch>           touches_;  ///< of the same
-    unsigned int                 rank_ = 0, n_ranks_ = 0;
     std::size_t                  n_wide_searches_ = 0;
     ContactTimes                *times_           = nullptr;
     FrictionMode                 mode_            = FrictionMode::follows;

@@ -16,6 +16,7 @@ namespace vfife
    */
   struct TouchingPoint
   {
+    unsigned int                pair = 0; ///< of groups, among the contact's candidate pairs
     unsigned int                pass = 0, slave_facet = 0, rule_point = 0;
     std::array<unsigned int, 4> slave_nodes{}, master_nodes{}; ///< surface nodes of the pass
     double                      direction[3]{};

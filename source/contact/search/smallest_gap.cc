@@ -109,8 +109,7 @@ namespace vfife
   ContactPoint ContactPass::smallest_gap(const SurfaceMotion &slave,
                                          const SurfaceMotion &master,
                                          const double         reach,
-                                         const unsigned int   rank,
-                                         const unsigned int   n_ranks)
+                                         const PointShare    &share)
   {
     slave_.bind(slave);
     master_.bind(master);
@@ -121,7 +120,8 @@ namespace vfife
         Pair all         = {};
         all.slave_group  = pair.slave_group;
         all.master_group = pair.master_group;
-        find_points(all, reach, reach, rank, n_ranks);
+        all.share        = share;
+        find_points(all, reach, reach);
 
         // The smallest sample of each facet, and of these the smallest few.
         std::vector<const ListedPoint *> samples;
@@ -164,7 +164,7 @@ namespace vfife
         Pair near         = {};
         near.slave_group  = pair.slave_group;
         near.master_group = pair.master_group;
-        find_points(near, reach, reach, 0, 1);
+        find_points(near, reach, reach);
         for (const ListedPoint &point : near.points)
           {
             const auto &s = slave_.corners(point.slave_facet);

@@ -121,14 +121,15 @@ namespace vfife
 
   void ContactSystem::move_points()
   {
-    // Who takes part now finds its points anew; where they stick is all that goes along.
-    for (const auto &pair : pairs_)
+    // Who gets points lists them anew; where they stick is all that goes along.
+    for (unsigned int p = 0; p < pairs_.size(); ++p)
       {
+        Contact                   &contact = pairs_[p]->contact;
         std::vector<AnchorOfPoint> anchors;
-        if (pair->definition.options.friction.acts())
-          anchors = gather_anchors(pair->contact);
-        pair->contact.leave_to_others();
-        pair->contact.restore_anchors(anchors);
+        if (pairs_[p]->definition.options.friction.acts())
+          anchors = gather_anchors(contact);
+        contact.set_shares(ranks_.shares(p));
+        contact.restore_anchors(anchors);
       }
   }
 
@@ -144,9 +145,7 @@ namespace vfife
   {
     for (const auto &pair : pairs_)
       pair->contact.serialize(stream);
-    // The points that have been read are those of the same ranks.
-    if (stream.reads())
-      ranks_.choose(pairs_);
+    ranks_.serialize(pairs_, stream);
   }
 
   void ContactSystem::serialize_friction(ByteStream &stream)
@@ -178,19 +177,20 @@ namespace vfife
                                        NodeField                      &forces)
   {
     bring_motion(positions, velocities, nullptr, dt);
-    // Forces of this rank's share of the points.
-    for (const auto &pair : pairs_)
-      {
-        ContactSurface &s = pair->slave, &m = pair->master;
-        pair->contact.add_forces({s.positions.data(), s.velocities.data(), body_motion[s.body]},
+    evaluate([&] {
+      for (const auto &pair : pairs_)
+        {
+          const ContactSurface      &s = pair->slave, &m = pair->master;
+          std::vector<TouchingPoint> points =
+            pair->contact.locate({s.positions.data(), s.velocities.data(), body_motion[s.body]},
                                  {m.positions.data(), m.velocities.data(), body_motion[m.body]},
                                  dt,
-                                 ranks_.place(),
-                                 ranks_.number(),
-                                 s.forces.data(),
-                                 m.forces.data());
-      }
-    hand_over_forces(ranks_.nodes(), forces);
+                                 0.);
+          pair->contact.find_explicit_pressures(dt, points);
+          press(*pair, points, dt);
+        }
+    });
+    hand_over_forces(forces);
   }
 
   void ContactSystem::add_forces(const std::vector<RigidMotion> &body_motion,
@@ -201,7 +201,7 @@ namespace vfife
   {
     if (pairs_.empty())
       return;
-    evaluate([&] { press_explicitly(body_motion, positions, velocities, dt, forces); });
+    press_explicitly(body_motion, positions, velocities, dt, forces);
     sum_results();
     communicator_.sum(sums_.data(), sums_.size());
     rethrow_failure();

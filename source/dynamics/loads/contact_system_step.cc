@@ -21,14 +21,15 @@ namespace vfife
   struct ContactSystem::SharedPoint
   {
     TouchingPoint point;
-    unsigned int  pair, place, index; ///< place: of its rank among those that take part
+    unsigned int  pair, cluster; ///< of contacts; of what has nodes in common
+    unsigned int  place, index;  ///< place: of its rank among those that share points
 
     /** The order in which pressures are solved for: the same for any number of ranks. */
     bool operator<(const SharedPoint &other) const
     {
       const auto key = [](const SharedPoint &p) {
         return std::tie(
-          p.pair, p.point.pass, p.point.slave_facet, p.point.rule_point, p.point.master_nodes);
+          p.cluster, p.pair, p.point.pass, p.point.slave_facet, p.point.rule_point, p.point.pair);
       };
       return key(*this) < key(other);
     }
@@ -124,24 +125,22 @@ namespace vfife
 
   void ContactSystem::evaluate(const std::function<void()> &work)
   {
+    // Those that share points fail alike. Others wait for this rank's forces, which it sends though
+    // there be none, and hear of it with the next sums of all.
     failure_.clear();
-    if (!ranks_.takes_part())
-      {
-        for (const auto &pair : pairs_)
-          pair->contact.leave_to_others();
-        return;
-      }
-    // Those that take part fail alike; others would wait for them in the next operation of all.
+    touched_.clear();
     try
       {
         work();
       }
     catch (const NumericalError &error)
       {
-        if (ranks_.number() == communicator_.size())
+        if (communicator_.size() == 1)
           throw;
         failure_ = error.what();
       }
+    for (const ContactRanks::Node &node : touched_)
+      node.surface->touched[node.number] = 0;
   }
 
   void ContactSystem::rethrow_failure() const
@@ -161,12 +160,10 @@ namespace vfife
   {
     if (pairs_.empty())
       return;
-    evaluate([&] {
-      if (is_implicit_)
-        press_implicitly(body_motion, positions, velocities, dt, forces);
-      else
-        press_explicitly(body_motion, positions, velocities, dt, forces);
-    });
+    if (is_implicit_)
+      press_implicitly(body_motion, positions, velocities, dt, forces);
+    else
+      press_explicitly(body_motion, positions, velocities, dt, forces);
     sum_results();
   }
 
@@ -178,63 +175,90 @@ namespace vfife
   {
     // 1. The active nodes' motion: where they are and how they would go on without contact.
     bring_motion(positions, velocities, &forces, dt);
-    // 2. This rank's points that touch, their pressures, and what these do.
-    bool                                    all_implicit = true;
-    std::vector<std::vector<TouchingPoint>> points;
-    for (const auto &pair : pairs_)
-      {
-        const auto motion_of = [&body_motion](const ContactSurface &surface) {
-          return SurfaceMotion{surface.positions.data(),
-                               surface.velocities.data(),
-                               body_motion[surface.body],
-                               surface.free_velocities.data()};
-        };
-        points.push_back(pair->contact.locate(motion_of(pair->slave),
-                                              motion_of(pair->master),
-                                              dt,
-                                              pair->is_implicit() ? .5 * dt : 0.,
-                                              ranks_.place(),
-                                              ranks_.number()));
-        if (!pair->is_implicit())
-          {
+    evaluate([&] {
+      // 2. This rank's points that touch, their pressures, and what these do.
+      std::vector<std::vector<TouchingPoint>> points;
+      for (const auto &pair : pairs_)
+        {
+          const auto motion_of = [&body_motion](const ContactSurface &surface) {
+            return SurfaceMotion{surface.positions.data(),
+                                 surface.velocities.data(),
+                                 body_motion[surface.body],
+                                 surface.free_velocities.data()};
+          };
+          points.push_back(pair->contact.locate(motion_of(pair->slave),
+                                                motion_of(pair->master),
+                                                dt,
+                                                pair->is_implicit() ? .5 * dt : 0.));
+          if (!pair->is_implicit())
             pair->contact.find_explicit_pressures(dt, points.back());
-            all_implicit = false;
-          }
-      }
-    find_pressures(dt, points);
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      pairs_[i]->contact.press(points[i],
-                               dt,
-                               pairs_[i]->slave.forces.data(),
-                               pairs_[i]->master.forces.data());
-    // 3. The sums of all shares, at the nodes of points that touch where all ranks know these.
-    hand_over_forces(all_implicit ? touched_ : ranks_.nodes(), forces);
+        }
+      find_pressures(dt, points);
+      for (std::size_t i = 0; i < pairs_.size(); ++i)
+        press(*pairs_[i], points[i], dt);
+    });
+    // 3. To all that hold the nodes.
+    hand_over_forces(forces);
+  }
+
+  void ContactSystem::press(ContactOfPair                    &pair,
+                            const std::vector<TouchingPoint> &points,
+                            const double                      dt)
+  {
+    pair.contact.press(points, dt, pair.slave.forces.data(), pair.master.forces.data());
+    for (const TouchingPoint &point : points)
+      for (unsigned int k = 0; k < 8; ++k)
+        {
+          // The slave of the second of two passes is the contact's master.
+          const unsigned int i       = k < 4 ? point.slave_nodes[k] : point.master_nodes[k - 4];
+          ContactSurface    &surface = (k < 4) == (point.pass == 0) ? pair.slave : pair.master;
+          if (surface.touched[i] != 0)
+            continue;
+          surface.touched[i] = 1;
+          touched_.push_back({&surface, i});
+        }
   }
 
   void ContactSystem::find_pressures(const double                             dt,
                                      std::vector<std::vector<TouchingPoint>> &points)
   {
-    // 1. The points of all ranks, in an order that does not depend on the ranks.
+    // 1. The points of all ranks that share them, in an order that does not depend on the ranks.
     std::vector<SharedPoint> shared;
     for (unsigned int p = 0; p < pairs_.size(); ++p)
       if (pairs_[p]->is_implicit())
         for (unsigned int i = 0; i < points[p].size(); ++i)
-          shared.push_back({points[p][i], p, ranks_.place(), i});
-    if (ranks_.number() > 1)
+          shared.push_back(
+            {points[p][i], p, ranks_.cluster(p, points[p][i].pair), ranks_.place(), i});
+    if (ranks_.shares_points())
       shared = ranks_.exchange(shared);
-    std::sort(shared.begin(), shared.end());
+    std::vector<const SharedPoint *> order;
+    for (const SharedPoint &point : shared)
+      order.push_back(&point);
+    std::sort(order.begin(), order.end(), [](const SharedPoint *a, const SharedPoint *b) {
+      return *a < *b;
+    });
 
-    // 2. Every one solves for all. Few nodes are touched: they get their places as they come.
+    // 2. Cluster by cluster: their pressures do not depend on each other.
+    for (auto first = order.cbegin(); first != order.cend();)
+      {
+        const auto last = std::find_if(first, order.cend(), [first](const SharedPoint *point) {
+          return point->cluster != (*first)->cluster;
+        });
+        const std::vector<TouchingPoint> solved = solve_cluster(dt, {first, last});
+        for (std::size_t i = 0; first != last; ++first, ++i)
+          if ((*first)->place == ranks_.place())
+            points[(*first)->pair][(*first)->index] = solved[i];
+      }
+  }
+
+  std::vector<TouchingPoint>
+  ContactSystem::solve_cluster(const double dt, const std::vector<const SharedPoint *> &shared)
+  {
+    // Few nodes are touched: they get their places as they come.
     std::vector<PressureSolver::Node> nodes;
     std::vector<unsigned int>         used;
-    touched_.clear();
-    const auto place_of = [&](ContactSurface &surface, const unsigned int i) {
+    const auto place_of = [&](const ContactSurface &surface, const unsigned int i) {
       const unsigned int number = surface.numbers[i];
-      if (surface.touched[i] == 0)
-        {
-          surface.touched[i] = 1;
-          touched_.push_back({&surface, i});
-        }
       if (places_[number] == no_place)
         {
           places_[number] = nodes.size();
@@ -249,10 +273,10 @@ namespace vfife
       master_places(shared.size());
     for (std::size_t p = 0; p < shared.size(); ++p)
       {
-        const TouchingPoint &point = shared[p].point;
-        ContactOfPair       &pair  = *pairs_[shared[p].pair];
-        ContactSurface      &slave = point.pass == 0 ? pair.slave : pair.master,
-                       &master     = point.pass == 0 ? pair.master : pair.slave;
+        const TouchingPoint  &point  = shared[p]->point;
+        const ContactOfPair  &pair   = *pairs_[shared[p]->pair];
+        const ContactSurface &slave  = point.pass == 0 ? pair.slave : pair.master,
+                             &master = point.pass == 0 ? pair.master : pair.slave;
         for (unsigned int k = 0; k < 4; ++k)
           {
             slave_places[p][k]  = place_of(slave, point.slave_nodes[k]);
@@ -261,26 +285,22 @@ namespace vfife
       }
     for (const unsigned int number : used)
       places_[number] = no_place;
-    for (const ContactRanks::Node &node : touched_)
-      node.surface->touched[node.number] = 0;
 
     PressureSolver             solver(dt, std::move(nodes));
     std::vector<TouchingPoint> solved;
     for (std::size_t p = 0; p < shared.size(); ++p)
       {
-        const Contact &contact = pairs_[shared[p].pair]->contact;
-        solver.add(shared[p].point,
+        const Contact &contact = pairs_[shared[p]->pair]->contact;
+        solver.add(shared[p]->point,
                    slave_places[p],
                    master_places[p],
                    contact.law(),
                    contact.penalty(),
                    contact.damping(dt));
-        solved.push_back(shared[p].point);
+        solved.push_back(shared[p]->point);
       }
     solver.solve(solved);
-    for (std::size_t i = 0; i < shared.size(); ++i)
-      if (shared[i].place == ranks_.place())
-        points[shared[i].pair][shared[i].index] = solved[i];
+    return solved;
   }
 
   void ContactSystem::sum_results()
@@ -302,15 +322,12 @@ namespace vfife
     sums_[5] = failure_.empty() ? 0. : 1.;
   }
 
-  void ContactSystem::hand_over_forces(const std::vector<ContactRanks::Node> &nodes,
-                                       NodeField                             &forces)
+  void ContactSystem::hand_over_forces(NodeField &forces)
   {
     // To all copies of the nodes. The arrays of the surfaces are zero again for the next time.
-    ranks_.add_up_forces(nodes);
-    for (const auto &[surface, i] : nodes)
+    for (const auto &[surface, i] : ranks_.add_up_forces(touched_))
       {
         Eigen::Map<Vector3> f(surface->forces.data() + 3 * static_cast<std::size_t>(i));
-        // Few active nodes carry force: the others' places in the large array are not touched.
         if (surface->local[i] != Partition::absent && !(f[0] == 0. && f[1] == 0. && f[2] == 0.))
           forces.add(surface->local[i], f);
         f.setZero();

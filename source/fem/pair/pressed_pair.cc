@@ -227,8 +227,6 @@ namespace vfife
         pair->contact.add_forces(pair->motion(s, body_motion(s.body)),
                                  pair->motion(m, body_motion(m.body)),
                                  0.,
-                                 0,
-                                 1,
                                  s.forces.data(),
                                  m.forces.data());
         for (const GroupPairResult &result : pair->contact.results())

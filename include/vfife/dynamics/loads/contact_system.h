@@ -167,7 +167,7 @@ namespace vfife
                          const NodeField &velocities,
                          const NodeField *forces,
                          double           dt);
-    /** Does the work on the ranks that take part, and notes where it fails. */
+    /** Does the work of this rank, and notes where it fails. */
     void evaluate(const std::function<void()> &work);
     void press_explicitly(const std::vector<RigidMotion> &body_motion,
                           const NodeField                &positions,
@@ -180,9 +180,13 @@ namespace vfife
                           double                          dt,
                           NodeField                      &forces);
     void find_pressures(double dt, std::vector<std::vector<TouchingPoint>> &points);
+    std::vector<TouchingPoint> solve_cluster(double                                  dt,
+                                             const std::vector<const SharedPoint *> &shared);
+    /** Forces of points, whose nodes go to touched_. */
+    void press(ContactOfPair &pair, const std::vector<TouchingPoint> &points, double dt);
     void sum_results();
-    void hand_over_forces(const std::vector<ContactRanks::Node> &nodes, NodeField &forces);
-    /** To others than those that have taken part so far. Collective. */
+    void hand_over_forces(NodeField &forces);
+    /** To the ranks that have been chosen. Collective. */
     void                       move_points();
     std::vector<AnchorOfPoint> gather_anchors(const Contact &contact) const;
 
@@ -199,7 +203,7 @@ namespace vfife
     std::map<unsigned int, Matrix3> held_;
     /** Place of a node in the solution for the pressures, while there is one. */
     std::vector<unsigned int>       places_;
-    std::vector<ContactRanks::Node> touched_; ///< by points of the last solution
+    std::vector<ContactRanks::Node> touched_; ///< by this rank's points
     double                          largest_penetration_ = 0;
     /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
      * that is too deep, friction loss, integral of the pressure, number of ranks that failed. */
