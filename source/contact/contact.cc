@@ -147,24 +147,6 @@ namespace vfife
   }
 
 
-  void Contact::set_shares(const std::vector<PointShare> &shares)
-  {
-    // The second pass has the same pairs in the same order.
-    for (ContactPass &pass : passes_)
-      pass.set_shares(shares);
-    results_ = passes_[0].results();
-  }
-
-
-  std::vector<double> Contact::take_work()
-  {
-    std::vector<double> of_pairs(candidate_pairs_.size(), 0.);
-    for (ContactPass &pass : passes_)
-      pass.take_work(of_pairs);
-    return of_pairs;
-  }
-
-
   void Contact::set_penalty(const double penalty, const double mass_per_area)
   {
     if (!(penalty > 0. && std::isfinite(penalty)) || !(mass_per_area >= 0.))

@@ -7,6 +7,7 @@
 #include <vfife/contact/contact_times.h>
 #include <vfife/contact/law/contact_spring.h>
 #include <vfife/contact/law/surface_interaction.h>
+#include <vfife/contact/listed_point.h>
 #include <vfife/contact/point_share.h>
 #include <vfife/contact/search/broad_search.h>
 #include <vfife/contact/search/carried_area.h>
@@ -147,14 +148,6 @@ namespace vfife
     }
 
   private:
-    struct ListedPoint
-    {
-      unsigned int slave_facet, rule_point;
-      Projection   projection;
-      double       area, slave_offset;
-      double       gap, pressure; ///< of the last evaluation
-    };
-
     struct Pair
     {
       unsigned int             slave_group, master_group;
