@@ -71,6 +71,10 @@ int main()
   check_pair("25/25", basic(25, 25, 4.));
   check_pair("9/33", basic(9, 33, 5.5));
   check_pair("17/43", basic(17, 43, 4.));
+  // Newton's method comes to a point beyond the teeth from the middle of these.
+  check_pair("25/50", basic(25, 50, 4.));
+  check_pair("27/79", basic(27, 79, 3.15));
+  check_pair("22/66", basic(22, 66, 4.));
   GearPairOptions right      = basic(17, 43, 4.);
   right.proposal.pinion_hand = Hand::right;
   check_pair("17/43 right hand", right);

@@ -94,19 +94,47 @@ namespace vfife
       Closing                closing_;
     };
 
+    /** A place on the gear's tooth: over the mean cone distance and the middle of the working
+     * depth, in face widths and working depths. */
+    struct ToothPlace
+    {
+      double along, up;
+    };
+
+    /** The nearest first. */
+    const ToothPlace other_starts[] = {{0., -.2},
+                                       {0., .2},
+                                       {-.15, 0.},
+                                       {.15, 0.},
+                                       {-.15, -.2},
+                                       {-.15, .2},
+                                       {.15, -.2},
+                                       {.15, .2},
+                                       {0., -.4},
+                                       {0., .4},
+                                       {-.3, 0.},
+                                       {.3, 0.},
+                                       {-.3, -.4},
+                                       {-.3, .4},
+                                       {.3, -.4},
+                                       {.3, .4}};
+
     /**
-     * Start of Newton's iteration: contact in the middle of the working depth at the gear's mean
-     * cone distance, the cradle at rest. There the axial component of the normal fixes t1, and the
-     * equation of meshing, linear in it, the ratio of roll unless that is given.
+     * Start of Newton's iteration: contact at @p place, at first in the middle of the working depth
+     * at the gear's mean cone distance, the cradle at rest. There the axial component of the normal
+     * fixes t1, and the equation of meshing, linear in it, the ratio of roll unless that is given.
      */
     Seven start_of_mean_contact(const MachineSettings &settings,
                                 const GearPairOptions &options,
-                                const Flank           &gear_flank)
+                                const Flank           &gear_flank,
+                                const ToothPlace      &place)
     {
-      // The gear's point: middle of the working depth, which lies (a1 - a2)/2 under its pitch cone.
-      const Blank         &pinion = options.pinion.blank, &gear = options.gear.blank;
-      const double         height = (pinion.mean_addendum - gear.mean_addendum) / 2;
-      const GeneratedPoint point2 = gear_flank.point_at(gear.mean_cone_distance, -height);
+      // The middle of the working depth lies (a1 - a2)/2 under the gear's pitch cone.
+      const Blank &pinion = options.pinion.blank, &gear = options.gear.blank;
+      const double depth  = pinion.mean_addendum + gear.mean_addendum;
+      const double height = (pinion.mean_addendum - gear.mean_addendum) / 2 - place.up * depth;
+      const double length = gear.mean_cone_distance + place.along * gear.face_width;
+      const GeneratedPoint point2 = gear_flank.point_at(length, -height);
       // Turned to where it meets the pinion, next to the plane of the axes.
       const RigidMotion one  = pinion_frame(options.shaft_angle);
       double            rot2 = -polar_angle(point2.position);
@@ -124,12 +152,17 @@ namespace vfife
           trial.ratio_of_roll = Flank::ratio_of_roll_at(settings, t, s);
         }
       // The pinion's point at the same height, turned into the plane of the axes.
-      const GeneratedPoint point1 =
-        Flank(trial, pinion.pitch_angle).point_at(gear.mean_cone_distance, height);
-      Seven y;
+      const GeneratedPoint point1 = Flank(trial, pinion.pitch_angle).point_at(length, height);
+      Seven                y;
       y << point1.t, point1.phi, -polar_angle(point1.position), point2.t, point2.phi, rot2,
         trial.ratio_of_roll;
       return y;
+    }
+
+    bool is_inside(const Blank &blank, const Vector2 &L_h)
+    {
+      return L_h[0] > blank.inner_cone_distance() && L_h[0] < blank.outer_cone_distance &&
+             L_h[1] < blank.addendum(L_h[0]) && L_h[1] > -blank.dedendum(L_h[0]);
     }
 
     /** Throws InputError where the mean contact @p L_h is not on the tooth of @p section. */
@@ -138,8 +171,7 @@ namespace vfife
                       const std::string &section,
                       const char        *flank)
     {
-      if (L_h[0] > blank.inner_cone_distance() && L_h[0] < blank.outer_cone_distance &&
-          L_h[1] < blank.addendum(L_h[0]) && L_h[1] > -blank.dedendum(L_h[0]))
+      if (is_inside(blank, L_h))
         return;
       std::ostringstream message;
       message << section << "/" << flank << ": the mean contact point at L = " << L_h[0]
@@ -176,28 +208,51 @@ namespace vfife
     const Flank gear_flank(options.gear.settings(gear_side), options.gear.blank.pitch_angle);
     const bool  given = settings.ratio_of_roll > 0.;
 
-    // Start in closed form.
-    Seven y = start_of_mean_contact(settings, options, gear_flank);
-
     const auto equations = [&](const Closing closing) {
       return RatioOfRollEquations(settings, options, gear_flank, closing);
     };
     // Given ratio of roll: six equations. Otherwise seven, first at the mean cone distance, which
     // is near the start, then with the cradle at rest.
-    bool converged = false;
-    if (given)
-      {
-        const FlankContact     contact = equations(Closing::cradle_at_rest).contact(y[6]);
-        FlankContact::Unknowns x       = y.head<6>();
-        converged                      = solve_newton<6>([&](const FlankContact::Unknowns &x,
-                                        FlankContact::Unknowns       &f,
-                                        FlankContact::Jacobian &J) { contact.evaluate(x, f, J); },
-                                    x);
-        y.head<6>()                    = x;
-      }
-    else
-      converged = solve_newton<7>(equations(Closing::mean_cone_distance), y) &&
-                  solve_newton<7>(equations(Closing::cradle_at_rest), y) && y[6] > 0.;
+    const auto solve_from = [&](const ToothPlace &place, Seven &y) {
+      y = start_of_mean_contact(settings, options, gear_flank, place);
+      if (!given)
+        return solve_newton<7>(equations(Closing::mean_cone_distance), y) &&
+               solve_newton<7>(equations(Closing::cradle_at_rest), y) && y[6] > 0.;
+      const FlankContact     contact = equations(Closing::cradle_at_rest).contact(y[6]);
+      FlankContact::Unknowns x       = y.head<6>();
+      const bool             converged =
+        solve_newton<6>([&](const FlankContact::Unknowns &x,
+                            FlankContact::Unknowns       &f,
+                            FlankContact::Jacobian       &J) { contact.evaluate(x, f, J); },
+                        x);
+      y.head<6>() = x;
+      return converged;
+    };
+    const auto lies_on_teeth = [&](const Seven &y) {
+      const FlankContact contact = equations(Closing::cradle_at_rest).contact(y[6]);
+      const auto         L_h     = [](const Flank &flank, const double t, const double phi) {
+        return flank.cone_coordinates(flank.evaluate(t, phi).position);
+      };
+      return is_inside(options.pinion.blank,
+                       L_h(contact.pinion(), y[FlankContact::t1], y[FlankContact::phi1])) &&
+             is_inside(options.gear.blank,
+                       L_h(contact.gear(), y[FlankContact::t2], y[FlankContact::phi2]));
+    };
+
+    // From the middle of the tooth. The flanks may also have the ratio of the teeth at a point
+    // beyond them, and Newton's method may come there: then from places around the middle.
+    Seven y;
+    bool  converged = solve_from({0., 0.}, y);
+    if (given && !(converged && lies_on_teeth(y)))
+      for (const ToothPlace &place : other_starts)
+        {
+          Seven other;
+          if (!solve_from(place, other) || !lies_on_teeth(other))
+            continue;
+          y         = other;
+          converged = true;
+          break;
+        }
     if (!converged)
       throw InputError(std::string("Gear pair/Pinion/") + section_of(pinion_side) +
                          "/ratio of roll",
