@@ -127,11 +127,11 @@ private:
     const auto        packed = dealii::Utilities::decode_base64(text.substr(24));
     std::vector<char> bytes(counts[2]);
     uLongf            size = counts[2];
-    if ((type != "Float32" && type != "UInt32") || counts[0] != 1 ||
+    if ((type != "Float32" && type != "Int32") || counts[0] != 1 ||
         uncompress(reinterpret_cast<Bytef *>(bytes.data()), &size, packed.data(), counts[3]) !=
           Z_OK)
       throw std::runtime_error("an array of the .vtu file cannot be read");
-    return type == "Float32" ? numbers_of<float>(bytes) : numbers_of<std::uint32_t>(bytes);
+    return type == "Float32" ? numbers_of<float>(bytes) : numbers_of<std::int32_t>(bytes);
   }
 
   template <typename Number>

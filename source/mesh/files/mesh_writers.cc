@@ -69,8 +69,9 @@ namespace vfife
             types.push_back(9);
           }
       out << "<Cells>\n";
-      write_vtu_array(out, "UInt32", "connectivity", connectivity);
-      write_vtu_array(out, "UInt32", "offsets", offsets);
+      // Signed, as VTK's own cells are: its threshold filter crashes on others (ParaView 5.11).
+      write_vtu_array(out, "Int32", "connectivity", connectivity);
+      write_vtu_array(out, "Int32", "offsets", offsets);
       write_vtu_array(out, "UInt8", "types", types);
       out << "</Cells>\n";
     }

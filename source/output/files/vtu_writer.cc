@@ -24,9 +24,9 @@ namespace vfife
     {
       return "Float32";
     }
-    const char *type_word(const std::uint32_t)
+    const char *type_word(const std::int32_t)
     {
-      return "UInt32";
+      return "Int32";
     }
     const char *type_word(const std::uint8_t)
     {
@@ -100,12 +100,13 @@ namespace vfife
 
     void write_cells(std::ostream &out, const std::vector<CellNodes> &cells)
     {
-      std::vector<std::uint32_t> connectivity, offsets;
+      // Signed, as VTK's own cells are: its threshold filter crashes on others (ParaView 5.11).
+      std::vector<std::int32_t> connectivity, offsets;
       for (const CellNodes &nodes : cells)
         {
           for (const unsigned int corner : corner_of_files)
-            connectivity.push_back(nodes[corner]);
-          offsets.push_back(connectivity.size());
+            connectivity.push_back(static_cast<std::int32_t>(nodes[corner]));
+          offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
         }
       out << "<Cells>\n";
       write_array(out, "connectivity", 1, connectivity);
