@@ -97,8 +97,14 @@ namespace vfife
     const std::string path      = (folder.path()[0] == '-' ? "./" : "") + folder.path();
     const std::string arguments = " -B " + quote(script) + " " + quote(path);
     Outcome           outcome   = run_command("python3" + arguments);
-    if (lacks_something(outcome))
-      outcome = run_command("/usr/bin/python3" + arguments);
+    // A user's Python may lack what is needed, or have other things of the same names: Debian's
+    // then, without what users' variables (-E) and folders (-s) bring in.
+    if (outcome.exit_code != 0)
+      {
+        const Outcome of_system = run_command("/usr/bin/python3 -E -s" + arguments);
+        if (of_system.exit_code == 0 || lacks_something(outcome))
+          outcome = of_system;
+      }
 
     if (outcome.exit_code == 0)
       log.line(last_line(outcome.text));
