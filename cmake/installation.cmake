@@ -59,6 +59,8 @@ install(
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME vfife)
 install(EXPORT vfifeTargets NAMESPACE vfife:: DESTINATION ${package_folder})
+# The build folder serves as vfife_DIR too.
+export(EXPORT vfifeTargets NAMESPACE vfife:: FILE ${PROJECT_BINARY_DIR}/vfifeTargets.cmake)
 
 configure_package_config_file(cmake/vfifeConfig.cmake.in ${PROJECT_BINARY_DIR}/vfifeConfig.cmake
                               INSTALL_DESTINATION ${package_folder})
