@@ -106,7 +106,8 @@ namespace vfife
       // the web must leave its wall at an angle
       const bool   at_toe = options.web_attachment == WebAttachment::toe;
       const double turn   = ConicalWeb::turn_from_wall(blank, options);
-      refuse.unless(std::abs(turn) <= largest_turn,
+      // An angle just at the limit may miss it by round-off.
+      refuse.unless(std::abs(turn) <= largest_turn + 1e-9,
                     at_toe ? "Body/web angle" : "Body/web attachment",
                     std::string("a web at this angle and direction ") +
                       (std::abs(turn) < .5 * pi ? "leaves the " : "does not leave the ") +
