@@ -116,13 +116,15 @@ namespace vfife
     {
       for (const Probe &probe : model.probes)
         {
-          const std::size_t row = probes.find_largest(probe.name);
+          const std::size_t row        = probes.find_largest(probe.name);
+          const double      after_mesh = probes.table().numbers(column::after_mesh)[row];
           log.line(probe.name,
                    ": largest von Mises stress of a turn ",
                    probes.table().numbers(column::von_mises)[row],
                    " MPa, ",
-                   probes.table().numbers(column::after_mesh)[row],
-                   " tooth meshes after the mesh");
+                   std::abs(after_mesh),
+                   after_mesh < 0. ? " tooth meshes before the mesh"
+                                   : " tooth meshes after the mesh");
         }
     }
   } // namespace

@@ -4,6 +4,7 @@ from ..data.columns import JUDGED
 from ..data.needs import has_pair, has_rim_over_meshes
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
+from ..measures.lines import HIGHEST_LINE_ORDER
 from ..measures.periodicity import measure_column
 from ..measures.quantities import list_quantities, list_reactions, remark
 from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
@@ -72,7 +73,8 @@ def tell_spectra(run, plots):
     yield Cells(["history"] + HARMONICS_HEADER, list_harmonics(run, 5),
                 "Harmonics of the tooth mesh, of the mean mesh.")
     yield Cells(["history"] + LINES_HEADER, list_other_lines(run),
-                "Strongest lines of what does not repeat with the mesh (Hann's window).")
+                f"Strongest lines of what does not repeat with the mesh, up to order {HIGHEST_LINE_ORDER} "
+                "(Hann's window).")
     yield Cells(SIDEBANDS_HEADER, list(list_sidebands(run)),
                 "One rotation below and above the harmonics of the mesh (Hann's window).")
     yield Paragraph(describe_resolution(run), "soft")

@@ -4,6 +4,7 @@ import csv
 
 from ..data.columns import JUDGED
 from ..data.naming import find_differences, list_unused
+from ..measures.lines import HIGHEST_LINE_ORDER
 from ..measures.periodicity import measure_column
 from ..measures.quantities import list_quantities
 from ..measures.run_lines import (HARMONICS_HEADER, LINES_HEADER, describe_resolution, list_harmonics,
@@ -104,7 +105,8 @@ def tell_lines(study, plots):
                 "Harmonics of the tooth mesh, of the mean mesh.")
     rows = [[row[0], v.name] + row[1:] for v in pairs for row in list_other_lines(v.run, 3, 2)]
     yield Cells(["history", "variant"] + LINES_HEADER, sorted(rows, key=lambda row: row[0]),
-                "Strongest lines of what does not repeat with the mesh (Hann's window).")
+                f"Strongest lines of what does not repeat with the mesh, up to order {HIGHEST_LINE_ORDER} "
+                "(Hann's window).")
     for variant in pairs:
         yield Paragraph(f"{variant.name}: {describe_resolution(variant.run)}", "soft")
 
