@@ -73,11 +73,11 @@ namespace vfife
         {
           const std::string &part = contact.column("part").texts[row];
           const double       time = 1e-6 * contact.numbers("time")[row];
-          if (part == "contact: broad search" || part == "contact: motion of the groups" ||
-              part == "contact: nodes to and fro")
+          if (part == "contact: broad search")
             core.contact_all += time;
-          else if (part == "contact: wide search" || part == "contact: projection" ||
-                   part == "contact: forces")
+          else if (part == "contact: wide search" || part == "contact: motion of the groups" ||
+                   part == "contact: projection" || part == "contact: forces" ||
+                   part == "contact: nodes to and fro")
             core.contact_shared += time;
         }
       return core;

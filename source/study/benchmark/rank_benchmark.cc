@@ -2,6 +2,7 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/dynamics/loads/contact_dealing.h>
 #include <vfife/dynamics/loads/contact_ranks.h>
 #include <vfife/dynamics/operator/rank_shares.h>
 #include <vfife/study/benchmark/rank_benchmark.h>
@@ -17,6 +18,9 @@ namespace vfife
   namespace
   {
     constexpr int there_tag = 20, back_tag = 21;
+
+    /** Tooth pairs that share the load: clusters of like work. */
+    const std::vector<double> pairs_in_mesh(2, .5);
 
     /** Least time of one way, there and back by the first two ranks [s]. */
     double measure_way(const Communicator &communicator, const std::size_t n_bytes)
@@ -128,10 +132,12 @@ namespace vfife
                             options.latency * share.n_neighbours +
                               1e-9 * share.bytes() / options.bandwidth);
           }
-        // Everyone that works on the contact sends to every other one: motion, points, forces.
+        // Motion to every other rank that works on the contact, and forces back; points among those
+        // that share them.
         const unsigned int workers = std::min(n, ContactRanks::least_number);
-        const double       contact =
-          core.contact_all + core.contact_shared / workers + 3 * (workers - 1) * options.latency;
+        const double load = find_largest_load(deal_clusters(pairs_in_mesh, workers), pairs_in_mesh);
+        const double contact =
+          core.contact_all + core.contact_shared * load + 3 * (workers - 1) * options.latency;
         const double reduction = std::ceil(std::log2(n)) * options.latency;
         const double step      = computing + halo + contact + reduction;
         if (n == 1)
