@@ -104,12 +104,27 @@ namespace
     return {sums};
   }
 
+  /** A sample of bodies whose rigid motion stays as it is. */
+  void take_sample(EnergyBook                  &book,
+                   const Model                 &model,
+                   const std::vector<BodySums> &sums,
+                   const double                 strain,
+                   const double                 contact)
+  {
+    std::vector<RigidVelocity> same;
+    for (unsigned int b = 0; b < model.bodies.size(); ++b)
+      same.push_back(compute_momentum_rate(UpdateAxis::of(model.bodies[b]),
+                                           model.bodies[b].mass(),
+                                           sums[b].update));
+    book.take_sample(same, sums, strain, contact);
+  }
+
   void ledger_of_turning_ring()
   {
     const Model model = turning_ring(500);
     EnergyBook  book(model);
     // 1. The first sample: nothing has been exchanged, a ten thousand millionth of the spin counts.
-    book.take_sample(spin_sums(5000, 4990), 7, 1);
+    take_sample(book, model, spin_sums(5000, 4990), 7, 1);
     const EnergyLedger &now = book.ledger();
     check_close("ring: relative kinetic energy [mJ]", now.kinetic_relative, 10, 1e-9);
     check_close("ring: energy at the start [mJ]", now.start, 5008, 1e-12);
@@ -137,18 +152,18 @@ namespace
 
     // 3. Strain 7 -> 9, contact 1 -> 4, relative 10 -> 6, lost 7.5: 16.5 within, beside work of 20
     // and 3 of spin and all. Stored 5003 + 9 + 4 of 5008 + 20 - 7.5.
-    book.take_sample(spin_sums(5003, 4997), 9, 4);
+    take_sample(book, model, spin_sums(5003, 4997), 9, 4);
     check_close("ring: scale by work [mJ]", now.scale, 20, 1e-9);
     check_close("ring: residual [mJ]", now.residual(), 5016 - 5020.5, 1e-9);
     check_close("ring: error", now.error(), -4.5 / 20, 1e-9);
     // 4. Strain 7 -> 12, contact 1 -> 3, relative 10 -> 2, lost 7.5: 22.5 within.
-    book.take_sample(spin_sums(5000, 4998), 12, 3);
+    take_sample(book, model, spin_sums(5000, 4998), 12, 3);
     check_close("ring: scale by what is exchanged within [mJ]", now.scale, 22.5, 1e-9);
     check_close("ring: residual then [mJ]", now.residual(), 5015 - 5020.5, 1e-9);
     // 5. The ring slows down by 40 mJ; later all comes back, the scale stays.
-    book.take_sample(spin_sums(4960, 4950), 7, 1);
+    take_sample(book, model, spin_sums(4960, 4950), 7, 1);
     check_close("ring: scale by kinetic energy [mJ]", now.scale, 40, 1e-9);
-    book.take_sample(spin_sums(5000, 4990), 7, 1);
+    take_sample(book, model, spin_sums(5000, 4990), 7, 1);
     check_close("ring: largest scale so far [mJ]", now.scale, 40, 1e-9);
     check_close("ring: error by it", now.error(), (5008 - 5020.5) / 40, 1e-9);
     book.reset();
@@ -192,6 +207,37 @@ namespace
     return sums;
   }
 
+  /** Rigid motions that an update changes: energies are products of those before and after it. */
+  void ledger_of_changing_rates()
+  {
+    // A ring that nothing but its spin moves, faster by a hundredth after the update.
+    const Model           ring = turning_ring(500);
+    EnergyBook            book(ring);
+    std::vector<BodySums> sums(1);
+    sums[0].update.axial_inertia  = 0.02;
+    sums[0].update.axial_momentum = 0.02 * 505;
+    sums[0].update.kinetic        = 0.5 * 0.02 * 500 * 505;
+    book.take_sample({{Vector3::Zero(), 500 * Vector3::UnitZ()}}, sums, 0, 0);
+    check_below("accelerated ring: no motion relative to its spin [mJ]",
+                std::abs(book.ledger().kinetic_relative),
+                1e-9);
+
+    // Blocks that an update pushes and turns: sum m v- . v+/2 node by node.
+    const Model         model = flying_blocks();
+    EnergyBook          flight(model);
+    const Vector3       none   = Vector3::Zero(), v(300, -20, 5), omega(3, 400, 900);
+    const auto          pushed = flight_sums(model, {{v, omega}, {none, none}});
+    const Body         &body   = model.bodies[0];
+    const UpdateSums    after  = pushed[0].update;
+    const RigidVelocity rate   = compute_momentum_rate({}, body.mass(), after);
+    auto                slower = pushed;
+    slower[0].update.kinetic *= 0.9;
+    flight.take_sample({{0.9 * rate.velocity, 0.9 * rate.omega}, {none, none}}, slower, 0, 0);
+    check_below("accelerated flight: no motion relative to it, of the whole energy",
+                std::abs(flight.ledger().kinetic_relative) / after.kinetic,
+                1e-12);
+  }
+
   void energy_of_approach()
   {
     Model         model = flying_blocks();
@@ -215,10 +261,10 @@ namespace
 
     // Before the first touch it is nobody's measure.
     EnergyBook book(model);
-    book.take_sample(fly, 0, 0);
+    take_sample(book, model, fly, 0, 0);
     check("approach does not count before a touch", book.ledger().scale < 1e-6 * approach);
     book.observe_contact(true);
-    book.take_sample(flight_sums(model, {{none, none}, {none, none}}), 0, 0);
+    take_sample(book, model, flight_sums(model, {{none, none}, {none, none}}), 0, 0);
     check("approach counts after one, though it is gone", book.ledger().scale >= 0.999 * approach);
 
     // The large one is held: all of the small one's energy.
@@ -287,14 +333,14 @@ namespace
   {
     const Model model = turning_ring(500);
     LoggedBook  one(model);
-    one.book.take_sample(spin_sums(5000, 5000), 0, 0);
+    take_sample(one.book, model, spin_sums(5000, 5000), 0, 0);
     StepPowers powers;
     powers.drive = 1000;
     one.book.add_work(powers, 0.1);
     std::pair<std::size_t, std::size_t> places(0, 0);
     for (std::size_t i = 0; i < residuals.size(); ++i)
       {
-        one.book.take_sample(spin_sums(5100 + residuals[i], 5100 + residuals[i]), 0, 0);
+        take_sample(one.book, model, spin_sums(5100 + residuals[i], 5100 + residuals[i]), 0, 0);
         one.check(0.05);
         if (places.first == 0 && !one.failure.empty())
           places.first = i + 1;
@@ -322,8 +368,8 @@ namespace
     const Vector3 none   = Vector3::Zero();
     const auto    sample = [&](const double speed, const double strain, const double contact) {
       const auto sums = flight_sums(model, {{Vector3(speed, 0, 0), none}, {none, none}});
-      return [=](LoggedBook &one) {
-        one.book.take_sample(sums, strain, contact);
+      return [=, &model](LoggedBook &one) {
+        take_sample(one.book, model, sums, strain, contact);
         one.trace += describe(one.book.ledger());
       };
     };
@@ -485,6 +531,7 @@ int main(int argc, char **argv)
   run_parts(argc,
             argv,
             {ledger_of_turning_ring,
+             ledger_of_changing_rates,
              energy_of_approach,
              lasting_errors,
              books_go_on,

@@ -167,7 +167,9 @@ namespace vfife
 
   void ExplicitSolver::take_energies(const ElementMeasures &measures)
   {
-    energy_.take_sample(sums_,
+    // The rigid motions are advanced after this: they are those before the update still.
+    energy_.take_sample(rigid_,
+                        sums_,
                         measures.strain_energy + loads_.compute_spring_energy(observed_.position) +
                           bearings_.energy(),
                         contact_.energy() + walls_.energy());

@@ -15,6 +15,18 @@ namespace vfife
   {
     /** Part of the energy limit from which on there is a warning. */
     constexpr double warning_part = 0.4;
+
+    /** sum m u- . u+/2 of the rigid motions u before and after an update, as the energy of the
+     * whole motion is counted. With u+ . u+/2 a body whose rotation is accelerated had a share of
+     * it in the motion relative to that. */
+    double rigid_kinetic_energy(const UpdateAxis    &axis,
+                                const RigidVelocity &before,
+                                const UpdateSums    &sums)
+    {
+      if (axis.use_axis)
+        return 0.5 * axis.direction.dot(before.omega) * sums.axial_momentum;
+      return 0.5 * (before.velocity.dot(sums.momentum) + before.omega.dot(sums.angular_momentum));
+    }
   } // namespace
 
   EnergyBook::EnergyBook(const Model &model)
@@ -54,9 +66,10 @@ namespace vfife
     has_touched_ = has_touched_ || touching;
   }
 
-  void EnergyBook::take_sample(const std::vector<BodySums> &sums,
-                               const double                 strain,
-                               const double                 contact)
+  void EnergyBook::take_sample(const std::vector<RigidVelocity> &before,
+                               const std::vector<BodySums>      &sums,
+                               const double                      strain,
+                               const double                      contact)
   {
     // Energies now: T = sum m v- . v+/2, what it is beyond the bodies' rigid motion, and springs.
     ledger_.kinetic = 0;
@@ -64,9 +77,8 @@ namespace vfife
       ledger_.kinetic += body.update.kinetic;
     ledger_.kinetic_relative = ledger_.kinetic;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      ledger_.kinetic_relative -= compute_rigid_kinetic_energy(UpdateAxis::of(model_.bodies[b]),
-                                                               model_.bodies[b].mass(),
-                                                               sums[b].update);
+      ledger_.kinetic_relative -=
+        rigid_kinetic_energy(UpdateAxis::of(model_.bodies[b]), before[b], sums[b].update);
     ledger_.strain  = strain;
     ledger_.contact = contact;
     if (!std::exchange(has_sample_, true))

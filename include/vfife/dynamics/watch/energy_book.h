@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_watch_energy_book_h
 #define vfife_dynamics_watch_energy_book_h
 
+#include <vfife/dynamics/rigid_velocity.h>
 #include <vfife/dynamics/watch/approach_energy.h>
 #include <vfife/dynamics/watch/energy_watch.h>
 #include <vfife/model/energy_ledger.h>
@@ -48,11 +49,14 @@ namespace vfife
     void observe_contact(bool touching);
 
     /**
-     * Takes the energies of a state: kinetic ones from the bodies' @p sums over all ranks, @p
-     * strain of bodies and springs to the ground, @p contact of the contact springs [mJ]. Changes
-     * are counted from the first sample on.
+     * Takes the energies of a state: kinetic ones from the bodies' @p sums over all ranks and their
+     * rigid motions @p before the update, @p strain of bodies and springs to the ground, @p contact
+     * of the contact springs [mJ]. Changes are counted from the first sample on.
      */
-    void take_sample(const std::vector<BodySums> &sums, double strain, double contact);
+    void take_sample(const std::vector<RigidVelocity> &before,
+                     const std::vector<BodySums>      &sums,
+                     double                            strain,
+                     double                            contact);
 
     /**
      * At every sample: warns once of an error that has lasted beyond two fifths of @p limit; throws
