@@ -64,8 +64,30 @@ void check_other_solution(const double path_angle)
         message.find("does not touch as designed") != std::string::npos);
 }
 
+/** Blanks and settings that are set by the user and by the proposal are refused by name. */
+void check_given()
+{
+  GearPairOptions options                = basic(17, 43, 4.);
+  options.gear.blank.face_width          = 20.;
+  options.pinion.concave.cradle_angle    = .9;
+  options.gear.both.edge_radius          = .5;
+  options.pinion.convex.blank_offset     = 1.;
+  options.gear.cutter_diameter           = 150.;
+  options.gear.concave.second_order_roll = .1;
+  try
+    {
+      options.check();
+      check("entries beside a proposal are refused", false);
+    }
+  catch (const InputError &error)
+    {
+      std::cout << error.entry() << ": " << error.what() << std::endl;
+    }
+}
+
 int main()
 {
+  check_given();
   check_other_solution(15.);
   check_other_solution(40.);
   check_pair("25/25", basic(25, 25, 4.));

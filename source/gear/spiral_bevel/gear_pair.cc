@@ -110,7 +110,7 @@ namespace vfife
 
   GearPair::GearPair(const GearPairOptions &options)
     : design_(derive(options))
-    , pinion_frame_(mounted_pinion_frame(options))
+    , pinion_frame_(pinion_frame(options.shaft_angle))
     , gear_frame_(gear_frame())
     , pinion_(make_pinion(design_))
     // the two flanks of one cut bound a slot; the tooth below it has the slot's lower flank as its
@@ -124,12 +124,14 @@ namespace vfife
             design_.gear_upper == FlankSide::concave ? -2. * pi / design_.options.gear.blank.teeth
                                                      : 0.)
   {
-    // the gear's only mounting error
-    gear_frame_.translation[2] = options.gear_axial_shift;
+    // A proposal is checked as designed, before the errors of mounting.
     if (design_.options.proposal.is_given())
       for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
         check_proposed_contact(
           design_.options.proposal, gear_.blank(), side, mean_contact(side), flank_contact(side));
+    pinion_frame_ = mounted_pinion_frame(options);
+    // the gear's only mounting error
+    gear_frame_.translation[2] = options.gear_axial_shift;
     // Errors come last: they belong to the designed teeth.
     pinion_.set_errors(MemberErrors(options.pinion_errors, pinion_, "Gear pair/Errors/Pinion"));
     gear_.set_errors(MemberErrors(options.gear_errors, gear_, "Gear pair/Errors/Gear"));

@@ -1,6 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/declared_section.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace vfife
@@ -12,6 +16,47 @@ namespace vfife
 
     /** Part of the sum of dedendum angles by which it may miss the duplex formula. */
     constexpr double duplex_tolerance = 0.15;
+
+    /** Adds the paths of the entries of a member that have another value than their default. */
+    void
+    add_given(GearMemberOptions member, const std::string &section, std::vector<std::string> &paths)
+    {
+      GearMemberOptions        nothing;
+      dealii::ParameterHandler given, defaults;
+      member.declare(given);
+      nothing.declare(defaults);
+      const auto values = find_declared(given).list_values(section);
+      const auto others = find_declared(defaults).list_values(section);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (values[i] != others[i])
+          paths.push_back(values[i].first);
+    }
+
+    /** Blanks and settings beside a proposal, which sets them all. */
+    void
+    examine_proposal(const GearPairOptions &options, const std::string &section, Findings &findings)
+    {
+      std::vector<std::string> given;
+      add_given(options.pinion, section + "/Pinion", given);
+      add_given(options.gear, section + "/Gear", given);
+      if (given.empty())
+        return;
+      constexpr std::size_t named = 5;
+      std::string           others;
+      for (std::size_t i = 1; i < std::min(given.size(), named); ++i)
+        others += (i == 1 ? "; also given: " : ", ") + given[i].substr(section.size() + 1);
+      if (given.size() > named)
+        others += text_of(" and ", given.size() - named, " more");
+      findings.add(Findings::Action::stop,
+                   given[0],
+                   {},
+                   text_of("a pair is proposed (",
+                           section,
+                           "/Proposal), which sets blanks and machine settings itself; to change "
+                           "one of them begin with pair.prm of a tooth contact analysis of the "
+                           "proposal, which has them all",
+                           others));
+    }
 
     /** A pitch angle that is given against the one that teeth and shaft angle ask for. */
     void examine_pitch_angle(const Blank       &own,
@@ -132,16 +177,15 @@ namespace vfife
   Findings GearPairOptions::examine(const std::string &section) const
   {
     Findings findings;
-    if (proposal.is_given() && (pinion.blank.teeth > 0 || gear.blank.teeth > 0))
-      findings.add(Findings::Action::stop,
-                   section + "/Proposal/pinion teeth",
-                   {},
-                   "a pair is proposed, but blanks are given as well; only one of them can be");
-    const GearPairOptions options = completed();
     if (proposal.is_given())
-      return findings; // blanks and settings that are proposed fit each other
-    const Blank      &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
-    const std::string pinion_section = section + "/Pinion", gear_section = section + "/Gear";
+      {
+        // what is proposed fits each other
+        examine_proposal(*this, section, findings);
+        return findings;
+      }
+    const GearPairOptions options = completed();
+    const Blank          &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
+    const std::string     pinion_section = section + "/Pinion", gear_section = section + "/Gear";
     // each member alone, then one against the other
     examine_pitch_angle(blank1, blank2, shaft_angle, "pinion", pinion_section, findings);
     examine_pitch_angle(blank2, blank1, shaft_angle, "gear", gear_section, findings);

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/types.h>
+#include <vfife/gear/findings.h>
 #include <vfife/gear/newton.h>
 #include <vfife/gear/spiral_bevel/flank_contact.h>
 #include <vfife/gear/spiral_bevel/local_contact.h>
@@ -55,6 +56,14 @@ namespace vfife
       const double outer = p.module * p.gear_teeth / (2. * std::sin(gear.pitch_angle));
       for (Blank *blank : {&pinion, &gear})
         {
+          if (p.face_width > 0.5 * outer)
+            throw InputError("Gear pair/Proposal/face width",
+                             text_of("a face width of ",
+                                     p.face_width,
+                                     " mm is more than half of the outer cone distance, ",
+                                     outer,
+                                     " mm, where teeth at the toe would be less than half as large "
+                                     "as at the heel; at most 0.3 of it is usual"));
           blank->outer_cone_distance = outer;
           blank->face_width          = p.face_width > 0. ? p.face_width : 0.3 * outer;
           blank->mean_cone_distance  = outer - blank->face_width / 2;
@@ -330,6 +339,12 @@ namespace vfife
     if (proposal.gear_teeth == 0 || proposal.pinion_teeth < 6)
       throw InputError("Gear pair/Proposal/pinion teeth",
                        "a proposal needs at least 6 teeth of the pinion, and those of the gear");
+    if (proposal.pinion_teeth > proposal.gear_teeth)
+      throw InputError("Gear pair/Proposal/pinion teeth",
+                       "the pinion has " + std::to_string(proposal.pinion_teeth) +
+                         " teeth, more than the gear with " + std::to_string(proposal.gear_teeth) +
+                         "; the member with fewer teeth is the pinion (the gear may drive: "
+                         "Operation/driving member)");
     if (!(proposal.module > 0.))
       throw InputError("Gear pair/Proposal/module", "a proposal needs the outer transverse module");
     // the gear alone, then pinion flanks that fit it

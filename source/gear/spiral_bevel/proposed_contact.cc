@@ -32,7 +32,7 @@ namespace vfife
     const double axis       = contact.ellipse(follow(0.), marking_thickness).semi_axes[0];
     const double asked_axis = proposal.ellipse_length * gear.face_width / 2.;
 
-    // A wrong solution misses by factors or by the sign; mounting errors change both by per cents.
+    // A wrong solution misses by factors or by the sign.
     constexpr double largest_factor = 2.;
     const auto       is_like        = [&](const double value, const double target) {
       return value > target / largest_factor && value < target * largest_factor;

@@ -9,7 +9,7 @@ namespace vfife
   /**
    * The equations of the mean contact have more than one solution. Throws InputError when that of a
    * proposed pair is not the one it was designed for: another lag or another contact ellipse. @p
-   * contact has the flanks as they are mounted.
+   * contact has the flanks without errors of mounting.
    */
   void check_proposed_contact(const PairProposal &proposal,
                               const Blank        &gear,
