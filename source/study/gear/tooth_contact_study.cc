@@ -247,6 +247,14 @@ namespace vfife
         {
           const std::string of = side_name(a.side) + std::string(" side, ");
           figures.push_back({of + "contact ratio", {a.contact_ratio, "-"}});
+          figures.push_back({of + "path angle", {a.path_angle / degree, "deg"}});
+          figures.push_back({of + "ellipse semi-axis a", {a.mean.ellipse.semi_axes[0], "mm"}});
+          figures.push_back({of + "mean contact L", {a.mean.contact.gear_L_h[0], "mm"}});
+          figures.push_back({of + "mean contact h", {a.mean.contact.gear_L_h[1], "mm"}});
+          for (const unsigned int i : {0u, 1u})
+            if (a.ends[i].is_edge)
+              figures.push_back({of + "approach before the " + a.ends[i].border + " carries",
+                                 {a.ends[i].approach / arcsecond, "arcsec"}});
           if (a.hands_over)
             figures.push_back({of + "peak to peak", {a.peak_to_peak / arcsecond, "arcsec"}});
         }

@@ -43,6 +43,13 @@ PARAMETERS = Each({"value": str, "unit": str})
 COMPARISON = {"title?": str, "rows": [
     {"quantity?": str, "unit?": str, "value?": NUMBER, "reference?": NUMBER, "reference kind?": str,
      "difference?": NUMBER, "tolerance?": NUMBER, "verdict?": str, "reason?": str}]}
+# Of a tooth contact analysis: groups of a side hold quantities, words and flags.
+_SIDE = {"mean contact on the generated pinion flank": Each(QUANTITY), "mean contact on the generated gear flank": Each(QUANTITY),
+         "ellipse at the mean contact": Each(QUANTITY), "path": {}, "beyond the start": {"border": str},
+         "beyond the end": {"border": str}, "lag over pitches": Each(QUANTITY), "hands over": bool, "hand-over?": Each(QUANTITY)}
+_SECTIONS = {"toe": Each(QUANTITY), "middle": Each(QUANTITY), "heel": Each(QUANTITY)}
+CONTACT_ANALYSIS = {"working": {"driving member": str, "direction of rotation": str, "side": str},
+                    "drive": _SIDE, "coast": _SIDE, "teeth": {"pinion": _SECTIONS, "gear": _SECTIONS}}
 LUMPED = {"model": Each(QUANTITY), "response": Each(QUANTITY), "modes": [
     {"frequency [Hz]": NUMBER, "damping ratio [-]": NUMBER,
      "critical pinion speeds of mesh orders 1, 2, 3 [rpm]": [NUMBER]}]}

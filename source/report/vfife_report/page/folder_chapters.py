@@ -6,6 +6,7 @@ import numpy as np
 from ..data.files import read_json
 from ..data.shapes import LUMPED
 from ..data.table import read_table
+from ..measures.contact_analysis import FORMS_HEADER, SIDES, SIDES_HEADER, list_forms, list_sides, read_contact_analysis
 from ..measures.ledger import HEADER, VERDICTS, list_ledger_rows, list_reasons, read_ledger
 from ..measures.speed_peaks import list_exceedances, list_peaks
 from ..plots.bearings import list_bearings
@@ -73,6 +74,21 @@ def tell_shares(table, named, columns, caption):
 
 def cell(value):
     return str(value) if isinstance(value, str) else float(value)
+
+
+def tell_unloaded_contact(run, plots):
+    yield from plots
+    analysis = read_contact_analysis(run)
+    if not analysis:
+        return
+    working = analysis["working"]
+    yield Paragraph(f"The {working['driving member']} drives {working['direction of rotation']}: the {working['side']} side works.")
+    for side in SIDES:
+        if not analysis[side]["hands over"]:
+            yield Paragraph(f"On the {side} side neither flanks nor edges carry until the next tooth pair takes over.", "alarm")
+    yield Cells(SIDES_HEADER, list_sides(analysis), "Both sides of the teeth: contact without load, the gear's lag, and where edges "
+                "would carry (doc/gear.md, Tooth contact analysis).", digits=EXACT)
+    yield Cells(FORMS_HEADER, list_forms(analysis), "What is left of the teeth at toe, middle and heel.")
 
 
 def tell_loaded_contact(run, plots):
@@ -168,7 +184,7 @@ def tell_waves(run, plots):
 
 LEDGER = Chapter("Comparison ledger", tell_ledger)
 TABLE_CHAPTERS = (
-    Chapter("Unloaded tooth contact"),
+    Chapter("Unloaded tooth contact", tell_unloaded_contact),
     Chapter("Loaded tooth contact by finite elements", tell_loaded_contact),
     Chapter("Pressures on their own grids", tell_grid_pressure),
     Chapter("Root stress", tell_root_stress),
