@@ -3,7 +3,6 @@
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
-#include <vfife/output/files/figures.h>
 #include <vfife/study/cases/edges_under_load.h>
 
 #include <nlohmann/json.hpp>
@@ -73,6 +72,13 @@ namespace vfife
     return text.str();
   }
 
+  NamedFigures EdgesUnderLoad::list_figures() const
+  {
+    return {{"largest force before the path of contact", {borders_[0].force, "N"}},
+            {"largest force after the path of contact", {borders_[1].force, "N"}},
+            {"largest force of a tooth pair", {largest_, "N"}}};
+  }
+
   Json EdgesUnderLoad::json() const
   {
     Json json = {{"edges carry", found()}, {"explanation", explain()}};
@@ -85,20 +91,21 @@ namespace vfife
     return json;
   }
 
-  void write_edge_contact(std::optional<EdgesUnderLoad> edges,
-                          const Table                  &teeth,
-                          const std::string            &place,
-                          const double                  per_mesh,
-                          const OutputFolder           &folder,
-                          Log                          &log)
+  NamedFigures write_edge_contact(std::optional<EdgesUnderLoad> edges,
+                                  const Table                  &teeth,
+                                  const std::string            &place,
+                                  const double                  per_mesh,
+                                  const OutputFolder           &folder,
+                                  Log                          &log)
   {
     if (!edges)
-      return;
+      return {};
     edges->observe(teeth, place, per_mesh);
     if (edges->found())
       log.warning(edges->explain());
     else
       log.line(edges->explain());
     write_json(folder, "edge_contact.json", edges->json());
+    return edges->list_figures();
   }
 } // namespace vfife

@@ -1,12 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of GearCase that finds what a user will not expect; doc/study.md lists the checks.
 #include <vfife/dynamics/dynamics_options.h>
-#include <vfife/model/load_torque.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/contact_resolution.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_plan.h>
+#include <vfife/study/cases/torque_pressure.h>
 
 #include <cmath>
 #include <sstream>
@@ -82,10 +82,8 @@ namespace vfife
 
     std::string check_hertz(const GearCase &gear_case, const RunPlan &plan)
     {
-      // Hertz's contact of one tooth pair under the whole torque, T over the arm, is two smaller
-      // semi-axes wide.
-      const double width = 2 * gear_case.hertz_contact().semi_axes(load_torque(plan.model) /
-                                                                   plan.model.transmission->arm)[1];
+      // Two smaller semi-axes.
+      const double width = 2 * TorquePressure(gear_case.hertz_contact(), plan.model).semi_axes[1];
       const ContactResolution seen(plan.model, plan.model.contacts.front(), width);
       if (seen.has_single_points())
         return seen.describe_points("Hertz's contact");
@@ -100,16 +98,8 @@ namespace vfife
 
     std::string check_pressure(const GearCase &gear_case, const RunPlan &plan)
     {
-      const double limit    = gear_case.operation().pressure_limit;
-      const double pressure = gear_case.hertz_contact().largest_pressure(
-        load_torque(plan.model) / plan.model.transmission->arm);
-      if (limit == 0 || pressure <= limit)
-        return "";
-      return text("Hertz's pressure of one tooth pair under all the torque, ",
-                  pressure,
-                  " MPa, is above the allowed ",
-                  limit,
-                  " MPa (Operation/allowed contact pressure)");
+      return TorquePressure(gear_case.hertz_contact(), plan.model)
+        .find_excess(gear_case.operation().pressure_limit);
     }
 
     std::string check_hub(const GearCase &gear_case, const RunPlan &)

@@ -21,6 +21,7 @@
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_fillets.h>
@@ -33,6 +34,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfife
@@ -80,6 +82,8 @@ namespace vfife
                  " N/mm^3; ",
                  options_.positions,
                  " positions");
+        TorquePressure(gear_case_.hertz_contact(), model)
+          .report(gear_case_.operation().pressure_limit, log);
       }
 
       void run(OutputFolder &folder, Log &log) override;
@@ -92,6 +96,9 @@ namespace vfife
                           const PairEquilibriumResult &result,
                           const std::vector<Stress>   &stresses,
                           Log                         &log);
+
+      /** Whether edges carry, and Hertz's pressure of the tooth pair that carries most. */
+      NamedFigures judge_teeth(const OutputFolder &folder, Log &log) const;
 
       /** None where it is not asked for. */
       std::unique_ptr<LoadedPressure> make_pressure(const Model &model,
@@ -134,6 +141,8 @@ namespace vfife
     const Model               model = gear_case_.make_model(log);
     const std::vector<double> penalties =
       find_run_penalties(gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
+    TorquePressure(gear_case_.hertz_contact(), model)
+      .report(gear_case_.operation().pressure_limit, log);
     auto       start = WallClock::now();
     Compliance compliance(model, fem_, options_.centrifugal, folder.communicator());
     log.line("penalty ",
@@ -189,10 +198,11 @@ namespace vfife
     log_largest(model, probes, log);
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
-    write_edge_contact(gear_case_.edges_under_load(), teeth_, column::position, 1., folder, log);
     supports.write(folder);
     write_csv(folder, "pattern.csv", pattern.table());
     NamedFigures figures = list_loaded_figures(positions_, supports.misalignments());
+    for (const auto &figure : judge_teeth(folder, log))
+      figures.push_back(figure);
     for (const auto &figure : pattern.figures(gear_case_.make_pair(), model.contacts[0].side))
       figures.push_back(figure);
     fillets.write(folder, log);
@@ -208,6 +218,17 @@ namespace vfife
     write_tables(folder, "loaded_contact", positions_);
     if (output_.pictures)
       draw_pictures(folder, log);
+  }
+
+  NamedFigures LoadedContactStudy::judge_teeth(const OutputFolder &folder, Log &log) const
+  {
+    NamedFigures figures =
+      write_edge_contact(gear_case_.edges_under_load(), teeth_, column::position, 1., folder, log);
+    const std::vector<double> &forces = teeth_.numbers(column::force);
+    const double               force  = *std::max_element(forces.begin(), forces.end());
+    figures.push_back({"hertz pressure of the largest force of a tooth pair",
+                       {gear_case_.hertz_contact().largest_pressure(force), "MPa"}});
+    return figures;
   }
 
   std::unique_ptr<LoadedPressure> LoadedContactStudy::make_pressure(const Model &model,

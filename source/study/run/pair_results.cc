@@ -163,20 +163,6 @@ namespace vfife
     });
   }
 
-  void PairResults::log_hertz(Log &log) const
-  {
-    // The normal force of a single tooth pair at the mean contact.
-    const double  force = load_torque(model_) / model_.transmission->arm;
-    const Vector2 axes  = hertz_.semi_axes(force);
-    log.line("Hertz, one tooth pair under all the torque: ",
-             axes[0],
-             " x ",
-             axes[1],
-             " mm, ",
-             hertz_.largest_pressure(force),
-             " MPa");
-  }
-
   void PairResults::find_steady(const Table &history,
                                 const double swing_frequency,
                                 RunSummary  &summary,

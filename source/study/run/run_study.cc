@@ -18,6 +18,7 @@
 #include <vfife/study/cases/damping_figures.h>
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/run_plan.h>
+#include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
@@ -294,7 +295,7 @@ namespace vfife
           pair->list_figures(stepped.solver.contact().penalties().front(), case_->arm_range());
         summary.figures.push_back(
           {"stable step of the elements", {1e9 * stepped.solver.element_step(), "ns"}});
-        pair->log_hertz(log);
+        log.line(TorquePressure(case_->hertz_contact(), model).describe());
       }
     else if (!model.contacts.empty())
       observers.add<ContactWidthWatch>(model, history_steps, log);

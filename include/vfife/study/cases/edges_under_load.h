@@ -3,6 +3,7 @@
 #define vfife_study_cases_edges_under_load_h
 
 #include <vfife/base/text/json.h>
+#include <vfife/output/files/figures.h>
 
 #include <array>
 #include <optional>
@@ -42,6 +43,9 @@ namespace vfife
     /** One sentence for log and report. */
     std::string explain() const;
 
+    /** For tables of several analyses. */
+    NamedFigures list_figures() const;
+
     /** {"edges carry": , "explanation": , figures} */
     Json json() const;
 
@@ -57,16 +61,18 @@ namespace vfife
     std::array<Border, 2> borders_; ///< at the start and at the end of the path
     double                largest_ = 0;
   };
+
   /**
    * Looks at tooth pairs in contact, as EdgesUnderLoad::observe(), and writes edge_contact.json and
-   * a line of the log, a warning where edges carry. Without @p edges nothing.
+   * a line of the log, a warning where edges carry; returns EdgesUnderLoad::list_figures(). Without
+   * @p edges nothing.
    */
-  void write_edge_contact(std::optional<EdgesUnderLoad> edges,
-                          const Table                  &teeth,
-                          const std::string            &place,
-                          double                        per_mesh,
-                          const OutputFolder           &folder,
-                          Log                          &log);
+  NamedFigures write_edge_contact(std::optional<EdgesUnderLoad> edges,
+                                  const Table                  &teeth,
+                                  const std::string            &place,
+                                  double                        per_mesh,
+                                  const OutputFolder           &folder,
+                                  Log                          &log);
 } // namespace vfife
 
 #endif

@@ -64,9 +64,6 @@ namespace vfife
     /** What is known before the first step: speeds, torque, penalty, Case::arm_range(). */
     NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
 
-    /** Says what Hertz expects of one tooth pair under all the torque. */
-    void log_hertz(Log &log) const;
-
     /** Adds the steady part of the @p history to the summary; @p swing_frequency [Hz]. */
     void
     find_steady(const Table &history, double swing_frequency, RunSummary &summary, Log &log) const;

@@ -13,8 +13,9 @@ def find_allowed_pressure(run):
 
 
 def find_largest_pressure(run):
-    """Hertz's of all tooth pairs of the drive side over the record [MPa]; None without teeth."""
+    """Hertz's of all tooth pairs of the drive side over the record, or over the positions of a loaded tooth contact
+    analysis [MPa]; None without either."""
     if run.teeth is None or "hertz pressure" not in run.teeth:
-        return None
+        return run.stated.get("hertz pressure of the largest force of a tooth pair", {}).get("value")
     drive = run.teeth["side"] == "drive"
     return float(run.teeth["hertz pressure"][drive].max()) if drive.any() else None

@@ -1,0 +1,45 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/log.h>
+#include <vfife/contact/law/hertz.h>
+#include <vfife/model/load_torque.h>
+#include <vfife/model/model.h>
+#include <vfife/study/cases/torque_pressure.h>
+
+#include <sstream>
+
+namespace vfife
+{
+  TorquePressure::TorquePressure(const HertzContact &hertz, const Model &model)
+  {
+    const double force = load_torque(model) / model.transmission->arm;
+    semi_axes          = hertz.semi_axes(force);
+    largest            = hertz.largest_pressure(force);
+  }
+
+  std::string TorquePressure::describe() const
+  {
+    std::ostringstream text;
+    text << "Hertz, one tooth pair under all the torque: " << semi_axes[0] << " x " << semi_axes[1]
+         << " mm, " << largest << " MPa";
+    return text.str();
+  }
+
+  std::string TorquePressure::find_excess(const double limit) const
+  {
+    if (limit == 0 || largest <= limit)
+      return "";
+    std::ostringstream text;
+    text.precision(4);
+    text << "Hertz's pressure of one tooth pair under all the torque, " << largest
+         << " MPa, is above the allowed " << limit << " MPa (Operation/allowed contact pressure)";
+    return text.str();
+  }
+
+  void TorquePressure::report(const double limit, Log &log) const
+  {
+    log.line(describe());
+    const std::string excess = find_excess(limit);
+    if (!excess.empty())
+      log.warning(excess);
+  }
+} // namespace vfife
