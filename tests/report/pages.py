@@ -248,6 +248,29 @@ class Pages(unittest.TestCase):
             header = (Path(name) / "key_figures.csv").read_text().splitlines()[0]
             self.assertEqual(header.count(","), 4)
 
+    def test_study_without_steady_part(self):
+        """Variants whose figures are not of a steady part are named, and geometry is told where it is not the same."""
+        with tempfile.TemporaryDirectory() as name:
+            for web, found, steady in (("5", True, True), ("3.5", False, False)):
+                folder = Path(name) / f"web_{web}"
+                folder.mkdir()
+                write_run(folder, web, fields=False)
+                summary = make_summary()
+                summary["steady part"].update(found=found, ripple={"judged": True, "steady": steady})
+                (folder / "summary.json").write_text(json.dumps(summary))
+                member = {"hand of spiral": "left", "face width": quantity(27.7, "mm"), "web thickness": quantity(float(web), "mm")}
+                (folder / "geometry.json").write_text(json.dumps({"pair": {}, "pinion": member, "gear": member}))
+            main([name])
+            text = self.read(name)
+            alike, different = text.index("geometry of all variants"), text.index("Where variants differ")
+            self.assertIn("27.7", text[alike:])
+            for rows, there in ((text[alike:different], False), (text[different:text.index("Means and ripple", different)], True)):
+                self.assertEqual("<td>web thickness</td>" in rows, there)
+            self.assertRegex(text, r"<td>web thickness</td>\s*<td>web 3.5 mm at 70 deg</td>")
+            self.assertEqual(text.count("No steady part was found: web 3.5 mm at 70 deg. Their means"), 2)
+            self.assertEqual(text.count("The ripple is not steady: web 3.5 mm at 70 deg."), 2)
+            self.assertIn("<td>last third</td>", text)
+
     def test_unused_entries(self):
         """Variants of several kinds of studies: entries that one of them does not use are left empty, and a column without
         a difference is none."""
@@ -280,6 +303,33 @@ class Pages(unittest.TestCase):
             self.assertIn("\u221279.988</td>", text)
             self.assertIn("\u22124.01</td>", text)
             self.assertNotIn("\u22124.0123", text)
+
+    def test_tooth_contact(self):
+        """Both sides of an unloaded analysis beside each other, words as words, and what is left of the teeth."""
+        side = {"mean contact on the generated pinion flank": {"L": quantity(78.6, "mm"), "normal x": quantity(-0.488, "-")},
+                "mean contact on the generated gear flank": {"L": quantity(78.7, "mm")},
+                "ellipse at the mean contact": {"semi-axis a": quantity(4.855, "mm")},
+                "path": {"contact ratio": quantity(1.69, "-"), "ended by": ["gear tip", "pinion tip"]},
+                "beyond the start": {"lag": quantity(16.3, "arcsec"), "border": "gear tip", "is edge": True},
+                "beyond the end": {"border": "pinion tip"}, "lag over pitches": {}, "hands over": True,
+                "hand-over": {"peak to peak": quantity(3.98, "arcsec")}}
+        coast = {**side, "hands over": False, "path": {"contact ratio": quantity(0.9, "-")}}
+        del coast["hand-over"]
+        sections = {place: {"tip land": quantity(land, "mm")} for place, land in (("toe", 1.5), ("middle", 1.6), ("heel", 1.7))}
+        analysis = {"working": {"driving member": "pinion", "direction of rotation": "forward", "side": "drive"},
+                    "drive": side, "coast": coast, "teeth": {"pinion": sections, "gear": sections}}
+        with tempfile.TemporaryDirectory() as name:
+            (Path(name) / "tca.json").write_text(json.dumps(analysis))
+            main([name])
+            text = re.sub(r"\s+", " ", self.read(name))
+            for words in ("The pinion drives forward: the drive side works.", "On the coast side neither flanks nor edges carry",
+                          "before the path: border", "<td>gear tip</td>"):
+                self.assertIn(words, text)
+            for row in (("path of contact: contact ratio", "-", "1.69", "0.9"), ("hand-over to the next pair: peak to peak", "arcsec", "3.98", "–"),
+                        ("tip land", "mm", *["1.5", "1.6", "1.7"] * 2)):
+                cells = [re.escape(cell) for cell in row]
+                self.assertRegex(text, r"</td>\s*<td[^>]*>".join(cells))
+            self.assertNotIn("normal x", text)
 
     def test_nothing(self):
         with tempfile.TemporaryDirectory() as name:

@@ -116,7 +116,7 @@ def tell_energy(run, plots):
     rows = list_values(run.summary.get("energy", {}))
     # A model without a gear pair has few of the parts.
     yield Cells(["energy ledger", "value", "unit"], rows if has_pair(run) else [row for row in rows if row[1]])
-    yield Cells(["damping of", "net torque [N m]", "power [W]", "spin drift [rpm]"],
+    yield Cells(["damping of", "net torque [N m]", "power [W]", "spin at the end less that at the start [rpm]"],
                 [[a["body"]] + [a[name]["value"] for name in ("net torque", "power", "spin drift")]
                  for a in run.summary.get("damping audit", []) if a["net torque"]["value"] or a["power"]["value"]])
 

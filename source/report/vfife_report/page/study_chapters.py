@@ -30,16 +30,41 @@ def tell_variants(study, plots):
         rows.append([variant.name, variant.run.path.name]
                     + [read_parameter(variant.run, name) for name in names] + [status])
     yield Cells(["variant", "folder"] + [name.split("/")[-1] for name in names] + ["status"], rows)
-    geometries = [v.run.geometry for v in study.variants]
-    if geometries[0] and all(one == geometries[0] for one in geometries):
-        yield Cells(["geometry of all variants", "unit", "pinion", "gear"], list(list_geometry_rows(geometries[0])),
-                    "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
+    alike, different = split_geometry(study)
+    yield Cells(["geometry of all variants", "unit", "pinion", "gear"], alike,
+                "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
+    yield Cells(["geometry", "variant", "unit", "pinion", "gear"], different, "Where variants differ.", digits=EXACT)
     edges = [v.name for v in study.variants if v.run.edge_contact and v.run.edge_contact["edges carry"]]
     if edges:
         yield Paragraph(f"Edges of the teeth carry: {'; '.join(edges)}. Their own reports say how much.", "alarm")
     made = all((run.path / "report.html").is_file() for run in runs)
     yield Paragraph("Each variant's own report: report.html in its folder." if made else
                     "A variant's own report is made by make_report.py with its folder.", "soft")
+
+
+def split_geometry(study):
+    """Rows of the geometry that all variants share, and rows with the variant of the others."""
+    tables = [(v.name, {tuple(row[:2]): row for row in list_geometry_rows(v.run.geometry)}) for v in study.variants if v.run.geometry]
+    alike, different = [], []
+    for key in dict.fromkeys(key for _, rows in tables for key in rows):
+        found = [(name, rows[key]) for name, rows in tables if key in rows]
+        if len(found) == len(study.variants) and all(row == found[0][1] for _, row in found):
+            alike.append(found[0][1])
+        else:
+            different += [[row[0], name, *row[1:]] for name, row in found]
+    return alike, different
+
+
+def tell_unsteady(study):
+    """What figures of variants without a steady part, or with a ripple that goes on changing, are of."""
+    runs = [(v.name, v.run) for v in study.variants if v.run.steady_part()]
+    swinging = [name for name, run in runs if not run.is_steady()]
+    if swinging:
+        yield Paragraph(f"No steady part was found: {'; '.join(swinging)}. Their means and ripples are of the last third.", "alarm")
+    changing = [name for name, run in runs if run.is_ripple_steady() is False]
+    if changing:
+        yield Paragraph(f"The ripple is not steady: {'; '.join(changing)}. Its figures are those of these records, and half of one "
+                        "gives others.", "alarm")
 
 
 def read_parameter(run, name):
@@ -73,6 +98,7 @@ def tell_responses(study, plots):
 
 
 def tell_means(study, plots):
+    yield from tell_unsteady(study)
     rows = []
     for column, variant, periodicity in list_measured(study):
         statistics = variant.run.statistics(column)
@@ -80,9 +106,10 @@ def tell_means(study, plots):
             rows.append([column, variant.name, statistics["mean"], statistics["peak to peak"],
                          statistics["standard deviation"],
                          periodicity.trend if periodicity else None, statistics["unit"],
+                         "steady part" if variant.run.is_steady() else "last third",
                          RIPPLE_WORDS[variant.run.is_ripple_steady()]])
     yield Cells(["history", "variant", "mean", "peak to peak", "standard deviation",
-                 "trend a tooth mesh", "unit", "ripple"], rows, "Over the steady part of each run.", digits=EXACT)
+                 "trend a tooth mesh", "unit", "of the", "ripple"], rows, digits=EXACT)
 
 
 def tell_periodicity(study, plots):
@@ -128,6 +155,7 @@ def tell_quantities(study, plots):
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(header)
         writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
+    yield from tell_unsteady(study)
     yield Cells(header, rows, "Definitions in doc/report.md. Data: key_figures.csv.", digits=EXACT)
 
 
