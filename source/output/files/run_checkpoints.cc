@@ -11,6 +11,7 @@
 #include <vfife/output/output_options.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace vfife
@@ -135,12 +136,16 @@ namespace vfife
 
   void RunCheckpoints::stop(const int signal, const State &state) const
   {
-    // The command with which this run goes on, ready to be copied.
-    const unsigned int n = communicator_.size();
-    throw Interrupted(
-      "stopped by " + RunSignals::name(signal) + " at " + where(state) +
-      " after a checkpoint; to go on: " + (n > 1 ? "mpirun -n " + std::to_string(n) + " " : "") +
-      "vfife --restart \"" + folder_.path() + "\"");
+    // The command with which this run goes on, ready to be copied; a script that has started the
+    // program and its ranks gives its own name.
+    const unsigned int n       = communicator_.size();
+    const char *const  script  = std::getenv("VFIFE_COMMAND");
+    const std::string  command = script != nullptr ? script
+                                 : n > 1           ? "mpirun -n " + std::to_string(n) + " vfife"
+                                                   : "vfife";
+    throw Interrupted("stopped by " + RunSignals::name(signal) + " at " + where(state) +
+                      " after a checkpoint; to go on: " + command + " --restart \"" +
+                      folder_.path() + "\"");
   }
 
   bool RunCheckpoints::before_step(RunSignals &signals, const State &state, const bool last)

@@ -174,6 +174,7 @@ namespace vfife
     // Two swing periods are compared with each other, or, where there is only one,
     // its single cycles.
     part.judged_cycles = n_cycles - first_cycle;
+    part.after_ramp    = first_cycle > 0;
     part.by_cycles     = part.judged_cycles >= part.period && part.judged_cycles < 2 * part.period;
     const int span     = (part.by_cycles ? 1 : 2) * static_cast<int>(part.period);
     // Backwards from the end as long as all agree: the first disagreement ends the steady part.
@@ -233,20 +234,21 @@ namespace vfife
   {
     std::ostringstream text;
     text.precision(4);
-    const auto   milliseconds = [](const double t) { return 1e3 * t; };
-    const double percent      = 100 * largest_change;
+    const auto        milliseconds = [](const double t) { return 1e3 * t; };
+    const double      percent      = 100 * largest_change;
+    const std::string cycles_to_judge =
+      std::to_string(judged_cycles) + " mesh cycles" + (after_ramp ? " after the ramp" : "");
     if (found)
       text << (ripple.steady ? "steady from " : "means steady from ") << milliseconds(start_time)
            << " ms to " << milliseconds(end_time) << " ms (" << cycles << " mesh cycles): ";
     else
       text << "no steady part: ";
     if (by_cycles)
-      text << judged_cycles << " mesh cycles after the ramp are fewer than two swing periods of "
-           << period << "; means over single mesh cycles differ by " << (found ? "at most " : "")
-           << percent << " %";
+      text << cycles_to_judge << " are fewer than two swing periods of " << period
+           << "; means over single mesh cycles differ by " << (found ? "at most " : "") << percent
+           << " %";
     else if (judged_cycles < period)
-      text << judged_cycles << " mesh cycles after the ramp are fewer than one swing period of "
-           << period;
+      text << cycles_to_judge << " are fewer than one swing period of " << period;
     else
       text << "means over " << (found ? "" : "the last two times ") << period
            << " mesh cycles differ by " << (found ? "at most " : "") << percent << " %";

@@ -64,7 +64,7 @@ namespace vfife
                    fem_.n_modes,
                    " at ",
                    fem_.rates().size(),
-                   " speeds");
+                   fem_.rates().size() == 1 ? " speed" : " speeds");
       }
 
       void run(OutputFolder &folder, Log &log) override;

@@ -33,8 +33,9 @@ namespace vfife
     double       end_time   = 0; ///< [s]
     unsigned int cycles =
       0; ///< whole mesh cycles in the part; 0: shorter than one, plain row means
-    unsigned int period        = 1; ///< swing period that was compared, in whole mesh cycles
-    unsigned int judged_cycles = 0; ///< whole mesh cycles after the ramp
+    unsigned int period        = 1;     ///< swing period that was compared, in whole mesh cycles
+    unsigned int judged_cycles = 0;     ///< whole mesh cycles after the ramp
+    bool         after_ramp    = false; ///< there was one
     /** Fewer than two swing periods after the ramp, but at least one: means of single mesh cycles
      * were compared. */
     bool by_cycles = false;
