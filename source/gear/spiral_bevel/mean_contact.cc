@@ -4,6 +4,8 @@
 #include <vfife/gear/spiral_bevel/mean_contact.h>
 
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <sstream>
 
 namespace vfife
@@ -119,6 +121,17 @@ namespace vfife
                                        {.3, -.4},
                                        {.3, .4}};
 
+    double working_depth(const Blank &pinion, const Blank &gear)
+    {
+      return pinion.mean_addendum + gear.mean_addendum;
+    }
+
+    /** Of the middle of the working depth over the gear's pitch cone [mm]. */
+    double middle_height(const Blank &pinion, const Blank &gear)
+    {
+      return (gear.mean_addendum - pinion.mean_addendum) / 2;
+    }
+
     /**
      * Start of Newton's iteration: contact at @p place, at first in the middle of the working depth
      * at the gear's mean cone distance, the cradle at rest. There the axial component of the normal
@@ -129,10 +142,9 @@ namespace vfife
                                 const Flank           &gear_flank,
                                 const ToothPlace      &place)
     {
-      // The middle of the working depth lies (a1 - a2)/2 under the gear's pitch cone.
+      // Heights over the pitch cones are opposite.
       const Blank &pinion = options.pinion.blank, &gear = options.gear.blank;
-      const double depth  = pinion.mean_addendum + gear.mean_addendum;
-      const double height = (pinion.mean_addendum - gear.mean_addendum) / 2 - place.up * depth;
+      const double height = -middle_height(pinion, gear) - place.up * working_depth(pinion, gear);
       const double length = gear.mean_cone_distance + place.along * gear.face_width;
       const GeneratedPoint point2 = gear_flank.point_at(length, -height);
       // Turned to where it meets the pinion, next to the plane of the axes.
@@ -163,6 +175,35 @@ namespace vfife
     {
       return L_h[0] > blank.inner_cone_distance() && L_h[0] < blank.outer_cone_distance &&
              L_h[1] < blank.addendum(L_h[0]) && L_h[1] > -blank.dedendum(L_h[0]);
+    }
+
+    /**
+     * From the middle of the tooth. The flanks may have the ratio of the teeth at other points too,
+     * on the teeth or beyond them, and Newton's method may come there: then from places around the
+     * middle, and the contact nearest to it. False where none is found.
+     */
+    bool find_nearest_contact(const std::function<bool(const ToothPlace &, Seven &)> &solve_from,
+                              const std::function<double(const Seven &)>             &distance_of,
+                              Seven                                                  &y)
+    {
+      constexpr double near_middle = .1;
+      bool             converged   = solve_from({0., 0.}, y);
+      double distance = converged ? distance_of(y) : std::numeric_limits<double>::infinity();
+      if (distance > near_middle)
+        for (const ToothPlace &place : other_starts)
+          {
+            Seven other;
+            if (!solve_from(place, other))
+              continue;
+            // The same contact again is no better by its round-off.
+            const double of_other = distance_of(other);
+            if (!std::isfinite(of_other) || of_other > distance - 1e-6)
+              continue;
+            y         = other;
+            distance  = of_other;
+            converged = true;
+          }
+      return converged;
     }
 
     /** Throws InputError where the mean contact @p L_h is not on the tooth of @p section. */
@@ -228,31 +269,25 @@ namespace vfife
       y.head<6>() = x;
       return converged;
     };
-    const auto lies_on_teeth = [&](const Seven &y) {
+    // How far a contact is from the middle of the gear's tooth, in face widths and working depths;
+    // beyond the teeth: infinitely far.
+    const auto distance_of = [&](const Seven &y) {
       const FlankContact contact = equations(Closing::cradle_at_rest).contact(y[6]);
       const auto         L_h     = [](const Flank &flank, const double t, const double phi) {
         return flank.cone_coordinates(flank.evaluate(t, phi).position);
       };
-      return is_inside(options.pinion.blank,
-                       L_h(contact.pinion(), y[FlankContact::t1], y[FlankContact::phi1])) &&
-             is_inside(options.gear.blank,
-                       L_h(contact.gear(), y[FlankContact::t2], y[FlankContact::phi2]));
+      const Blank  &pinion = options.pinion.blank, &gear = options.gear.blank;
+      const Vector2 on_gear = L_h(contact.gear(), y[FlankContact::t2], y[FlankContact::phi2]);
+      if (!is_inside(gear, on_gear) ||
+          !is_inside(pinion, L_h(contact.pinion(), y[FlankContact::t1], y[FlankContact::phi1])))
+        return std::numeric_limits<double>::infinity();
+      return std::hypot((on_gear[0] - gear.mean_cone_distance) / gear.face_width,
+                        (on_gear[1] - middle_height(pinion, gear)) / working_depth(pinion, gear));
     };
 
-    // From the middle of the tooth. The flanks may also have the ratio of the teeth at a point
-    // beyond them, and Newton's method may come there: then from places around the middle.
-    Seven y;
-    bool  converged = solve_from({0., 0.}, y);
-    if (given && !(converged && lies_on_teeth(y)))
-      for (const ToothPlace &place : other_starts)
-        {
-          Seven other;
-          if (!solve_from(place, other) || !lies_on_teeth(other))
-            continue;
-          y         = other;
-          converged = true;
-          break;
-        }
+    Seven      y;
+    const bool converged =
+      given ? find_nearest_contact(solve_from, distance_of, y) : solve_from({0., 0.}, y);
     if (!converged)
       throw InputError(std::string("Gear pair/Pinion/") + section_of(pinion_side) +
                          "/ratio of roll",

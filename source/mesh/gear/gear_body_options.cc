@@ -221,7 +221,7 @@ namespace vfife
         hub_length,
         "mm",
         "Length of the hub ring along the axis, centred on the web; 0: 0.379 of the root's "
-        "radius at the toe",
+        "radius at the toe, or 1.2 of the web's foot on it if that is more",
         Range::not_negative());
     }
     declare_counts(prm);

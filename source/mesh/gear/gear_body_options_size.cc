@@ -59,6 +59,18 @@ namespace vfife
     web_thickness = rim_thickness = hub_radius = hub_length = bore_radius = 0.;
   }
 
+  double GearBodyOptions::foot_on_hub(const BlankOutline &blank) const
+  {
+    // What no web can be is refused later.
+    if (web != WebKind::conical || !(web_thickness > 0.) || !(web_angle > 0.) || !(hub_radius > 0.))
+      return 0.;
+    const ConicalWeb cone(blank,
+                          *this,
+                          -blank.dedendum(blank.inner_cone_distance()),
+                          -blank.dedendum(blank.outer_cone_distance));
+    return cone.point(1., 1.)[1] - cone.point(1., 0.)[1];
+  }
+
   GearBodyOptions GearBodyOptions::with_open_sizes(const BlankOutline &blank) const
   {
     GearBodyOptions sized = *this;
@@ -73,8 +85,8 @@ namespace vfife
     fill(sized.web_thickness, 1.587 * module);
     fill(sized.rim_thickness, 2.7 * module);
     fill(sized.hub_radius, 0.632 * root);
-    fill(sized.hub_length, 0.379 * root);
     fill(sized.bore_radius, web == WebKind::solid ? 0.64 * root : sized.hub_radius * 5. / 6.);
+    fill(sized.hub_length, std::max(0.379 * root, 1.2 * sized.foot_on_hub(blank)));
     if (element_size == 0.)
       sized.element_size = edge_in_modules * module;
     return sized;

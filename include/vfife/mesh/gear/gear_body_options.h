@@ -95,14 +95,18 @@ namespace vfife
      * The same with the sizes that are open (0), in tenths of a millimetre and in the proportions
      * of the reference pair 27/79, whose own come out: thicknesses of web and rim 1.587 and 2.7
      * outer transverse modules; hub radius and length 0.632 and 0.379 of the root's radius at the
-     * toe; the bore 5/6 of the hub radius, or 0.64 of that radius of a solid body. An element size
-     * that is open follows from edge_in_modules.
+     * toe, the hub at least a fifth longer than the web's foot on it; the bore 5/6 of the hub
+     * radius, or 0.64 of that radius of a solid body. An element size that is open follows from
+     * edge_in_modules.
      */
     GearBodyOptions with_open_sizes(const BlankOutline &blank) const;
 
   private:
-    void declare_counts(dealii::ParameterHandler &prm);
-    void declare_gradings(dealii::ParameterHandler &prm);
+    /** Length along the axis that the web takes on the hub with its fillets; 0 without a web [mm].
+     */
+    double foot_on_hub(const BlankOutline &blank) const;
+    void   declare_counts(dealii::ParameterHandler &prm);
+    void   declare_gradings(dealii::ParameterHandler &prm);
   };
 
   /** A pinion of the full mesh: solid down to a bore of 20 mm. */
