@@ -13,8 +13,6 @@ namespace vfife
                                    const std::vector<double> &modes,
                                    const double               tolerance)
   {
-    // A line that swings or decays is found to half of its width.
-    const double half_width = .5 / length;
     const double mode =
       *std::min_element(modes.begin(), modes.end(), [line](const double a, const double b) {
         return std::abs(a - line) < std::abs(b - line);
@@ -28,13 +26,12 @@ namespace vfife
 
     ComparisonRow      row{quantity, "Hz", line, mode, "FEM", {}, ""};
     std::ostringstream reason;
-    reason << "the record of " << 1e3 * length << " ms separates lines by " << 2 / length
-           << " Hz and places one to " << half_width << " Hz";
+    reason << "the record of " << 1e3 * length << " ms separates " << 2 / length << " Hz";
     if (std::isfinite(neighbour))
       reason << ", the next mode is " << neighbour << " Hz away";
     // 2/T is half the width of the window's main lobe: lines of closer modes run into each other.
     if (neighbour > 2 / length)
-      row.tolerance = std::max(tolerance * mode, half_width);
+      row.tolerance = tolerance * mode;
     row.reason = reason.str();
     return row;
   }

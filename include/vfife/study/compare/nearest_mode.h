@@ -11,9 +11,8 @@ namespace vfife
 {
   /**
    * A line of a spectrum [Hz] of a record of @p length [s] beside the nearest of the natural
-   * frequencies @p modes [Hz]. They agree within @p tolerance, a part of the frequency, or within
-   * 1/(2 length), to which the record places a line. It is not judged where the record cannot tell
-   * which mode it is: where another one (farther away than @p tolerance) is within 2/length.
+   * frequencies @p modes [Hz]. It is not judged where the record cannot tell which mode it is:
+   * where another one (farther away than @p tolerance, a part of the frequency) is within 2/length.
    */
   ComparisonRow compare_with_modes(const std::string         &quantity,
                                    double                     line,
