@@ -159,4 +159,9 @@ namespace vfife
   {
     return end(0.);
   }
+
+  double ConicalWeb::foot_on_hub() const
+  {
+    return point(1., 1.)[1] - point(1., 0.)[1];
+  }
 } // namespace vfife

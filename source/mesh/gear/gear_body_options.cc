@@ -147,8 +147,7 @@ namespace vfife
       refuse.unless(web.straight_start() < web.straight_end(),
                     "Body/hub fillet radius",
                     "the fillets leave no straight part of the web");
-      const double foot = web.point(1., 1.)[1] - web.point(1., 0.)[1];
-      refuse.unless(options.hub_length > foot,
+      refuse.unless(options.hub_length > web.foot_on_hub(),
                     "Body/hub length",
                     millimetres(options.hub_length) + " is shorter than the web's foot on the hub");
     }

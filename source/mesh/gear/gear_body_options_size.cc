@@ -68,7 +68,7 @@ namespace vfife
                           *this,
                           -blank.dedendum(blank.inner_cone_distance()),
                           -blank.dedendum(blank.outer_cone_distance));
-    return cone.point(1., 1.)[1] - cone.point(1., 0.)[1];
+    return cone.foot_on_hub();
   }
 
   GearBodyOptions GearBodyOptions::with_open_sizes(const BlankOutline &blank) const

@@ -17,6 +17,7 @@
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/case.h>
+#include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/run_observers.h>
@@ -202,12 +203,11 @@ namespace vfife
                                 const std::size_t n_samples,
                                 RunSummary       &summary) const
   {
-    const double force = load_torque(model_) / model_.transmission->arm;
     // The springs let the gear lag: negative, as the part in which it is contained.
     summary.transmission_error.push_back(
       {"penalty springs, in teeth and rest", {-penalty_lag / arcsecond, "arcsec"}});
     summary.figures.push_back(
-      {"hertz pressure of one tooth pair", {hertz_.largest_pressure(force), "MPa"}});
+      {"hertz pressure of one tooth pair", {TorquePressure(hertz_, model_).largest, "MPa"}});
 
     if (fillets_ && records_teeth_)
       for (const auto &figure : list_root_figures(*fillets_))

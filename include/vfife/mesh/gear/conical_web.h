@@ -73,6 +73,9 @@ namespace vfife
     /** Length of the mid-surface's generatrix from wall to hub [mm]. */
     double length() const;
 
+    /** Length along the axis that it takes on the hub with its fillets [mm]. */
+    double foot_on_hub() const;
+
     /** Signed angle from the normal of the rim's end or underside to the web [rad]. */
     static double turn_from_wall(const BlankOutline &blank, const WebShape &shape);
 
