@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/failure.h>
 #include <vfife/base/process/mpi_session.h>
+#include <vfife/base/process/run_signals.h>
 #include <vfife/study/program.h>
 
 #include <exception>
@@ -10,8 +11,9 @@
  */
 int main(int argc, char **argv)
 {
-  vfife::MpiSession session(argc, argv);
-  vfife::Failure    failure;
+  vfife::MpiSession       session(argc, argv);
+  const vfife::StopNotice notice(session.world().is_root());
+  vfife::Failure          failure;
   try
     {
       vfife::run_program(argc, argv, session.world());

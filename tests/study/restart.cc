@@ -105,7 +105,7 @@ namespace
     ending = run_program(command("stopped"), when_written("stopped", third), SIGTERM);
     check("stopped: exit code", ending.exit_code == 3);
     check("stopped: message",
-          ending.text.find("\nvfife: stopped by SIGTERM at time ") != std::string::npos &&
+          ending.text.find("\nvfife: stopped as asked at time ") != std::string::npos &&
             ending.text.find("after a checkpoint; to go on: vfife --restart \"stopped\"") !=
               std::string::npos);
     check("goes on", run_program(command("stopped", {"--restart"})).exit_code == 0);
@@ -117,6 +117,21 @@ namespace
       return std::distance(fs::directory_iterator(folder + "/fields"), fs::directory_iterator());
     };
     check("SIGUSR1: one more field file", count("frame") == count("whole") + 1);
+  }
+
+  /** Before the first step there is nothing to go on from: that is said. */
+  void stop_in_equilibrium()
+  {
+    const auto begun = [] {
+      return read_text("early/run.log").find("equilibrium before the start") != std::string::npos;
+    };
+    const std::string pair   = SOURCE_DIR "/../../prm/spiral_bevel_quick.prm";
+    const Ending      ending = run_program({program, pair, "-o", "early"}, begun, SIGINT);
+    check("stopped in the equilibrium: ended by the signal", ending.exit_code == -1);
+    check("stopped in the equilibrium: message",
+          ending.text.find("\nvfife: stopped before the first step or between runs: no checkpoint "
+                           "to go on from\n") != std::string::npos &&
+            !fs::exists("early/checkpoint.bin"));
   }
 
   /** Half of the run on one rank, the rest on two. */
@@ -189,6 +204,16 @@ namespace
     check("forged: no crash", ended_well == n);
   }
 
+  /** Until the bars meet the error of the damping's loss grows from step to step. */
+  void give_up_by_energy()
+  {
+    const Ending ending = run_program(command("given_up", {"--set", "Dynamics/energy limit=1e-6"}));
+    check("energy limit: exit code, message, summary",
+          ending.exit_code == 2 &&
+            ending.text.find("and grows: the integration is unstable") != std::string::npos &&
+            read_text("given_up/summary.json").find("\"failed\"") != std::string::npos);
+  }
+
   void report_full_disk()
   {
     fs::create_directory("full");
@@ -205,8 +230,17 @@ namespace
 
 int main()
 {
-  for (const char *folder :
-       {"whole", "parts", "killed", "stopped", "frame", "ranks", "full", "empty", "forged"})
+  for (const char *folder : {"whole",
+                             "parts",
+                             "killed",
+                             "stopped",
+                             "frame",
+                             "early",
+                             "ranks",
+                             "full",
+                             "empty",
+                             "forged",
+                             "given_up"})
     fs::remove_all(folder);
   write_case();
   const Ending whole = run_program(command("whole"));
@@ -214,8 +248,10 @@ int main()
   check("run without a stop", whole.exit_code == 0);
   resume_after_the_end();
   resume_after_signals();
+  stop_in_equilibrium();
   resume_with_more_ranks();
   refuse_others();
   refuse_forged();
+  give_up_by_energy();
   report_full_disk();
 }

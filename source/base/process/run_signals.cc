@@ -3,6 +3,7 @@
 
 #include <array>
 #include <csignal>
+#include <unistd.h>
 
 namespace vfife
 {
@@ -21,6 +22,19 @@ namespace vfife
         field_request_seen = 1;
       else
         stop_signal_seen = signal;
+    }
+
+    constexpr std::array<int, 2> noticed = {{SIGINT, SIGUSR2}};
+
+    /** write() and raise() are safe in a handler, streams are not. The handler is gone by then. */
+    void say_and_end(const int signal)
+    {
+      constexpr char text[] =
+        "\nvfife: stopped before the first step or between runs: no checkpoint to go on from\n";
+      if (write(STDERR_FILENO, text, sizeof(text) - 1) >= 0)
+        raise(signal);
+      else
+        _exit(128 + signal);
     }
   } // namespace
 
@@ -66,8 +80,22 @@ namespace vfife
     return seen;
   }
 
-  std::string RunSignals::name(const int signal)
+  StopNotice::StopNotice(const bool speaks)
+    : speaks_(speaks)
   {
-    return signal == SIGTERM ? "SIGTERM" : signal == SIGINT ? "SIGINT" : "SIGUSR2";
+    for (std::size_t i = 0; speaks_ && i < noticed.size(); ++i)
+      {
+        struct sigaction action = {};
+        action.sa_handler       = &say_and_end;
+        action.sa_flags         = static_cast<int>(SA_RESETHAND);
+        sigemptyset(&action.sa_mask);
+        sigaction(noticed[i], &action, &before_[i]);
+      }
+  }
+
+  StopNotice::~StopNotice()
+  {
+    for (std::size_t i = 0; speaks_ && i < noticed.size(); ++i)
+      sigaction(noticed[i], &before_[i], nullptr);
   }
 } // namespace vfife

@@ -142,7 +142,8 @@ namespace vfife
             if (complaint.empty())
               log.line(last, "; the checkpoint before is taken");
             else
-              complaint = "no checkpoint to go on from: " + last + "; " + complaint;
+              complaint = "no checkpoint to go on from: " + last + "; " + complaint +
+                          "; without --restart the run starts anew";
           }
       }
     complaint = communicator.broadcast(complaint);

@@ -134,7 +134,7 @@ namespace vfife
                 ": agrees to round-off");
   }
 
-  void RunCheckpoints::stop(const int signal, const State &state) const
+  void RunCheckpoints::stop(const State &state) const
   {
     // The command with which this run goes on, ready to be copied; a script that has started the
     // program and its ranks gives its own name.
@@ -143,9 +143,8 @@ namespace vfife
     const std::string  command = script != nullptr ? script
                                  : n > 1           ? "mpirun -n " + std::to_string(n) + " vfife"
                                                    : "vfife";
-    throw Interrupted("stopped by " + RunSignals::name(signal) + " at " + where(state) +
-                      " after a checkpoint; to go on: " + command + " --restart \"" +
-                      folder_.path() + "\"");
+    throw Interrupted("stopped as asked at " + where(state) + " after a checkpoint; to go on: " +
+                      command + " --restart \"" + folder_.path() + "\"");
   }
 
   bool RunCheckpoints::before_step(RunSignals &signals, const State &state, const bool last)
@@ -174,7 +173,7 @@ namespace vfife
     if (due)
       write();
     if (signal != 0)
-      stop(signal, state);
+      stop(state);
     return wants_field;
   }
 } // namespace vfife

@@ -23,8 +23,7 @@ namespace vfife
       std::vector<double> signal = {static_cast<double>(signals.stop_signal())};
       communicator.max(signal);
       if (signal[0] > 0)
-        throw Interrupted("stopped by " + RunSignals::name(static_cast<int>(signal[0])) +
-                          " after " + std::to_string(sweep.resonance().n_rows()) +
+        throw Interrupted("stopped as asked after " + std::to_string(sweep.resonance().n_rows()) +
                           " speeds, which resonance.csv has; a sweep does not go on, but may "
                           "begin at the next speed");
     }

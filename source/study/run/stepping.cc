@@ -184,7 +184,7 @@ namespace vfife
               state_.step,
               " steps in ",
               duration_text(summary_.run_time),
-              ", ",
+              checkpoint != nullptr ? " with the time before the checkpoint, " : ", ",
               1e-6 * summary_.element_steps_per_second(),
               " million element-steps a second");
   }

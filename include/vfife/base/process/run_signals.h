@@ -2,8 +2,9 @@
 #ifndef vfife_base_process_run_signals_h
 #define vfife_base_process_run_signals_h
 
+#include <array>
+#include <csignal>
 #include <memory>
-#include <string>
 
 namespace vfife
 {
@@ -26,12 +27,28 @@ namespace vfife
     /** Whether this process was asked for a field file since the last call. */
     bool take_field_request();
 
-    /** "SIGTERM" */
-    static std::string name(int signal);
-
   private:
     struct Handlers;
     std::unique_ptr<Handlers> handlers_;
+  };
+
+  /**
+   * Where no run catches them, SIGINT and SIGUSR2 end the program as usual; for the life of this
+   * object it says so in one line before. SIGTERM stays silent: mpirun sends it to all ranks when
+   * one of them has failed and has said why.
+   */
+  class StopNotice
+  {
+  public:
+    /** @param speaks whether this process is the one that prints */
+    explicit StopNotice(bool speaks);
+    ~StopNotice();
+    StopNotice(const StopNotice &)            = delete;
+    StopNotice &operator=(const StopNotice &) = delete;
+
+  private:
+    std::array<struct sigaction, 2> before_;
+    const bool                      speaks_;
   };
 } // namespace vfife
 

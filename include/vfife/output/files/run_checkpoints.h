@@ -59,7 +59,7 @@ namespace vfife
   private:
     void serialize_warnings(ByteStream &stream);
     void write();
-    void stop(int signal, const State &state) const;
+    void stop(const State &state) const;
 
     OutputFolder         &folder_;
     const Communicator   &communicator_;
