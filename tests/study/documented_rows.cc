@@ -197,7 +197,10 @@ namespace
     h   = run_case("prm/verification/two_bars.prm",
                  {"Model/Body flying/cells x=25", "Model/Body resting/cells x=25"},
                  world);
-    compare("25 cells [%]", row[1], 0, 100 * largest(h["energy error"]));
+    // What the iteration of the implicit contact leaves: only its size is stated.
+    check_below("  25 cells [%]",
+                100 * largest(h["energy error"]),
+                10 * numbers_in(row[1]).at(0).value);
 
     row = row_of(verification, "**A mesh in no order**", "the same mesh by linear conventional");
     do_case("prm/verification/curved_beam.prm", {"Study/kind=linear static"}, world);
