@@ -352,7 +352,7 @@ class Texts(unittest.TestCase):
 
             def read(**changes):
                 path.write_text(json.dumps({"title": "t", "rows": [{**row, **changes}]}))
-                return read_ledger(path)[1]
+                return read_ledger(path)["rows"]
 
             self.assertEqual(list(list_ledger_rows(read()))[0][4:6], [-4.0, -5.0])
             read(verdict="not judged", tolerance=None)

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 from html.parser import HTMLParser
 from pathlib import Path
+from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
     make_parameters, make_summary, quantity, write_parameters, write_run)
@@ -18,6 +19,7 @@ from made_up_run import (  # first: ends the test without the libraries
 import vfife_report
 from vfife_report.command import main
 from vfife_report.data.run_folder import RunFolder
+from vfife_report.measures.checks import read_early_end
 from vfife_report.page.glossary import read_glossary
 from vfife_report.page.page import Page
 from vfife_report.page.parts import Cells, Paragraph, format_number
@@ -104,6 +106,19 @@ class Pages(unittest.TestCase):
         self.assertIn("tooth meshes", rows)
         model = {name: ("0", "-") for name in make_parameters() if name.endswith("number of teeth")}
         self.assertNotIn("mesh damping", self.list_case(**model))
+        # Errors that are given, and who drives.
+        rows = self.list_case(**{"Gear pair/Mounting/offset": ("0.1", "mm", "0"), "Gear pair/Mounting/backlash": ("0.1", "mm", "0.12"),
+                                 "Gear pair/Errors/Gear/eccentricity": ("0", "um", "0"), "Operation/driving member": ("gear", "")})
+        self.assertEqual(rows["Mounting, offset"], "0.1 mm")
+        self.assertEqual(rows["torque on the pinion"], "800 N m")
+        self.assertFalse({"Mounting, backlash", "Errors, Gear, eccentricity", "torque on the gear"} & set(rows))
+
+    def test_early_end(self):
+        """A run that was told to end after some steps has not come to its end."""
+        for steps, said in (("0", "finished"), ("50", "ended after 50 steps")):
+            run = SimpleNamespace(summary={"status": "finished", "run": {"steps": 50}}, parameters={
+                "Dynamics/largest number of steps": steps})
+            self.assertEqual(read_early_end(run), 50 * (steps == "50"), said)
 
     def write_model(self, folder, study):
         """Histories of a model with a probe, a clamp and no contact, whose motion along y is a rounding error."""
@@ -295,10 +310,14 @@ class Pages(unittest.TestCase):
                    "reference kind": "FEM", "difference": -4.01234, "tolerance": 1.0,
                    "verdict": "differs", "reason": "coarse"}
             open_one = {**row, "verdict": "not judged", "tolerance": None}
-            (Path(name) / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row, open_one, open_one]}))
+            (Path(name) / "comparison.json").write_text(json.dumps(
+                {"title": "t", "cases": [{"name": "first", "kind": "run", "folder": "results/a"}],
+                 "remarks": ["nothing of second is compared"], "rows": [row, open_one, open_one]}))
             main([name])
             text = self.read(name)
-            self.assertIn("3 comparisons: 0 agree within their tolerance, 1 differ by more, 2 are not judged.", text)
+            for words in ("Of 3 comparisons within their tolerance: 0; beyond it: 1; not judged: 2.", "<td>results/a</td>",
+                          "Nothing of second is compared."):
+                self.assertIn(words, text)
             # Numbers to be compared have five digits, what they differ by has three.
             self.assertIn("\u221279.988</td>", text)
             self.assertIn("\u22124.01</td>", text)
@@ -311,18 +330,19 @@ class Pages(unittest.TestCase):
                 "ellipse at the mean contact": {"semi-axis a": quantity(4.855, "mm")},
                 "path": {"contact ratio": quantity(1.69, "-"), "ended by": ["gear tip", "pinion tip"]},
                 "beyond the start": {"lag": quantity(16.3, "arcsec"), "border": "gear tip", "is edge": True},
-                "beyond the end": {"border": "pinion tip"}, "lag over pitches": {}, "hands over": True,
+                "beyond the end": {"border": "pinion tip"}, "lag over pitches": {}, "hands over": True, "hands over inside the flanks": True,
                 "hand-over": {"peak to peak": quantity(3.98, "arcsec")}}
+        drive = {**side, "hands over inside the flanks": False}
         coast = {**side, "hands over": False, "path": {"contact ratio": quantity(0.9, "-")}}
         del coast["hand-over"]
         sections = {place: {"tip land": quantity(land, "mm")} for place, land in (("toe", 1.5), ("middle", 1.6), ("heel", 1.7))}
         analysis = {"working": {"driving member": "pinion", "direction of rotation": "forward", "side": "drive"},
-                    "drive": side, "coast": coast, "teeth": {"pinion": sections, "gear": sections}}
+                    "drive": drive, "coast": coast, "unequal teeth": {"peak to peak": quantity(98.205, "arcsec")}, "teeth": {"pinion": sections, "gear": sections}}
         with tempfile.TemporaryDirectory() as name:
             (Path(name) / "tca.json").write_text(json.dumps(analysis))
             main([name])
             text = re.sub(r"\s+", " ", self.read(name))
-            for words in ("The pinion drives forward: the drive side works.", "On the coast side neither flanks nor edges carry",
+            for words in ("On the drive side the path of contact ends before", "98.2", "The pinion drives forward: the drive side works.", "On the coast side neither flanks nor edges carry",
                           "before the path: border", "<td>gear tip</td>"):
                 self.assertIn(words, text)
             for row in (("path of contact: contact ratio", "-", "1.69", "0.9"), ("hand-over to the next pair: peak to peak", "arcsec", "3.98", "–"),
@@ -330,6 +350,13 @@ class Pages(unittest.TestCase):
                 cells = [re.escape(cell) for cell in row]
                 self.assertRegex(text, r"</td>\s*<td[^>]*>".join(cells))
             self.assertNotIn("normal x", text)
+            # Mounting errors may leave nothing on the side that does not work.
+            del analysis["coast"]
+            (Path(name) / "tca.json").write_text(json.dumps({**analysis, "marking compound thickness": quantity(6.35, "um")}))
+            main([name])
+            text = re.sub(r"\s+", " ", self.read(name))
+            for words in ("On the coast side the flanks touch nowhere inside their borders", "marking compound of 6.35 um"):
+                self.assertIn(words, text)
 
     def test_nothing(self):
         with tempfile.TemporaryDirectory() as name:

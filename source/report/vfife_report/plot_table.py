@@ -8,8 +8,9 @@ from .data.needs import (changes_speed, has_axis, has_bearings, has_contact, has
                          has_orders, has_pair, has_pairs, has_pairs_with, has_pattern, has_patterns, has_probes,
                          has_responses, has_rim, has_rim_over_meshes, has_speeds, has_tooth_mesh, has_tooth_pressures)
 from .data.study import Study
-from .pictures.bodies import draw_bodies
+from .pictures.bodies import draw_bodies, draw_meshes
 from .pictures.meridian_section import draw_deformation, draw_meridian_section
+from .pictures.mode_shapes import draw_mode_shapes, list_shaped_bodies
 from .pictures.scene import Scene, is_in_mesh
 from .pictures.teeth_in_mesh import draw_teeth_in_mesh
 from .plots import (bearings, campbell, comparisons, driven_waves, grid_pressure, histories, lumped, rim, root_stress,
@@ -17,6 +18,7 @@ from .plots import (bearings, campbell, comparisons, driven_waves, grid_pressure
 from .plots.curves import draw_curves
 from .plots.error_bars import draw_error_bars
 from .plots.loaded_contact import draw_loaded_contact
+from .plots.meridian import draw_run_meridians
 from .plots.plot_row import PlotRow, draw_rows
 from .plots.resonance import draw_resonance
 from .plots.static_curve import draw_static_curve, has_static_curve
@@ -26,7 +28,7 @@ from .plots.waterfalls import draw_waterfall
 # Of a run's folder.
 RUN_PLOTS = (
     PlotRow("dte.svg", (has_pair,), histories.draw_transmission_error,
-            "Dynamic transmission error of hub and rim; a lag of the gear is negative.",
+            "Dynamic transmission error of hub and rim; a lag of the driven member is negative.",
             "Transmission error"),
     PlotRow("contact_force.svg", (has_contact,), histories.draw_contact_force,
             "Contact force: sum, and each tooth pair.", "Contact"),
@@ -36,7 +38,7 @@ RUN_PLOTS = (
     PlotRow("load_sharing.svg", (has_tooth_pressures,), tooth_contact.draw_load_sharing,
             "Share of each tooth pair and Hertz's pressure, all pairs laid over each other.", "Contact"),
     PlotRow("contact_pattern.svg", (has_pattern, has_history), tooth_contact.draw_contact_pattern,
-            "Contact pattern on the drive flanks over the last tooth mesh, along and over the pitch cone: where the flanks carry. Pressures of "
+            "Contact pattern over the last tooth mesh, along and over the pitch cone: where the flanks carry. Pressures of "
             "nodes are spread over their facets; how large the pressure is says Hertz's.", "Contact",
             data="pattern.csv"),
     PlotRow("spectra.svg", (has_tooth_mesh,), spectra.draw_spectra,
@@ -89,6 +91,9 @@ FIELD_PICTURES = (
 
 # Of a folder with the tables of a study other than a run.
 TABLE_PLOTS = (
+    PlotRow("meshes.png", (has_file("mesh.csv"), has_file("pair.vtu")), draw_meshes, "Both meshes, mounted.", "Meshes"),
+    PlotRow("meridian.svg", (has_file("mesh.csv"), has_file("meridian.csv")), draw_run_meridians,
+            "Sections through the bodies' axes.", "Meshes", data="meridian.csv"),
     PlotRow("tca.svg", (has_file("tca.csv"),), draw_tooth_contact_analysis,
             "Lag of neighbouring tooth pairs, path of contact with ellipses, ease-off.",
             "Unloaded tooth contact", data="tca.csv, path.csv, ease_off.csv"),
@@ -118,6 +123,9 @@ TABLE_PLOTS = (
             data="root_sections.csv"),
     PlotRow("gauges.svg", (has_file("gauges.csv"),), root_stress.draw_gauges,
             "Strain gauges.", "Root stress"),
+    PlotRow("mode_shapes_{}.png", (has_file("modes.csv"),), draw_mode_shapes,
+            "Lowest vibrations of the {} at the lowest speed, magnified; of a wave and the same wave turned one is shown.",
+            "Natural frequencies", each=list_shaped_bodies),
     PlotRow("campbell_{}.svg", (has_file("campbell.csv"),), campbell.draw_campbell,
             "Natural frequencies of the {0} over its speed. Circles: resonances with a force that stands in space; in axes that "
             "turn, a wave of n diameters is met n turns of the {0} above or below the line of an order.",
@@ -159,8 +167,8 @@ STUDY_PLOTS = (
             "Responses of all variants over speed, rising; dots: where each is largest.", "Responses over speed",
             data="resonance.csv, stress_response.csv of each variant"),
     PlotRow("resonance.svg", (has_speeds,), draw_resonance,
-            "Ripple of transmission error and contact force over speed, beside those of other models. Circles: runs without steady part or "
-            "with a ripple that is not steady. Vertical: speeds at which a mesh order meets a coupled mode.", "Over what is varied"),
+            "Ripple of transmission error and contact force over speed, beside those of other models where there are any. Circles: runs "
+            "without steady part or with a ripple that is not steady. Vertical lines: a mesh order meets a coupled mode.", "Over what is varied"),
     PlotRow("waterfall_dte.svg", (has_speeds,), partial(draw_waterfall, column=TRANSMISSION_ERROR),
             "Spectra of the transmission error at each speed (Hann's window, whole meshes of the steady "
             "part); rows are equally far from each other whatever the speeds.", "Over what is varied"),
@@ -180,8 +188,8 @@ STUDY_PLOTS = (
     PlotRow("force_spectra.svg", (has_pairs,), partial(comparisons.draw_spectra, column=CONTACT_FORCE),
             "Spectra of the contact force.", "Contact"),
     PlotRow("contact_patterns.svg", (has_patterns,), tooth_contact.draw_contact_patterns,
-            "Contact patterns on the drive flanks over one tooth mesh, each over its own largest pressure. Dots: nodes; crosses: "
-            "centres of the patterns of loaded tooth contact analyses.",
+            "Contact patterns on the drive flanks over one tooth mesh, each over its own largest pressure. Dots: nodes; a cross, of a "
+            "loaded tooth contact analysis: the centre.",
             "Contact"),
     PlotRow("tooth_stress.svg", (has_pairs_with("teeth", "hertz pressure"),),
             comparisons.draw_tooth_stress,

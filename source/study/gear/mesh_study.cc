@@ -8,6 +8,8 @@
 #include <vfife/mesh/files/mesh_export.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/output_options.h>
+#include <vfife/output/pictures.h>
 #include <vfife/study/cases/body_figures.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/gear/mesh_study.h>
@@ -38,12 +40,14 @@ namespace vfife
       {
         gear_case_.declare(prm, file);
         export_.declare(prm);
+        output_.declare(prm);
       }
 
       void check() const override
       {
         gear_case_.check_bodies();
         export_.check("Export");
+        output_.check("Output");
       }
 
       void inspect(Communicator &, Log &log) override
@@ -58,6 +62,7 @@ namespace vfife
 
       GearCase      gear_case_;
       ExportOptions export_;
+      OutputOptions output_;
     };
   } // namespace
 
@@ -101,6 +106,7 @@ namespace vfife
 
   void MeshStudy::run(OutputFolder &folder, Log &log)
   {
+    log.set_verbosity(output_.verbosity);
     const Model model = gear_case_.make_model(log);
     // All ranks have made the same meshes: one writes them. Nothing below is collective.
     if (!folder.is_writer())
@@ -132,6 +138,8 @@ namespace vfife
     if (export_.lengthwise > 0)
       write_flank_points(folder);
     write_tables(folder, "mesh", figures);
+    if (output_.pictures)
+      draw_pictures(folder, log);
   }
 
   void MeshStudy::write_flank_points(const OutputFolder &folder) const

@@ -49,13 +49,14 @@ def has_cells(path):
     return False
 
 
-def read_piece(path):
-    """Corners of the hexahedra of a .vtu file and data at them; those of a cell at all of its corners."""
+def read_piece(path, ignored=frozenset()):
+    """Corners of the hexahedra of a .vtu file and data at them; those of a cell at all of its corners. Cells of `ignored`
+    kinds may stand beside them."""
     try:
         grid = meshio.vtu.read(path)  # meshio.read() ends the program at a damaged file
     except Exception as error:  # of whatever kind: meshio trusts what it reads
         raise DamagedFile(f"{path} is damaged: no grid can be read from it") from error
-    if set(grid.cells_dict) != {"hexahedron"}:
+    if set(grid.cells_dict) - ignored != {"hexahedron"}:
         raise DamagedFile(f"{path} has cells that are no hexahedra")
     corners = grid.cells_dict["hexahedron"]
     if corners.size and not (0 <= corners.min() and corners.max() < len(grid.points)):
@@ -67,6 +68,12 @@ def read_piece(path):
     for name, values in grid.cell_data_dict.items():
         data[name] = np.repeat(np.asarray(values["hexahedron"], dtype=float)[:, None], 8, axis=1)
     return np.asarray(grid.points, dtype=float)[corners], data
+
+
+def read_meshes(path):
+    """Meshes of a file that the kind `mesh` writes; the faces of its surfaces are left out."""
+    points, data = read_piece(path, {"quad"})
+    return Fields(points, {"body": data["body"]}, None)
 
 
 def read_fields_of_bodies(paths):

@@ -31,6 +31,11 @@ def describe_pair(parameters):
     return f"Spiral bevel gear pair {pinion}/{gear}" if pinion else ""
 
 
+def name_driven(parameters):
+    """The member of a pair on which the torque of the load acts."""
+    return "pinion" if parameters.get("Operation/driving member") == "gear" else "gear"
+
+
 def list_unused(parameters):
     """Paths of entries that say nothing of the case: its study does not use them."""
     return list_unused_entries(parameters, bool(describe_pair(parameters)))

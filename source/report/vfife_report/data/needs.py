@@ -38,7 +38,8 @@ def has_patterns(study):
 
 
 def has_probes(run):
-    return run.probes is not None
+    """Stresses over time; an equilibrium has one instant."""
+    return run.probes is not None and bool(np.ptp(run.probes["time"]) > 0)
 
 
 def has_model_probes(run):

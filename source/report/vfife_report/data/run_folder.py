@@ -24,6 +24,7 @@ class RunFolder:
         self.rim = read_table(self.path / "rim.csv")
         self.orders = read_table(self.path / "orders.csv")
         self.bearings = read_table(self.path / "bearings.csv")
+        self.meshes = read_table(self.path / "mesh.csv")
         self.misalignment = read_table(self.path / "misalignment.csv")
         # Loaded tooth contact analyses have the last two over positions.
         timed = [table for table in (self.bearings, self.misalignment) if table is not None and "time" in table]
@@ -107,8 +108,12 @@ class RunFolder:
         return self.summary.get("steady part", {}).get("columns", {}).get(column)
 
     def bodies(self):
-        """What the summary says of each body."""
-        return self.summary.get("mesh", {}).get("bodies", [])
+        """What the summary says of each body, or the table of the kind `mesh`."""
+        if self.meshes is None:
+            return self.summary.get("mesh", {}).get("bodies", [])
+        rows = zip(*(self.meshes[name] for name in ("body", "elements", "nodes", "mass")))
+        return [{"name": name, "cells": int(cells), "nodes": int(nodes), "mass": {"value": mass, "unit": self.meshes.units["mass"]}}
+                for name, cells, nodes, mass in rows]
 
     def body_name(self, index):
         bodies = self.bodies()

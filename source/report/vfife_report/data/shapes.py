@@ -28,7 +28,7 @@ SUMMARY = {
         {"name": str, "cells": COUNT, "nodes": COUNT, "mass": {"value": float, "unit": str},
          "speed at the start?": {"value": float, "unit": str}}]},
     "run?": {"time": {"value": float, "unit": str}, "steps": COUNT, "run time": QUANTITY, "ranks": COUNT,
-             "element-steps per second": {"value": float, "unit": str}, "timers?": Each(QUANTITY),
+             "element-steps per second?": {"value": float, "unit": str}, "timers?": Each(QUANTITY),
              "instruction set?": str},
     "steady part?": {"start": {"value": float, "unit": str}, "end": {"value": float, "unit": str}, "found": bool,
                      "mesh cycles": COUNT, "explanation": str, "ripple?": {"judged": bool, "steady": bool}, "columns?": Each(STATISTICS)},
@@ -40,16 +40,17 @@ EDGE_CONTACT = {"edges carry": bool, "explanation": str}
 # Members have one entry that is a word.
 GEOMETRY = {"pair": Each(QUANTITY), "pinion": {"hand of spiral": str}, "gear": {"hand of spiral": str}}
 PARAMETERS = Each({"value": str, "unit": str})
-COMPARISON = {"title?": str, "rows": [
+COMPARISON = {"title?": str, "cases?": [{"name": str, "kind": str, "folder": str}], "remarks?": [str], "rows": [
     {"quantity?": str, "unit?": str, "value?": NUMBER, "reference?": NUMBER, "reference kind?": str,
      "difference?": NUMBER, "tolerance?": NUMBER, "verdict?": str, "reason?": str}]}
 # Of a tooth contact analysis: groups of a side hold quantities, words and flags.
 _SIDE = {"mean contact on the generated pinion flank": Each(QUANTITY), "mean contact on the generated gear flank": Each(QUANTITY),
          "ellipse at the mean contact": Each(QUANTITY), "path": {}, "beyond the start": {"border": str},
-         "beyond the end": {"border": str}, "lag over pitches": Each(QUANTITY), "hands over": bool, "hand-over?": Each(QUANTITY)}
+         "beyond the end": {"border": str}, "lag over pitches": Each(QUANTITY), "hands over": bool, "hands over inside the flanks": bool, "hand-over?": Each(QUANTITY)}
 _SECTIONS = {"toe": Each(QUANTITY), "middle": Each(QUANTITY), "heel": Each(QUANTITY)}
 CONTACT_ANALYSIS = {"working": {"driving member": str, "direction of rotation": str, "side": str},
-                    "drive": _SIDE, "coast": _SIDE, "teeth": {"pinion": _SECTIONS, "gear": _SECTIONS}}
+                    "drive?": _SIDE, "coast?": _SIDE, "unequal teeth?": Each(QUANTITY),
+                    "teeth": {"pinion": _SECTIONS, "gear": _SECTIONS}}
 LUMPED = {"model": Each(QUANTITY), "response": Each(QUANTITY), "modes": [
     {"frequency [Hz]": NUMBER, "damping ratio [-]": NUMBER,
      "critical pinion speeds of mesh orders 1, 2, 3 [rpm]": [NUMBER]}]}

@@ -9,6 +9,11 @@ from .files import DamagedFile, read_text
 from .shapes import LARGEST
 
 
+def write_persons(name):
+    """Names of persons with their capital letters, which names of columns and figures have not."""
+    return name.replace("von mises", "von Mises").replace("hertz ", "Hertz ")
+
+
 class Table:
     """Columns of a .csv file by name: numbers where the header states a unit, else texts, or numbers where all are;
     `units` holds what stands in the header's brackets. DamagedFile with line and column where it cannot be read."""
@@ -64,8 +69,8 @@ class Table:
         return self.columns[name]
 
     def label(self, name):
-        """Name and unit for an axis."""
-        unit = self.units[name]
+        """Name and unit for readers."""
+        unit, name = self.units[name], write_persons(name)
         return name if unit in ("", "-") else f"{name} [{unit}]"
 
 

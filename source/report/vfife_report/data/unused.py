@@ -5,10 +5,13 @@ _OF_STEPS = {"Operation/tooth meshes", "Dynamics/start", "Dynamics/end time", "D
              "Dynamics/damping frequency", "Dynamics/mesh damping"}
 _OF_ELEMENTS = {"Dynamics/frame", "Dynamics/stiffness"}
 _OF_LOAD = {"Operation/torque", "Contact/discretization", "Contact/surface", "Contact/friction coefficient"}
+_OF_SPEED = {"Operation/speed"}
 _BY_KIND = {"loaded tooth contact analysis": _OF_STEPS | _OF_ELEMENTS,
-            "modal": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD,
+            "mesh": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD | _OF_SPEED | {"Operation/hub"},
+            "modal": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD | _OF_SPEED,
             "linear static": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD,
             "static": _OF_STEPS,
+            "lumped": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD - {"Operation/torque"} | {"Operation/hub"},
             "reduced": _OF_ELEMENTS,
             "waves": _OF_ELEMENTS | {"Operation/tooth meshes", "Dynamics/start"}}
 _OF_PAIRS = {"Operation/tooth meshes", "Operation/hub", "Dynamics/mesh damping"}

@@ -2,7 +2,7 @@
 """Checks of a run against itself: name, value, what is asked for, verdict (met, not met)."""
 import numpy as np
 
-from ..data.naming import describe_pair
+from ..data.naming import describe_pair, name_driven
 from .pressures import find_allowed_pressure, find_largest_pressure
 
 LARGEST_ENERGY_ERROR = 0.5  # [%], doc/verification.md
@@ -16,7 +16,9 @@ def judge(condition):
 def list_checks(run):
     summary = run.summary
     if "status" in summary:
-        yield "status", summary["status"], "finished", judge(summary["status"] == "finished")
+        early = read_early_end(run)
+        status = f"ended after {early} steps" if early else summary["status"]
+        yield "status", status, "finished", judge(status == "finished")
     part = summary.get("steady part")
     if part:
         yield ("steady part", f"{part['mesh cycles']} tooth meshes" if part["found"] else "none",
@@ -28,7 +30,8 @@ def list_checks(run):
         # At the first touch of an impact the energies that the error is divided by are still tiny.
         error = 100 * np.abs(run.history["energy error"])
         rows = run.steady_rows(run.history) if part else slice(-1, None)
-        yield ("largest energy error of the steady part" if part else "energy error at the end",
+        yield ("largest energy error of the steady part" if part and part["found"] else
+               "largest energy error of the last third" if part else "energy error at the end",
                f"{error[rows].max():.3g} %", f"below {LARGEST_ENERGY_ERROR} %",
                judge(error[rows].max() < LARGEST_ENERGY_ERROR))
         yield "largest energy error on the way", f"{error.max():.3g} %", "", "not judged"
@@ -50,9 +53,16 @@ def list_checks(run):
         yield "contradictions", str(count), "0", judge(count == 0)
 
 
+def read_early_end(run):
+    """Steps after which Dynamics/largest number of steps has ended the run; 0 where it came to its end."""
+    steps = int(run.parameters.get("Dynamics/largest number of steps", "0").split()[0])
+    return steps if steps and run.summary.get("run", {}).get("steps") == steps else 0
+
+
 def check_torque(run):
     """A steady part of whole meshes has on average the contact torque that the load asks for."""
-    statistics, torque = run.statistics("contact torque on the gear"), run.value("gear torque")
+    driven = name_driven(run.parameters)
+    statistics, torque = run.statistics(f"contact torque on the {driven}"), run.value(f"{driven} torque")
     if statistics and torque:
         difference = 100 * (statistics["mean"] / torque - 1)
         yield ("mean contact torque against the load", f"{difference:+.3f} %",

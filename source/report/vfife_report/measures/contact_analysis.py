@@ -25,13 +25,13 @@ def read_contact_analysis(run):
 def list_sides(analysis):
     """Rows with the header SIDES_HEADER; a quantity that a side has not is None."""
     for group, called, shown in _GROUPS:
-        found = [analysis[side].get(group, {}) for side in SIDES]
+        found = [analysis.get(side, {}).get(group, {}) for side in SIDES]
         for name in dict.fromkeys(name for one in found for name in one if not shown or name in shown):
             if all(is_quantity(one.get(name, {"value": None})) for one in found):
                 unit = next(one[name]["unit"] for one in found if name in one)
                 yield [f"{called}: {name}", unit, *(one[name]["value"] if name in one else None for one in found)]
             elif name == "border":
-                yield [f"{called}: {name}", "", *(one[name] for one in found)]
+                yield [f"{called}: {name}", "", *(one.get(name) for one in found)]
 
 
 def list_forms(analysis):

@@ -8,12 +8,11 @@ HEADER = ["quantity", "value", "reference", "unit", "difference", "%", "toleranc
 
 
 def read_ledger(path):
-    """Rows of a comparison.json; ValueError names the row that contradicts itself."""
+    """Content of a comparison.json; DamagedFile names the row that contradicts itself."""
     content = read_json(path, COMPARISON)
-    rows = content["rows"]
-    for row in rows:
+    for row in content["rows"]:
         check_row(path, row)
-    return content.get("title", ""), rows
+    return content
 
 
 def check_row(path, row):

@@ -5,7 +5,7 @@ import numpy as np
 from .periodicity import fold_meshes
 from .spectrum import find_peaks, hann_window
 
-HIGHEST_LINE_ORDER = 3.5  # of the tooth mesh, up to which lines are looked for
+HIGHEST_LINE_ORDER = 12  # of the tooth mesh, up to which spectra are shown and lines are looked for
 
 
 def find_harmonics(values, samples_per_mesh, largest):
@@ -16,9 +16,15 @@ def find_harmonics(values, samples_per_mesh, largest):
     return amplitudes[1:largest + 1]
 
 
+def is_harmonic(frequency, mesh_frequency, resolution):
+    order = round(frequency / mesh_frequency)
+    return order > 0 and abs(frequency - order * mesh_frequency) < resolution
+
+
 def find_lines(values, samples_per_mesh, mesh_frequency, lowest, highest, count, least=0.1):
     """Strongest lines between two frequencies [Hz] of what does not repeat with the mesh, by
-    amplitude; at least `least` times the strongest one of the whole spectrum."""
+    amplitude; at least `least` times the strongest one of the whole spectrum. What lies within the resolution of a
+    harmonic is that harmonic, whose amplitude changes."""
     folded = fold_meshes(values, samples_per_mesh)
     rest = (folded - folded.mean(axis=0)).ravel()
     n = len(rest)
@@ -26,6 +32,7 @@ def find_lines(values, samples_per_mesh, mesh_frequency, lowest, highest, count,
         return []
     amplitudes = 2 * np.abs(np.fft.rfft(rest * hann_window(n))) / n
     lines = find_peaks(amplitudes, mesh_frequency / len(folded))
+    lines = [line for line in lines if not is_harmonic(line.frequency, mesh_frequency, mesh_frequency / len(folded))]
     floor = least * max((line.amplitude for line in lines), default=0)
     lines = [line for line in lines
              if lowest <= line.frequency <= highest and line.amplitude >= floor]

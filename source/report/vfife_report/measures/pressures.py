@@ -1,6 +1,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """The contact pressure that a report states: Hertz's, of the largest force of a tooth pair, and what is allowed. Pressures of
 nodes, points and areas depend on the mesh (doc/contact.md, Pressures): they stay in the tables of the run."""
+import numpy as np
 
 ALLOWED = "Operation/allowed contact pressure"
 
@@ -13,9 +14,11 @@ def find_allowed_pressure(run):
 
 
 def find_largest_pressure(run):
-    """Hertz's of all tooth pairs of the drive side over the record, or over the positions of a loaded tooth contact
-    analysis [MPa]; None without either."""
+    """Hertz's of all tooth pairs of the side that carries most over the record, or over the positions of a loaded tooth
+    contact analysis [MPa]; None without either."""
     if run.teeth is None or "hertz pressure" not in run.teeth:
         return run.stated.get("hertz pressure of the largest force of a tooth pair", {}).get("value")
-    drive = run.teeth["side"] == "drive"
-    return float(run.teeth["hertz pressure"][drive].max()) if drive.any() else None
+    side, force = run.teeth["side"], run.teeth["force"]
+    carrying = side == max(dict.fromkeys(side), key=lambda one: force[side == one].sum())
+    pressures = run.teeth["hertz pressure"][carrying]
+    return float(np.nanmax(pressures)) if np.any(np.isfinite(pressures)) else None

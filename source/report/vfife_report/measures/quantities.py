@@ -4,6 +4,7 @@ to peak and standard deviations are the program's own (summary.json), the others
 import numpy as np
 
 from ..data.columns import CONTACT_FORCE, JUDGED, TRANSMISSION_ERROR
+from ..data.table import write_persons
 from .passages import find_passages, find_run_engagement
 from .periodicity import measure_column
 from .pressures import find_allowed_pressure, find_largest_pressure
@@ -40,7 +41,7 @@ def list_tooth_quantities(run):
     one = find_run_engagement(run)
     if one is None:
         return
-    yield "one tooth, largest force", run.teeth["force"][one.rows].max(), run.teeth.units["force"]
+    yield "largest force of a tooth pair", run.teeth["force"].max(), run.teeth.units["force"]
     pressure, allowed = find_largest_pressure(run), find_allowed_pressure(run)
     if pressure is not None:
         yield "largest contact pressure (Hertz, inside the flanks)", pressure, "MPa"
@@ -82,7 +83,7 @@ def list_model_quantities(run):
                                         if name.rpartition(" ")[0] == of):
                 yield f"{of}, largest {component}", largest, run.history.units[column]
         elif column == CONTACT_FORCE or column.endswith(" von mises"):
-            yield f"{column}, largest", np.nanmax(np.abs(values)), run.history.units[column]
+            yield f"{write_persons(column)}, largest", np.nanmax(np.abs(values)), run.history.units[column]
 
 
 def list_reactions(run):
@@ -100,7 +101,7 @@ def list_reactions(run):
 def list_quantities(run):
     """All of them, as far as the run has the files."""
     for name, one in run.stated.items():
-        yield name, one["value"], one["unit"]
+        yield write_persons(name), one["value"], one["unit"]
     yield from list_history_quantities(run)
     yield from list_model_quantities(run)
     yield from list_tooth_quantities(run)

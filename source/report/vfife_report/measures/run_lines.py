@@ -31,8 +31,7 @@ def list_harmonics(run, largest):
 
 
 def list_other_lines(run, low=4, high=3):
-    """The strongest lines below three quarters of the mesh frequency, and sidebands up to order 3.5 by
-    their distance from the nearest harmonic."""
+    """The strongest lines below three quarters of the mesh frequency, and above by their distance from the nearest harmonic."""
     frequency, samples = run.value("mesh frequency"), run.samples_per_mesh()
     border, top = LOW_ORDER * frequency, HIGHEST_LINE_ORDER * frequency
     rows = []

@@ -59,6 +59,20 @@ def find_axial_rest(run, n):
     return time, split_wave(read_wave(rim, "z", n)[rows], n, run.gear_turn(time))[1]
 
 
+def list_peaks_beyond(lines, response):
+    """Driven waves (waves_lines.csv) whose peak lies outside the speeds at which they were driven (waves_response.csv), in words."""
+    if response is None:
+        return
+    keys = ("wave", "nodal diameter", "mesh order", *(["solver"] if "solver" in lines else []))
+    for k in range(lines.n_rows):
+        mine = np.logical_and.reduce([response[key] == lines[key][k] for key in keys])
+        speeds, peak = np.abs(response["speed"][mine]), np.abs(lines["peak speed"][k])
+        if len(speeds) and np.isfinite(peak) and not speeds.min() <= peak <= speeds.max():
+            diameters = lines["nodal diameter"][k]
+            yield (f"{lines['wave'][k]}, {diameters:.0f} diameter{'s' * (diameters != 1)}, order {lines['mesh order'][k]:.0f} "
+                   f"({peak:.0f} rpm, driven from {speeds.min():.0f} to {speeds.max():.0f})")
+
+
 def list_directions(rate):
     """Name and sign of the frequency of each direction of travel. The load, which stands in space,
     travels against the turning of the gear."""

@@ -9,6 +9,7 @@ from ..data.table import read_table
 from ..measures.contact_analysis import FORMS_HEADER, SIDES, SIDES_HEADER, list_forms, list_sides, read_contact_analysis
 from ..measures.ledger import HEADER, VERDICTS, list_ledger_rows, list_reasons, read_ledger
 from ..measures.speed_peaks import list_exceedances, list_peaks
+from ..measures.waves import list_peaks_beyond
 from ..plots.bearings import list_bearings
 from ..plots.root_stress import list_root_stresses
 from .chapter import Chapter
@@ -22,11 +23,16 @@ def tell_ledger(run, plots):
     path = run.path / "comparison.json"
     if not path.is_file():
         return
-    title, rows = read_ledger(path)
-    yield Paragraph(title)
+    ledger = read_ledger(path)
+    rows = ledger["rows"]
+    yield Paragraph(ledger.get("title", ""))
+    # Versions before stated neither cases nor remarks.
+    yield Cells(["case", "kind", "folder"], [[one["name"], one["kind"], one["folder"]] for one in ledger.get("cases", [])])
+    for remark in ledger.get("remarks", []):
+        yield Paragraph(remark[0].upper() + remark[1:] + ".", "alarm")
     agreeing, differing, open_ones = (sum(row["verdict"] == verdict for row in rows) for verdict in VERDICTS)
-    yield Paragraph(f"{len(rows)} comparisons: {agreeing} agree within their tolerance, {differing} differ by more, {open_ones} "
-                    "are not judged.", "alarm" if differing else "")
+    yield Paragraph(f"Of {len(rows)} comparisons within their tolerance: {agreeing}; beyond it: {differing}; not judged: {open_ones}.",
+                    "alarm" if differing else "")
     yield from plots
     yield Cells(HEADER, list(list_ledger_rows(rows)),
                 "Difference: value less reference, and over the reference's magnitude. Below each row what it is compared with, "
@@ -83,16 +89,35 @@ def tell_unloaded_contact(run, plots):
         return
     working = analysis["working"]
     yield Paragraph(f"The {working['driving member']} drives {working['direction of rotation']}: the {working['side']} side works.")
+    thickness = analysis.get("marking compound thickness")
+    if thickness:
+        yield Paragraph(f"Ellipses are those of a marking compound of {thickness['value']:.3g} {thickness['unit']}; edges are "
+                        "followed for half a pitch at most.")
     for side in SIDES:
-        if not analysis[side]["hands over"]:
+        if side not in analysis:
+            yield Paragraph(f"On the {side} side the flanks touch nowhere inside their borders, where the members stand; edges "
+                            "alone may carry.", "alarm")
+        elif not analysis[side]["hands over"]:
             yield Paragraph(f"On the {side} side neither flanks nor edges carry until the next tooth pair takes over.", "alarm")
+        elif not analysis[side]["hands over inside the flanks"]:
+            yield Paragraph(f"On the {side} side the path of contact ends before the next tooth pair takes over; an edge carries there.",
+                            "alarm")
+    yield Cells(["teeth that differ", "value", "unit"], list_values(analysis.get("unequal teeth", {})),
+                "Transmission error without load of teeth with their errors, one after the other; all other figures are of the errors "
+                "that all teeth share.")
     yield Cells(SIDES_HEADER, list_sides(analysis), "Both sides of the teeth: contact without load, the gear's lag, and where edges "
-                "would carry (doc/gear.md, Tooth contact analysis).", digits=EXACT)
-    yield Cells(FORMS_HEADER, list_forms(analysis), "What is left of the teeth at toe, middle and heel.")
+                "would carry (doc/gear.md, Tooth contact analysis). Approach: turn of the gear by bending until the edge carries; negative "
+                "where it carries without load.", digits=EXACT)
+    yield Cells(FORMS_HEADER, list_forms(analysis), "What is left of the teeth at toe, middle and heel. Root clearance: as designed; the distance of tips from the "
+                "other member's fillets has the mounting errors in it.")
 
 
 def tell_loaded_contact(run, plots):
     yield from plots
+    positions = read_table(run.path / "loaded_contact.csv")
+    if positions is not None:
+        yield Paragraph(f"{positions.n_rows} position{'s' * (positions.n_rows > 1)} over a tooth mesh: what lies between them is "
+                        "seen by none, so that peak to peak and largest values grow with their number (Loaded contact/positions).", "soft")
     table = read_table(run.path / "coupled_modes.csv")
     if table is not None:
         yield tell_rows(table, ("axes", "frequency", "share of the static turn", "energy in the gear",
@@ -128,6 +153,9 @@ def tell_root_stress(run, plots):
 def tell_frequencies(run, plots):
     table = read_table(run.path / "modes.csv")
     if table is not None:
+        if np.any(table["speed"]) and run.parameters.get("Fem/coriolis") in ("no", "false"):
+            yield Paragraph("Coriolis forces are left out (Fem/coriolis): waves that run forward and backward have the same frequency "
+                            "here, and stand.")
         shown = [k for k in range(table.n_rows) if table["mode"][k] <= SHOWN_MODES]
         text = "Lowest natural frequencies of each body at each speed, in axes that turn with it."
         if len(shown) < table.n_rows:
@@ -176,14 +204,28 @@ def tell_waves(run, plots):
                 [[cell(lines[name][k]) for name in (*named, "predicted amplitude", "amplitude", "stress amplification")]
                  for k in range(lines.n_rows)],
                 "Amplitude of the rim, and largest stress at a probe over that without waves, at the peak.")
+    beyond = list(list_peaks_beyond(lines, read_table(run.path / "waves_response.csv")))
+    if beyond:
+        yield Paragraph(f"Peaks beyond the speeds that were driven: {', '.join(beyond)}. Their speed, width and amplitude are "
+                        "continued by the fit, not seen; Waves/offsets may reach further.", "alarm")
     avoided = read_table(run.path / "speeds_to_avoid.csv")
     if avoided is not None:
         yield tell_rows(avoided, ("from", "to", "stress amplification", "waves"), range(avoided.n_rows),
                         "Pinion speeds to avoid, with margins.")
 
 
+def tell_meshes(run, plots):
+    yield from plots
+    if run.meshes is None:
+        return
+    names = [name for name in run.meshes.columns if name != "body"]
+    yield Cells(["of the mesh", *run.meshes["body"]], [[run.meshes.label(name), *map(float, run.meshes[name])] for name in names],
+                "True: of the surfaces that the mesh has been made for; differences in per cent of them.", digits=EXACT)
+
+
 LEDGER = Chapter("Comparison ledger", tell_ledger)
 TABLE_CHAPTERS = (
+    Chapter("Meshes", tell_meshes),
     Chapter("Unloaded tooth contact", tell_unloaded_contact),
     Chapter("Loaded tooth contact by finite elements", tell_loaded_contact),
     Chapter("Pressures on their own grids", tell_grid_pressure),

@@ -1,7 +1,9 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Chapters of the report of one run, each of what the run has files for."""
+import numpy as np
+
 from ..data.columns import JUDGED
-from ..data.needs import has_pair, has_rim_over_meshes
+from ..data.needs import has_pair, has_probes, has_rim_over_meshes
 from ..measures.checks import list_checks
 from ..measures.passages import DURATION_LEVEL_IN_WORDS, find_passages
 from ..measures.lines import HIGHEST_LINE_ORDER
@@ -14,6 +16,8 @@ from ..measures.waves import list_wave_lines
 from .chapter import Chapter
 from .parts import EXACT, Cells, Paragraph, list_values
 from .words import list_case_rows, list_geometry_rows, list_model_rows, list_sentences
+
+SOLVED = 1e-5  # of the largest: what equations of an equilibrium are solved to
 
 
 def tell_case(run, plots):
@@ -29,7 +33,8 @@ def tell_case(run, plots):
     yield Cells(["of the model", "name", "kind", "given"], list(list_model_rows(run)), "Given: entries that differ from their "
                 "defaults (doc/parameter_reference.md).")
     if run.parameters:
-        yield Paragraph("All parameters that were used: parameters.prm in the run's folder.", "soft")
+        yield Paragraph("All parameters that were used: parameters.prm in the run's folder, where 0 stands for a size that was "
+                        "derived.", "soft")
     yield from plots
 
 
@@ -52,11 +57,16 @@ def describe_part(run):
     return "Of the steady part, largest" if run.is_steady() else "Of the last third, as no steady part was found, largest"
 
 
+def is_preloaded(run):
+    return run.parameters.get("Dynamics/start", "static preload") == "static preload"
+
+
 def tell_transmission_error(run, plots):
     yield from plots
     if plots:
         yield Cells(["part", "value", "unit"], list_values(run.summary.get("transmission error", {})),
-                    "Parts of the transmission error in the equilibrium before the start.")
+                    "Parts of the transmission error in the equilibrium before the start." if is_preloaded(run) else
+                    "Parts of the transmission error in the equilibrium under all the torque, to which this start comes later only.")
 
 
 def tell_contact(run, plots):
@@ -89,10 +99,15 @@ def tell_spectra(run, plots):
 
 def tell_probes(run, plots):
     yield from plots
+    if run.probes is not None and not has_probes(run):
+        shown = [name for name in run.probes.columns if name not in ("time", "probe")]
+        yield Cells(["at the probe", *run.probes["probe"]],
+                    [[run.probes.label(name), *map(float, suppress_rounding(run.probes, name))] for name in shown])
+        return
     yield Cells(["probe", "peak [MPa]", "at [ms]", "least [MPa]", "steady [MPa]", "passage", "duration [ms]", "record"],
                 [[name, p.peak, 1e3 * p.peak_time, p.least, p.steady, "dip" if p.is_dip else "rise",
                   1e3 * p.duration if p.whole else None,
-                  "whole passage" if p.whole else "passage cut by the record"]
+                  "whole passage" if p.whole else "begins or ends within it"]
                  for name, p in find_passages(run)],
                 "Peak and least: of the whole record. The passage through the mesh is where the stress is farthest from the "
                 "steady stress, the median of a whole turn (without copies in all sectors: of the record outside the passage): "
@@ -102,11 +117,19 @@ def tell_probes(run, plots):
         yield Paragraph(probe["explanation"] + ".")
 
 
+def suppress_rounding(table, name):
+    """A column with zeros for what the solution of an equilibrium leaves beside the columns of its unit."""
+    largest = max(np.abs(table[other]).max() for other in table.columns if table.units[other] == table.units[name])
+    return np.where(np.abs(table[name]) > SOLVED * largest, table[name], 0)
+
+
 def tell_rim(run, plots):
     yield from plots
     yield Cells(["nodal diameters", "travels", "frequency [Hz]", "amplitude [um]"],
                 list(list_wave_lines(run)) if has_rim_over_meshes(run) else [],
-                "Strongest lines of the axial waves, frequencies in the turning gear.", digits=EXACT)
+                "Strongest lines of the axial waves, frequencies in the turning gear.")
+    if has_rim_over_meshes(run):
+        yield Paragraph(describe_resolution(run), "soft")
 
 
 def tell_energy(run, plots):
@@ -116,9 +139,11 @@ def tell_energy(run, plots):
     rows = list_values(run.summary.get("energy", {}))
     # A model without a gear pair has few of the parts.
     yield Cells(["energy ledger", "value", "unit"], rows if has_pair(run) else [row for row in rows if row[1]])
-    yield Cells(["damping of", "net torque [N m]", "power [W]", "spin at the end less that at the start [rpm]"],
+    yield Cells(["damping of", "net torque [N m]", "power [W]", "spin of the last instant less that of the first [rpm]"],
                 [[a["body"]] + [a[name]["value"] for name in ("net torque", "power", "spin drift")]
-                 for a in run.summary.get("damping audit", []) if a["net torque"]["value"] or a["power"]["value"]])
+                 for a in run.summary.get("damping audit", []) if a["net torque"]["value"] or a["power"]["value"]],
+                "Damping exerts no torque about the axis where the net torque is none. Spin: of all the body's mass, also of a driven "
+                "one, with the torsional vibration of that instant.")
 
 
 def tell_checks(run, plots):

@@ -165,7 +165,8 @@ def tell_computations(study, plots):
         run = variant.run.summary.get("run")
         if run and run["steps"]:
             rows.append([variant.name, variant.run.summary["mesh"]["cells"], run["steps"],
-                         run["run time"]["value"], 1e-6 * run["element-steps per second"]["value"],
+                         run["run time"]["value"],
+                         1e-6 * run["element-steps per second"]["value"] if "element-steps per second" in run else None,
                          run["ranks"]])
     yield Cells(["variant", "elements", "steps", "time of the steps [s]",
                  "million element-steps a second", "ranks"], rows)

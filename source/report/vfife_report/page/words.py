@@ -1,6 +1,6 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """A case in words: titles, sentences and rows made from the parameters in force."""
-from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, normalize
+from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, name_driven, normalize
 from ..data.parameters import read_given
 
 # As given: nothing where they are proposed.
@@ -11,15 +11,17 @@ BLANK_ROWS = (
     ("face width", GEAR + "Blank/face width"),
     ("backlash", "Gear pair/Mounting/backlash"))
 ROWS = (("speed of the pinion in operation", "Operation/speed"),
-        ("torque on the gear", "Operation/torque"),
+        ("torque on the {driven}", "Operation/torque"),
         ("tooth meshes", "Operation/tooth meshes"),
         ("start", "Dynamics/start"),
-        ("bore of the gear", "Operation/hub"),
+        ("bore of the {driven}", "Operation/hub"),
         ("damping", "Dynamics/damping"),
         ("mesh damping", "Dynamics/mesh damping"),
         ("contact: discretization, surface", "Contact/discretization", "Contact/surface"),
         ("friction coefficient", "Contact/friction coefficient"),
         ("element frame, stiffness", "Dynamics/frame", "Dynamics/stiffness"))
+ERRORS = ("Gear pair/Mounting/", "Gear pair/Errors/")
+DESIGNED = ("Gear pair/Mounting/shaft angle", "Gear pair/Mounting/backlash")  # of the table of the geometry
 
 
 def is_zero(value):
@@ -40,14 +42,15 @@ def make_title(run):
     parameters = run.parameters
     kind = parameters.get("Study/kind", "run")
     parts = [describe_pair(parameters), describe_web(parameters)]
-    if "Operation/speed" in parameters:
+    unused = list_unused(parameters)
+    if "Operation/speed" in parameters and "Operation/speed" not in unused:
         # Waves are met at any speed between two.
         between = [parameters.get(f"Waves/{end} speed") for end in ("lowest", "highest")]
         parts.append(f"pinion from {between[0]} to {between[1]}" if kind == "waves" and all(between)
                      else f"pinion at {parameters['Operation/speed']}")
-        if "Operation/torque" not in list_unused(parameters):
-            parts.append(f"{parameters['Operation/torque']} on the gear")
-    title = ", ".join(part for part in parts if part) or run.path.resolve().name
+        if "Operation/torque" not in unused:
+            parts.append(f"{parameters['Operation/torque']} on the {name_driven(parameters)}")
+    title = ", ".join(part for part in parts if part) or parameters.get("Compare/title") or run.path.resolve().name
     return title if kind == "run" else f"{title}: {kind}"
 
 
@@ -61,7 +64,8 @@ def list_case_rows(run):
         values = [describe_damping(parameters) if key == "Dynamics/damping" else parameters[key]
                   for key in keys if key in parameters]
         if not all(is_zero(value) for value in values) and not unused.issuperset(keys):
-            yield name, ", ".join(values)
+            yield name.format(driven=name_driven(parameters)), ", ".join(values)
+    yield from list_error_rows(run)
     web = describe_web(parameters)
     if web.startswith("web"):
         body = GEAR + "Body/"
@@ -77,6 +81,13 @@ def list_case_rows(run):
     for body in run.bodies():
         yield body["name"], (f"{body['cells']} elements, {body['nodes']} nodes, "
                              f"{body['mass']['value']:.4g} {body['mass']['unit']}")
+
+
+def list_error_rows(run):
+    """Mounting errors and errors of manufacture that are given."""
+    for path, value in read_given(run.path).items():
+        if path.startswith(ERRORS) and path not in DESIGNED:
+            yield path.removeprefix("Gear pair/").replace("/", ", "), value
 
 
 def list_model_rows(run):
@@ -112,7 +123,7 @@ def list_sentences(run):
     if pair and frequency:
         time = summary["run"]["time"]["value"]
         yield (f"The {pair[0].lower()}{pair[1:]} turns at {parameters['Operation/speed']} of the pinion, the "
-               f"gear resists with {parameters['Operation/torque']}. Teeth mesh at {frequency:.0f} Hz; "
+               f"{name_driven(parameters)} resists with {parameters['Operation/torque']}. Teeth mesh at {frequency:.0f} Hz; "
                f"the run covers {time * frequency:.3g} tooth meshes ({1e3 * time:.4g} ms) from "
                f"{describe_start(parameters)}.")
     elif pair and run.changes_speed():

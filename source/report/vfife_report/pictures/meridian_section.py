@@ -53,6 +53,8 @@ def draw_deformation(scene):
         now = start + 1e-3 * magnification * (displacement[half] @ frame)
         add_section(panel, now, displacement[half] @ axis, SIGNED_MAP, -largest, largest)
         panel.add_collection(LineCollection(find_outline(start), colors=GREY, linewidths=0.9))
+        panel.margins(0.05)
+        panel.autoscale_view()
         panel.grid(False)
         panel.set_title(place)
         panel.set_xlabel("along the gear's axis, from the apex [mm]")

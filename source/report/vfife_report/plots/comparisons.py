@@ -2,11 +2,11 @@
 """Plots of several runs of a study on shared axes."""
 import numpy as np
 
+from ..measures.lines import HIGHEST_LINE_ORDER
 from ..measures.passages import find_passages, find_run_engagement
 from ..measures.periodicity import compute_mesh_average
 from ..measures.spectrum import compute_spectrum
 from ..measures.waves import COMPONENTS, measure_waves
-from .spectra import LARGEST_ORDER
 from .style import COLOURS, add_legend, plt
 
 LAST_MESHES = 3
@@ -53,7 +53,7 @@ def draw_spectra(study, column):
     for axes, variant in zip(panels[:, 0], variants):
         run = variant.run
         orders, amplitudes = compute_spectrum(run.steady_values(column), run.samples_per_mesh())
-        visible = (orders > 0) & (orders <= LARGEST_ORDER)
+        visible = (orders > 0) & (orders <= HIGHEST_LINE_ORDER)
         axes.vlines(orders[visible], 0, amplitudes[visible], color=look(variant)["color"],
                     linewidth=2, label=variant.name)
         top = max(top, amplitudes[visible].max(initial=0))
@@ -61,7 +61,7 @@ def draw_spectra(study, column):
         axes.set_title(f"{variant.name} (lines {spacing:.0f} Hz apart)", fontsize=9)
     panels[0, 0].set_ylim(0, 1.05 * top if top > 0 else 1)
     panels[-1, 0].set_xlabel("order of the mesh frequency")
-    panels[-1, 0].set_xlim(0, LARGEST_ORDER + 0.2)
+    panels[-1, 0].set_xlim(0, HIGHEST_LINE_ORDER + 0.2)
     plot.supylabel(f"amplitude [{variants[0].run.history.units[column]}]", fontsize=10)
     return plot
 

@@ -5,9 +5,12 @@ import numpy as np
 from ..measures.quantities import list_quantities
 from .style import COLOURS, add_legend, plt
 
+# Figures of analyses that belong together, by the ends of their names.
+GROUPS = (("root stresses", ("root tension", "root compression", "root stress range")),
+          ("von Mises stresses, largest", ("von Mises largest",)))
 LINES = ("-", "--", ":")  # where there are more curves than colours
 NOT_DRAWN = ("trend a tooth mesh", "change from mesh to mesh (rms)", "periodic share of the variance",
-             "duration of the passage", "in contact for")
+             "duration of the passage", "in contact for", "allowed contact pressure")
 
 
 def is_wide(values):
@@ -26,6 +29,8 @@ def scale_axis(axes, axis, room):
             if np.log(value / ticks[-1]) > room * np.log(axis.values[-1] / axis.values[0]):
                 ticks.append(value)
         axes.set_xticks(ticks, [f"{value:g}" for value in ticks])
+    else:
+        axes.locator_params(axis="x", nbins=5)  # numbers of five digits beside each other
     axes.set_xlabel(axis.label)
 
 
@@ -35,6 +40,9 @@ def split_name(name):
     of, comma, what = name.rpartition(", ")
     if comma:
         return of, what
+    for group, ends in GROUPS:
+        if name.endswith(ends):
+            return group, name
     for what in ("mean", "peak to peak"):
         if name.endswith(f" {what}"):
             return name.removesuffix(f" {what}"), what
@@ -73,7 +81,7 @@ def draw_curves(study):
         axes.set(title=title if title.endswith(only) else ", ".join(filter(None, (title, only))), ylabel=f"[{unit}]")
         scale_axis(axes, axis, 0.16)
         if len(curves) > 1:
-            add_legend(axes, fontsize=8)
+            add_legend(axes, beside=False, fontsize=8)
     for axes in grid.ravel()[len(panels):]:
         axes.remove()
     return plot

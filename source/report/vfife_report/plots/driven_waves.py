@@ -83,8 +83,9 @@ def draw_bubbles(axes, lines):
     axes.scatter(speed[measured], height[measured], s=LARGEST_BUBBLE * amplitude[measured] / amplitude[measured].max(),
                  c=colours[measured], alpha=0.45, linewidths=0)
     for row in np.flatnonzero(measured):
-        axes.annotate(f"{amplitude[row]:.2g} um", (speed[row], height[row]), xytext=(0, -14),
-                      textcoords="offset points", fontsize=7, ha="center", va="top")
+        # Beside the disc and the line of the order, which rises through it.
+        axes.annotate(f"{amplitude[row]:.2g} um", (speed[row], height[row]), xytext=(14, -4),
+                      textcoords="offset points", fontsize=7, ha="left", va="top")
 
 
 def make_panels(n):
@@ -98,7 +99,7 @@ def make_panels(n):
 
 def finish_panel(axes, lines, row):
     axes.set_title(name_line(lines, row), fontsize=8)
-    axes.set_ylim(bottom=0)
+    axes.set_ylim(0, 1.06 * axes.get_ylim()[1])
     axes.set_ylabel("amplitude [um]", fontsize=8)
 
 

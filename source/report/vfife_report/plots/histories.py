@@ -103,7 +103,7 @@ def draw_tooth_pairs(axes, history, teeth):
             continue
         top = np.argmax(force)
         axes.annotate(f"{pinion:.0f}/{gear:.0f}", (1e3 * history["time"][top], force[top]),
-                      xytext=(0, 3), textcoords="offset points", color=colour, ha="center", fontsize=8,
+                      xytext=(0, -11), textcoords="offset points", color=colour, ha="center", fontsize=8,
                       path_effects=[withStroke(linewidth=2, foreground="white")])
     return len(pairs) <= NAMED_PAIRS
 
@@ -167,7 +167,6 @@ def draw_probes(run):
         curves.append((time[-1], probes["von mises"][rows][-1], name, colour))
     axes.set_ylabel(probes.label("von mises"))
     axes.set_ylim(bottom=0)
-    mark_steady_part(run, axes)
     axes.set_title("Stress at the probes (averaged to nodes)")
     finish_time_axis(run, axes)
     label_ends(axes, curves)

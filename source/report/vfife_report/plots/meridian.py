@@ -18,6 +18,10 @@ def read_parts(folder, body):
     return parts
 
 
+def list_bodies(folder):
+    return list(dict.fromkeys(Table(folder / "meridian.csv")["body"]))
+
+
 def draw_meridian(axes, title, parts):
     named = set()
     for part, corners in parts.items():
@@ -33,7 +37,7 @@ def draw_meridians(bodies):
     """Title and parts of each body, a panel each."""
     columns = min(PANELS_A_ROW, len(bodies))
     rows = -(-len(bodies) // columns)
-    plot, grid = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True,
+    plot, grid = plt.subplots(rows, columns, squeeze=False, sharex=True, sharey=True, layout="compressed",
                               figsize=(3.1 * columns, 0.4 + 2.8 * rows))
     panels = list(grid.flat)
     for axes, (title, parts) in zip(panels, bodies):
@@ -43,5 +47,12 @@ def draw_meridians(bodies):
     plot.supxlabel("along the axis from the apex, mm")
     plot.supylabel("radius, mm")
     fullest = max(zip(panels, bodies), key=lambda pair: len(pair[1][1]))[0]
-    fullest.legend(loc="lower left", fontsize=8)
+    # Beside the panels: where a web leaves room in one, another one's fills it.
+    panels[columns - 1].legend(*fullest.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(1.01, 1), fontsize=8,
+                               frameon=False)
     return plot
+
+
+def draw_run_meridians(run):
+    """Both bodies of a study of kind `mesh`."""
+    return draw_meridians([(body, read_parts(run.path, body)) for body in list_bodies(run.path)])

@@ -5,7 +5,7 @@ import numpy as np
 from ..measures.critical_speeds import list_critical_speeds
 from ..measures.ripple import RIPPLES, find_steady_ripple, read_ripple
 from .curves import scale_axis
-from .style import COLOURS, GREY, plt
+from .style import COLOURS, GREY, name_decades, plt
 
 # Of a run's statistics, of the columns of another model's response.
 KINDS = (("peak to peak", "peak to peak", COLOURS[1]), ("standard deviation", "rms", COLOURS[2]))
@@ -53,6 +53,7 @@ def draw_resonance(study):
         axes.set(title=column, ylabel=f"[{unit}]", yscale="log")
         scale_axis(axes, axis, 0.08)
         axes.set_xlim(limits)
+        name_decades(axes)
     panels[0].set_xlabel("")
     handles = dict(zip(*reversed(panels[0].get_legend_handles_labels())))
     panels[1].legend(handles.values(), handles.keys(), frameon=False, fontsize=8, ncol=3,

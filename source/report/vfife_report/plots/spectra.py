@@ -3,12 +3,10 @@
 import numpy as np
 
 from ..data.columns import CONTACT_FORCE, RIM_TRANSMISSION_ERROR, TRANSMISSION_ERROR
+from ..measures.lines import HIGHEST_LINE_ORDER
 from ..measures.sidebands import ORDERS, TURNS, list_shafts
 from ..measures.spectrum import compute_spectrum
 from .style import COLOURS, GREY, add_legend, plt
-
-LARGEST_ORDER = 12
-
 
 def draw_spectra(run):
     """None for less than two tooth meshes."""
@@ -20,14 +18,14 @@ def draw_spectra(run):
         if len(orders) == 0:
             plt.close(plot)
             return None
-        visible = (orders > 0) & (orders <= LARGEST_ORDER)
+        visible = (orders > 0) & (orders <= HIGHEST_LINE_ORDER)
         axes.vlines(orders[visible], 0, amplitudes[visible], color=colour, linewidth=2, label=name)
         axes.set_ylim(bottom=0)
         axes.set_ylabel(f"amplitude [{unit}]")
         axes.set_title(name)
     panels[-1].set_xlabel("order of the mesh frequency")
-    panels[-1].set_xlim(0, LARGEST_ORDER + 0.2)
-    panels[-1].set_xticks(range(LARGEST_ORDER + 1))
+    panels[-1].set_xlim(0, HIGHEST_LINE_ORDER + 0.2)
+    panels[-1].set_xticks(range(HIGHEST_LINE_ORDER + 1))
     frequency = run.value("mesh frequency")
     above = panels[0].secondary_xaxis("top", functions=(lambda order: 1e-3 * frequency * order,
                                                         lambda kilo: 1e3 * kilo / frequency))

@@ -6,7 +6,7 @@ import numpy as np
 matplotlib.use("Agg")  # no display is needed
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
-from matplotlib.ticker import AutoLocator, MaxNLocator  # noqa: E402
+from matplotlib.ticker import AutoLocator, LogLocator, MaxNLocator, NullFormatter, ScalarFormatter  # noqa: E402
 from matplotlib.transforms import ScaledTranslation  # noqa: E402
 
 # Okabe and Ito's colours, told apart by colour-blind readers too; black first.
@@ -54,6 +54,15 @@ def round_ticks(axes):
         round_ticks(inner)
 
 
+def name_decades(axes):
+    """An axis of ordinates by logarithms with numbers also between the decades, where there are few of these."""
+    low, high = axes.get_ylim()
+    if high < 30 * low:
+        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.yaxis.set_major_formatter(ScalarFormatter())
+        axes.yaxis.set_minor_formatter(NullFormatter())
+
+
 def save(plot, path):
     """Writes the plot or picture beside its place and renames it, so that nobody meets half a file."""
     for axes in plot.axes:
@@ -65,13 +74,13 @@ def save(plot, path):
     plt.close(plot)
 
 
-def add_legend(axes, **options):
+def add_legend(axes, beside=True, **options):
     """A frameless legend of the curves that have names, where there are any and no curve is: beside the axes, above them
-    where others stand there."""
+    where others stand there or `beside` is false."""
     if not axes.get_legend_handles_labels()[0]:
         return
     place = axes.get_subplotspec()
-    if place is None or place.is_last_col():
+    if beside and (place is None or place.is_last_col()):
         options = {**options, "loc": "upper left", "bbox_to_anchor": (1.01, 1), "ncol": 1}
     else:
         # Above the title, where the axes have one.

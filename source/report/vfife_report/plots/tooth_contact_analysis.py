@@ -5,10 +5,11 @@ import math
 
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path as Outline
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
 from ..data.table import Table
-from .style import COLOURS, EDGE, STRESS_MAP, WIDE, plt
+from .style import COLOURS, EDGE, GREY, STRESS_MAP, WIDE, plt
 
 ROUND_LEVELS = MaxNLocator(14, steps=[1, 2, 5, 10])  # of shades
 
@@ -36,16 +37,19 @@ def plot_lag(axes, rows):
             axes.plot(start["pitches"], start["lag"], "o", ms=4, color=colour)
             if edge not in edges:
                 axes.annotate(edge, (start["pitches"], start["lag"]), xytext=(5, 5),
-                              textcoords="offset points", fontsize=8, color=colour)
+                              textcoords="offset points", fontsize=8, color=colour,
+                              path_effects=[withStroke(linewidth=2, foreground="white")])
             edges.add(edge)
     least, place = find_least_lag(rows)
     if place:
         axes.plot(place, least, "-", lw=3, alpha=0.25, color=COLOURS[0], label="touching pair")
         largest = max(r["lag"] for r in rows if r["contact"] == "flanks" and r["inside"])
         axes.set_ylim(max(1.5 * max(least), 1.2 * largest), min(0, min(least)) - 0.3)
+    axes.plot([], [], "-.", color=GREY, label="on an edge")
+    axes.plot([], [], ":", color=GREY, label="flanks beyond their borders")
     axes.set(xlabel="pinion rotation, pitches", ylabel="lag of the gear, arcsec (down)")
     axes.locator_params(axis="x", nbins=5)
-    axes.legend(fontsize=8, ncol=4, loc="lower right", bbox_to_anchor=(1, 1), frameon=False,
+    axes.legend(fontsize=8, ncol=3, loc="lower right", bbox_to_anchor=(1, 1), frameon=False,
                 borderaxespad=0.2, columnspacing=1, handlelength=1.2)
 
 
@@ -105,7 +109,13 @@ def draw_tooth_contact_analysis(run):
             for name in ("tca", "path", "ease_off")
         )
         grid[0][column].set_title(f"{side} side", loc="left")
-        plot_lag(grid[0][column], lag)
-        plot_pattern(grid[1][column], path, find_border(ease_off))
+        if path:
+            plot_lag(grid[0][column], lag)
+            plot_pattern(grid[1][column], path, find_border(ease_off))
+        else:
+            grid[0][column].set_axis_off()
+            grid[1][column].set_axis_off()
+            grid[0][column].text(0.5, 0.5, "flanks touch nowhere inside their borders", ha="center", va="center",
+                                 transform=grid[0][column].transAxes)
         plot_ease_off(grid[2][column], ease_off)
     return plot
