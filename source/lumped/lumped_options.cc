@@ -205,7 +205,9 @@ namespace vfife
                        "mesh = loaded contact needs the loaded_contact.csv of a loaded tooth "
                        "contact analysis");
     if (source == MeshSource::series && !(stiffness > 0))
-      throw InputError("Lumped/stiffness", "mesh = series needs a mean stiffness");
+      throw InputError("Lumped/stiffness",
+                       "Lumped/mesh = series needs the mean mesh stiffness; a loaded tooth contact "
+                       "analysis finds it");
     for (const SupportOptions &support : supports)
       support.check("Lumped/Support " + support.name);
   }

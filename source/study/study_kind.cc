@@ -8,6 +8,7 @@ namespace vfife
   StudyKind::resume(const std::string &, const DeclaredSection &, const Communicator &, Log &)
   {
     throw InputError("Study/kind",
-                     "--restart is for kinds run, sweep and compare: this one has no checkpoints");
+                     "--restart goes on from checkpoints, and this kind has none; kinds run, "
+                     "reduced, sweep, compare and waves have");
   }
 } // namespace vfife

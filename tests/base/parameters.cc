@@ -55,7 +55,7 @@ struct Options
       declare_integer(prm, "Layers", layers, "elements across the web", 1, 64);
     }
     declare_quantity(prm, "Speed", speed, "rpm", "speed of the pinion", Range::not_negative());
-    declare_number(prm, "Safety", safety, "part of the stable step", {0., 1., true});
+    declare_number(prm, "Safety", safety, "part of the stable step", {0., 1., true, ""});
     declare_switch(prm, "Friction", friction, "whether flanks rub");
     declare_choice(prm, "Stiffness", stiffness, stiffness_choices, "stiffness of the element");
   }
@@ -218,6 +218,7 @@ void check_wrong_structure()
 {
   refuse("subsection Study\n set output folder = a\nend\nsubsection Gear par\nend\n");
   refuse("subsection Lumped\nend\n");
+  refuse("subsection Body\nend\n");
   refuse("subsection Gear pair\n  set Gear = 3\nend\n");
   refuse("subsection Gear pair\n\nsubsection Gear\nend\n\n");
   refuse("subsection Study\nend\nend\n");

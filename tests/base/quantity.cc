@@ -197,6 +197,7 @@ int main()
   check_texts();
 
   refuse("5 kg", "mm");
+  refuse("5 mm, 6 mm", "mm");
   refuse("5 nm", "mm");
   refuse("800 NM", "N m");
   refuse("20 furlongs", "mm");

@@ -210,6 +210,7 @@ namespace
   {
     using namespace figure_name;
     RunSummary summary;
+    summary.study           = "run";
     summary.failure         = "energy error";
     summary.bodies          = {{"pinion", 1, 8, 1., 1., 1., 1.}};
     summary.instruction_set = "scalar";

@@ -139,7 +139,8 @@ namespace
     const SteadyPart brief = find_steady_part(make_history(3, 20, flat, constant_dte), 20, 13, 0);
     check("shorter than two periods: none", !brief.found && brief.cycles == 1);
     check("shorter than a period: said so",
-          brief.explain().find("fewer than one swing period of 13") != std::string::npos);
+          brief.explain().find("less than one swing period of 13 tooth meshes") !=
+            std::string::npos);
 
     // A period of 13 meshes in a record of 20: the swing shows in the means of the cycles.
     const auto swinging = [](const double size) {

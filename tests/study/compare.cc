@@ -258,7 +258,9 @@ namespace
 
     const std::vector<double> modes = {100, 1000, 1040};
     check("agrees", compare_with_modes("", 100.5, .1, modes, .01).verdict() == "agrees");
-    check("differs", compare_with_modes("", 104, .1, modes, .01).verdict() == "differs");
+    check("differs", compare_with_modes("", 104, .5, modes, .01).verdict() == "differs");
+    check("by less than a line of the spectrum",
+          compare_with_modes("", 104, .1, modes, .01).verdict() == "not judged");
     check("modes that the record does not separate",
           compare_with_modes("", 1001, .04, modes, .01).verdict() == "not judged");
   }

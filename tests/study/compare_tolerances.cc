@@ -199,11 +199,11 @@ namespace
     judge("tip von mises, static", "set stress tolerance = ", {"1.9e-2"});
   }
 
-  /** A line of 1010 Hz beside a mode of 1000 Hz, in a record of 100 ms. */
+  /** A line of 1010 Hz beside a mode of 1000 Hz, in a record of 200 ms. */
   void frequencies()
   {
     std::string ringing = probe_header();
-    for (unsigned int i = 0; i < 1000; ++i)
+    for (unsigned int i = 0; i < 2000; ++i)
       ringing += std::to_string(1e-4 * i) + ",0,0," + std::to_string(std::sin(2 * pi * .101 * i)) +
                  ",0,0,0,0,0,0,0\n";
     write("tolerances_ringing/history.csv", ringing);

@@ -94,6 +94,7 @@ int main(int argc, char **argv)
   refuse(write_case(""), world, {"Operation/sped=1 rpm"});
   refuse(write_case(""), world, {"Operation/speed=1 mm"});
   refuse(write_case(""), world, {"Operation/speed=0 rpm"});
+  refuse(write_case(""), world, {"Operation/speed=2e6 rpm"});
   refuse(write_case(""), world, {"Operation/speed"});
   refuse(write_case(""), world, {"Operations/speed=1 rpm"});
 

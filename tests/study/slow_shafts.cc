@@ -27,7 +27,7 @@ namespace
     std::ifstream file(folder + "/summary.json");
     const auto    summary = nlohmann::ordered_json::parse(file);
     return {{summary.at("run").at("step").at("value").get<double>(),
-             summary.at("figures").at("stable step of the elements").at("value").get<double>()}};
+             summary.at("figures").at("stable step without contact").at("value").get<double>()}};
   }
 
   void step(Communicator &world)
@@ -49,7 +49,7 @@ namespace
     const auto bores = find_steps("bores"), shafts = find_steps("shafts"),
                undamped = find_steps("undamped");
     // Sectors have other levels where they meet the shaft, which moves their worst element.
-    check_close("stable step of the elements, on shafts over ideal bores",
+    check_close("stable step without contact, on shafts over ideal bores",
                 shafts[1] / bores[1],
                 1.,
                 1e-3);

@@ -23,7 +23,6 @@ namespace
                                  "subsection Model\n"
                                  "  subsection Body flying\n    set cells x = 20\n  end\n"
                                  "  subsection Body resting\n    set cells x = 20\n  end\n"
-                                 // Their touch costs energy, by which runs fail.
                                  "  subsection Contact faces\n    set integration = explicit\n"
                                  "  end\nend\n"
                                  "subsection Output\n  set pictures = no\nend\n";
@@ -40,8 +39,8 @@ namespace
          "  subsection Figure free end\n"
          "    set column = ahead displacment x\n  end\n"
          "  subsection Parameter limit\n"
-         "    set entry  = Dynamics/energy limit\n"
-         "    set values = 2, 1e-9\n  end\n"
+         "    set entry  = Model/Contact faces/penetration limit\n"
+         "    set values = 0.1, 1e-6\n  end\n"
          "  subsection Parameter damping\n"
          "    set entry  = Dynamics/damping\n"
          "    set values = 0, 100 1/s, 200 1/s\n  end\nend\n";
@@ -63,8 +62,8 @@ namespace
          "    set entry  = Model/Body flying/cells x; Model/Body resting/cells x\n"
          "    set values = 10 | 10, 20 | 20, 40 | 40\n  end\n"
          "  subsection Parameter limit\n"
-         "    set entry  = Dynamics/energy limit\n"
-         "    set values = 2, 1e-9\n  end\nend\n";
+         "    set entry  = Model/Contact faces/penetration limit\n"
+         "    set values = 0.1, 1e-6\n  end\nend\n";
   }
 
   Ending sweep(const std::string &folder, const std::vector<std::string> &more = {})
@@ -125,7 +124,7 @@ namespace
                 bars.numbers("error by cells")[row],
                 bars.numbers("error")[row],
                 0);
-    check("its run", text("run", 0) == "run_03" && text("variant", 0) == "limit = 2");
+    check("its run", text("run", 0) == "run_03" && text("variant", 0) == "limit = 0.1");
     check("none of failed runs", std::isnan(bars.numbers("value")[row + 1]));
     std::cout << text("method", 1) << std::endl;
     check("errors and orders by references are no figures, nor are steps",
@@ -136,6 +135,7 @@ namespace
               << pairs.column("verdict").texts[0] << std::endl;
     check("in sweep.json",
           read_text("numerical/sweep.json").find("\"error bars\"") != std::string::npos);
+    show("no case", run({"--set", "Sweep/base=nowhere.prm"}));
     show("not a parameter", run({"--set", "Sweep/error by=cell"}));
     show("twice", run({"--set", "Sweep/error by=cells, cells"}));
     show("one value", run({"--set", "Sweep/Parameter cells/values=10 | 10"}));
@@ -166,7 +166,7 @@ int main()
         history("all/run_01").size() > 1000 && history("all/run_01") != history("all/run_02"));
   const std::string json = read_text("all/sweep.json");
   check("sweep.json has the failure",
-        json.find("\"message\": \"the energy error is") != std::string::npos);
+        json.find("\"message\": \"runaway penetration") != std::string::npos);
 
   const vfife::Table table         = vfife::read_result_table("all/sweep.csv");
   const auto         numbers       = [&table](const char *name) { return table.numbers(name); };

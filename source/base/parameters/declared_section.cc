@@ -121,6 +121,21 @@ namespace vfife
     return found;
   }
 
+  std::vector<std::string> DeclaredSection::paths_of_section(const std::string &section,
+                                                             const std::string &path) const
+  {
+    std::vector<std::string> found;
+    for (const DeclaredSection &inner : sections)
+      {
+        const std::string inside = path + (path.empty() ? "" : "/") + inner.name;
+        if (inner.name == section)
+          found.push_back(inside);
+        for (const std::string &below : inner.paths_of_section(section, inside))
+          found.push_back(below);
+      }
+    return found;
+  }
+
   DeclaredSection find_declared(const dealii::ParameterHandler &prm)
   {
     // ParameterHandler lists its declarations in no other way than by printing them

@@ -31,6 +31,7 @@ namespace vfife
                                      const std::string     &name,
                                      const DeclaredSection &parent,
                                      const std::string     &path,
+                                     const DeclaredSection &top,
                                      const OtherSections   &others)
     {
       const std::vector<std::string> known   = parent.section_names();
@@ -41,8 +42,13 @@ namespace vfife
       std::vector<std::string> meant = known;
       if (path.empty())
         meant.insert(meant.end(), others.names.begin(), others.names.end());
-      message += parent.find_entry(name) == nullptr ? did_you_mean(name, meant)
-                                                    : "; it is an entry: set " + name + " = ...";
+      const std::vector<std::string> elsewhere = top.paths_of_section(name);
+      if (parent.find_entry(name) != nullptr)
+        message += "; it is an entry: set " + name + " = ...";
+      else if (!elsewhere.empty())
+        message += "; sections of that name: " + list_of(elsewhere);
+      else
+        message += did_you_mean(name, meant);
       throw InputError(message);
     }
 
@@ -110,7 +116,7 @@ namespace vfife
         {
           const DeclaredSection *const inner = section->find_section(name);
           if (inner == nullptr && strict)
-            refuse_section(statement.place, name, *section, path, others);
+            refuse_section(statement.place, name, *section, path, top, others);
           if (inner == nullptr)
             return nullptr;
           section = inner;
@@ -212,7 +218,7 @@ namespace vfife
         // The last pass knows all there is: what is not declared now is misspelt or out of place.
         if (section.find_section(statement.name) == nullptr)
           refuse_section(
-            statement.place, statement.name, section, statement.section_path(), others);
+            statement.place, statement.name, section, statement.section_path(), top, others);
       }
     else if (const auto *const entry = section.find_entry(statement.name))
       apply(statement, *entry, prm);

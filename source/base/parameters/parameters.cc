@@ -117,7 +117,7 @@ namespace vfife
           const std::string words    = range_words(range);
           const bool        negation = words.compare(0, 4, "not ") == 0;
           throw InputError("must " + (negation ? "not be " + words.substr(4) : "be " + words) +
-                           " [" + unit.name + "]");
+                           " [" + unit.name + "]" + (range.hint.empty() ? "" : "; " + range.hint));
         }
     }
 

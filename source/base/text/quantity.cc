@@ -165,6 +165,10 @@ namespace vfife
     if (name[0] == ',')
       throw InputError("the decimal sign is a point, not a comma");
 
+    // "1 rpm, 2 rpm"; the name of no unit has a comma.
+    if (name.find_first_of(",;") != std::string::npos)
+      throw InputError("must be one value; lists are for the sections Parameter of a sweep");
+
     // A known unit of the right dimension; else the message says whether the unit is another one's
     // or not known at all.
     const Unit *const unit = find_known(name);

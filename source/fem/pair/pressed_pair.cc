@@ -278,7 +278,10 @@ namespace vfife
           return turn;
         turn += sense * gap / model_.transmission->arm;
       }
-    fail("the flanks do not touch within reach", "");
+    fail(
+      "the flanks do not touch within reach: mounting errors keep them apart, or the torque turns "
+      "them past each other",
+      "");
   }
 
   PressedState PressedPair::press_rigid(const PressedBodies   &bodies,

@@ -14,6 +14,8 @@ namespace vfife
 {
   namespace
   {
+    constexpr double least_module = 0.2; // [mm]
+
     /** Mean working depth over the mean normal module, by teeth of the pinion (standard depth
      * system of face-milled gears). */
     double depth_factor(const unsigned int pinion_teeth)
@@ -289,7 +291,8 @@ namespace vfife
                    pinion_hand,
                    hand_choices(),
                    "Hand of the pinion's spiral; the gear has the other one");
-    declare_quantity(prm, "module", module, "mm", "Outer transverse module", Range::not_negative());
+    declare_quantity(
+      prm, "module", module, "mm", "Outer transverse module", Range::between(0., 100.));
     declare_quantity(prm,
                      "face width",
                      face_width,
@@ -347,6 +350,10 @@ namespace vfife
                          "Operation/driving member)");
     if (!(proposal.module > 0.))
       throw InputError("Gear pair/Proposal/module", "a proposal needs the outer transverse module");
+    // The ellipse that is asked for is one of marking compound, whose film is too thick for smaller
+    // teeth.
+    if (proposal.module < least_module)
+      throw InputError("Gear pair/Proposal/module", "proposals begin at 0.2 mm");
     // the gear alone, then pinion flanks that fit it
     propose_blanks(proposal, shaft_angle, pinion.blank, gear.blank);
     propose_gear_cutter(proposal, pinion.blank, gear);

@@ -195,7 +195,15 @@ namespace vfife
     // Play: the gear's rotations on both sides, pinion held; the arm makes a length of it.
     const UnloadedContact drive(pair, MeshSide::drive), coast(pair, MeshSide::coast);
     const double          rot1 = pair.rot1_reference();
-    forms.play                 = drive.touching(rot1).rot2 - coast.touching(rot1).rot2;
+    try
+      {
+        forms.play = drive.touching(rot1).rot2 - coast.touching(rot1).rot2;
+      }
+    catch (const NumericalError &)
+      {
+        // As it is mounted, edges alone stop the gear on one side.
+        forms.play = not_known;
+      }
     forms.backlash =
       forms.play *
       (pair.mean_contact(MeshSide::drive).arm + pair.mean_contact(MeshSide::coast).arm) / 2;

@@ -129,6 +129,19 @@ namespace vfife
     return json.is_structured() ? read_number(json, pointer) : not_known;
   }
 
+  NamedFigures read_geometry(const std::string &folder)
+  {
+    NamedFigures quantities;
+    const Json   json = read_json(folder + "/geometry.json");
+    if (json.is_object())
+      for (const auto &[member, all] : json.items())
+        for (const auto &[name, one] : all.items())
+          if (one.is_object() && one.contains("value") && one["value"].is_number())
+            quantities.push_back(
+              {member + " " + name, {one["value"].get<double>(), one.value("unit", "")}});
+    return quantities;
+  }
+
   bool tells_of_computation(const std::string &figure)
   {
     const std::vector<Place> places = list_places();

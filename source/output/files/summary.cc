@@ -62,9 +62,11 @@ namespace vfife
       run["step"]                       = figure_json(summary.dt, "s");
       at(summary_place::steps, json)    = summary.steps;
       at(summary_place::run_time, json) = figure_json(summary.run_time, "s");
-      run["element-steps per second"]   = figure_json(summary.element_steps_per_second(), "1/s");
-      run["ranks"]                      = summary.ranks;
-      run["memory of the first rank"]   = figure_json(largest_memory(), "MB");
+      // Of kinds that step elements.
+      if (summary.study == "run" || summary.study == "static")
+        run["element-steps per second"] = figure_json(summary.element_steps_per_second(), "1/s");
+      run["ranks"]                    = summary.ranks;
+      run["memory of the first rank"] = figure_json(largest_memory(), "MB");
       if (!summary.instruction_set.empty())
         run["instruction set"] = summary.instruction_set;
       if (!summary.timers.empty())

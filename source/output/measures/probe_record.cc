@@ -51,7 +51,7 @@ namespace vfife
          << (largest_after_mesh < 0 ? "before" : "after") << " the mesh, median "
          << figure_text(median) << " MPa; ";
     if (has_peak && has_median)
-      text << "the record has both";
+      text << "both values occur in the record";
     else if (has_peak)
       text
         << "the record has the peak, but ends or begins before it comes down to the median (least "

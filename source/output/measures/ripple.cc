@@ -100,7 +100,7 @@ namespace vfife
   std::string Ripple::explain() const
   {
     if (!judged)
-      return "the ripple is not judged, which takes two whole mesh cycles";
+      return "the ripple is not judged, which takes two whole tooth meshes";
     std::ostringstream text;
     text << "the ripple " << (steady ? "is steady" : "is NOT steady")
          << ", peak to peak and harmonics of the first and the second half differ by ";

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
+#include <vfife/base/types.h>
 #include <vfife/output/measures/steady_part.h>
 
 #include "sample_integral.h"
@@ -19,6 +20,11 @@ namespace vfife
     {
       double begin, end;
     };
+
+    std::string count_meshes(const unsigned int n)
+    {
+      return std::to_string(n) + (n == 1 ? " tooth mesh" : " tooth meshes");
+    }
 
     bool has_numbers(const Table &table, const std::string &name)
     {
@@ -45,7 +51,10 @@ namespace vfife
       statistics.standard_deviation =
         std::sqrt(SampleIntegral(std::move(squares)).mean(window.begin, window.end));
 
-      statistics.peak_to_peak = compute_peak_to_peak(values, window.begin, window.end);
+      // Less than two samples have no ripple.
+      statistics.peak_to_peak = std::floor(window.end + 1e-6) > std::ceil(window.begin - 1e-6)
+                                  ? compute_peak_to_peak(values, window.begin, window.end)
+                                  : not_known;
       return statistics;
     }
 
@@ -205,6 +214,7 @@ namespace vfife
         part.cycles = n_cycles - start;
         window      = {start * samples_per_mesh, std::min(last_row, n_cycles * samples_per_mesh)};
       }
+    part.whole      = window.begin <= 0;
     part.first_row  = std::ceil(window.begin - 1e-6);
     part.end_row    = static_cast<std::size_t>(std::floor(window.end + 1e-6)) + 1;
     part.start_time = time.front() + interval * window.begin;
@@ -237,24 +247,26 @@ namespace vfife
     const auto        milliseconds = [](const double t) { return 1e3 * t; };
     const double      percent      = 100 * largest_change;
     const std::string cycles_to_judge =
-      std::to_string(judged_cycles) + " mesh cycles" + (after_ramp ? " after the ramp" : "");
+      count_meshes(judged_cycles) + (after_ramp ? " after the ramp" : "");
     if (found)
       text << (ripple.steady ? "steady from " : "means steady from ") << milliseconds(start_time)
-           << " ms to " << milliseconds(end_time) << " ms (" << cycles << " mesh cycles): ";
+           << " ms to " << milliseconds(end_time) << " ms (" << count_meshes(cycles) << "): ";
     else
       text << "no steady part: ";
     if (by_cycles)
-      text << cycles_to_judge << " are fewer than two swing periods of " << period
-           << "; means over single mesh cycles differ by " << (found ? "at most " : "") << percent
+      text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are")
+           << " fewer than two swing periods of " << count_meshes(period)
+           << "; means over single tooth meshes differ by " << (found ? "at most " : "") << percent
            << " %";
     else if (judged_cycles < period)
-      text << cycles_to_judge << " are fewer than one swing period of " << period;
+      text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are")
+           << " less than one swing period of " << count_meshes(period);
     else
-      text << "means over " << (found ? "" : "the last two times ") << period
-           << " mesh cycles differ by " << (found ? "at most " : "") << percent << " %";
+      text << "means over " << (found ? "" : "the last two times ") << count_meshes(period)
+           << " differ by " << (found ? "at most " : "") << percent << " %";
     if (!found)
-      text << "; figures are of the last third, " << milliseconds(start_time) << " ms to "
-           << milliseconds(end_time) << " ms";
+      text << "; figures are of the " << (whole ? "whole record, " : "last third, ")
+           << milliseconds(start_time) << " ms to " << milliseconds(end_time) << " ms";
     text << "; " << ripple.explain();
     return text.str();
   }

@@ -34,8 +34,11 @@ namespace vfife
 
   std::string duration_text(const double seconds)
   {
-    if (!(seconds >= 0) || seconds > 1e8)
+    constexpr double year = 365.25 * 24 * 3600;
+    if (!(seconds >= 0))
       return "?";
+    if (seconds > year)
+      return "more than a year";
     // The two largest units that are not zero.
     const auto         s = static_cast<unsigned long>(std::lround(seconds));
     std::ostringstream text;

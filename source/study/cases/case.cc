@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/log.h>
 #include <vfife/study/cases/case.h>
 
 namespace vfife
@@ -54,5 +55,13 @@ namespace vfife
   std::vector<std::string> Case::find_contradictions(const RunPlan &) const
   {
     return {};
+  }
+
+  void log_contradictions(const std::vector<std::string> &found, Log &log)
+  {
+    for (const std::string &sentence : found)
+      log.line("check: ", sentence);
+    if (found.empty())
+      log.line("check: no contradictions");
   }
 } // namespace vfife

@@ -124,6 +124,12 @@ namespace vfife
   {
     check_bodies();
     operation_.check("Operation");
+    // There waves along a bar would be slower than the pitch circle.
+    if (!(ring_strain() < 1))
+      throw InputError("Operation/speed",
+                       "a free ring at the pitch circle would be stretched by " +
+                         std::to_string(std::lround(std::min(1e9, 1e2 * ring_strain()))) +
+                         " %: no solid body holds together there");
     contact_.check("Contact");
     if (contact_.surface == ContactSurfaceKind::true_flank)
       return;
@@ -231,6 +237,19 @@ namespace vfife
     if (history.is_constant() || !(operation_.speed > 0))
       return 1.;
     return history.find_range(history.is_formula() ? end_time() : history.end()).second;
+  }
+
+  double GearCase::ring_strain() const
+  {
+    const Blank  blank = pair_.completed().pinion.blank;
+    const double speed = operation_.speed * largest_speed_factor() * blank.outer_cone_distance *
+                         std::sin(blank.pitch_angle);
+    double strain = 0;
+    for (const Member &member : members_)
+      strain = std::max(strain,
+                        material(member.material).density * speed * speed /
+                          material(member.material).youngs_modulus);
+    return strain;
   }
 
   void GearCase::check_histories(const DynamicsOptions &dynamics) const

@@ -1,6 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // The part of GearCase that finds what a user will not expect; doc/study.md lists the checks.
+#include <vfife/base/errors.h>
+#include <vfife/base/process/log.h>
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/contact_resolution.h>
@@ -26,7 +29,8 @@ namespace vfife
     }
 
     /** A sentence, or nothing where all is well. */
-    using Check = std::string (*)(const GearCase &gear_case, const RunPlan &plan);
+    using ModelCheck = std::string (*)(const GearCase &gear_case, const Model &model);
+    using RunCheck   = std::string (*)(const GearCase &gear_case, const RunPlan &plan);
 
     std::string check_damping(const GearCase &, const RunPlan &plan)
     {
@@ -67,12 +71,12 @@ namespace vfife
       return "";
     }
 
-    std::string check_flank(const GearCase &, const RunPlan &plan)
+    std::string check_flank(const GearCase &, const Model &model)
     {
       // The driver pushes along -n: the moment -a . ((P - c) x n) about the driven axis must have
       // the sense in which the driven member turns.
-      const Transmission &t    = *plan.model.transmission;
-      const Axis         &axis = plan.model.bodies[t.driven].axis;
+      const Transmission &t    = *model.transmission;
+      const Axis         &axis = model.bodies[t.driven].axis;
       const double        arm  = -t.driven_sense *
                          axis.direction.dot((t.contact_point - axis.point).cross(t.contact_normal));
       return arm > 0 ? ""
@@ -80,11 +84,11 @@ namespace vfife
                        "direction: the load torque opens them";
     }
 
-    std::string check_hertz(const GearCase &gear_case, const RunPlan &plan)
+    std::string check_hertz(const GearCase &gear_case, const Model &model)
     {
       // Two smaller semi-axes.
-      const double width = 2 * TorquePressure(gear_case.hertz_contact(), plan.model).semi_axes[1];
-      const ContactResolution seen(plan.model, plan.model.contacts.front(), width);
+      const double width = 2 * TorquePressure(gear_case.hertz_contact(), model).semi_axes[1];
+      const ContactResolution seen(model, model.contacts.front(), width);
       if (seen.has_single_points())
         return seen.describe_points("Hertz's contact");
       if (seen.facet > width)
@@ -96,13 +100,39 @@ namespace vfife
       return "";
     }
 
-    std::string check_pressure(const GearCase &gear_case, const RunPlan &plan)
+    std::string check_pressure(const GearCase &gear_case, const Model &model)
     {
-      return TorquePressure(gear_case.hertz_contact(), plan.model)
+      return TorquePressure(gear_case.hertz_contact(), model)
         .find_excess(gear_case.operation().pressure_limit);
     }
 
-    std::string check_hub(const GearCase &gear_case, const RunPlan &)
+    std::string check_path(const GearCase &gear_case, const Model &)
+    {
+      try
+        {
+          const GearPair pair = gear_case.make_pair();
+          UnloadedContact(pair, gear_case.working_side()).path_range();
+        }
+      catch (const NumericalError &error)
+        {
+          return error.what();
+        }
+      return "";
+    }
+
+    std::string check_spin(const GearCase &gear_case, const Model &)
+    {
+      // Of steels 1000 MPa: the strongest gears carry no more, teeth and web on the rim left out.
+      constexpr double limit  = 0.005;
+      const double     strain = gear_case.ring_strain();
+      if (strain <= limit)
+        return "";
+      return text("a free ring at the pitch circle would be stretched by ",
+                  1e2 * strain,
+                  " % at this speed: no gear body carries that");
+    }
+
+    std::string check_hub(const GearCase &gear_case, const Model &)
     {
       if (gear_case.has_web() || gear_case.operation().hub != HubKind::free_rotation)
         return "";
@@ -158,29 +188,63 @@ namespace vfife
                   " samples a tooth mesh miss the ripple: means and peaks will be wrong");
     }
 
-    const std::vector<Check> all_checks = {&check_flank,
-                                           &check_hub,
-                                           &check_damping,
-                                           &check_damping_rate,
-                                           &check_ramp,
-                                           &check_hertz,
-                                           &check_pressure,
-                                           &check_step,
-                                           &check_samples,
-                                           &check_fields,
-                                           &check_checkpoint};
+    std::string check_length(const GearCase &gear_case, const RunPlan &plan)
+    {
+      constexpr double month = 30. * 24 * 3600;
+      if (!(plan.expected_time > month))
+        return "";
+      return text("a tooth mesh has ",
+                  std::round(1. / (gear_case.mesh_frequency() * plan.step)),
+                  " steps at this speed: slow motion is for the loaded tooth contact analysis or a "
+                  "reduced pair");
+    }
+
+    const std::vector<ModelCheck> model_checks = {
+      &check_flank, &check_path, &check_hub, &check_spin, &check_hertz, &check_pressure};
+    const std::vector<RunCheck> run_checks = {&check_damping,
+                                              &check_damping_rate,
+                                              &check_ramp,
+                                              &check_step,
+                                              &check_samples,
+                                              &check_fields,
+                                              &check_length,
+                                              &check_checkpoint};
+
+    /** Contradictions are said and not refused: a user may want just that. */
+    template <typename Check, typename Of>
+    void add_sentences(const std::vector<Check> &checks,
+                       const GearCase           &gear_case,
+                       const Of                 &of,
+                       std::vector<std::string> &found)
+    {
+      for (const Check check : checks)
+        {
+          const std::string sentence = check(gear_case, of);
+          if (!sentence.empty())
+            found.push_back(sentence);
+        }
+    }
   } // namespace
+
+  std::vector<std::string> GearCase::find_model_contradictions(const Model &model) const
+  {
+    std::vector<std::string> found;
+    add_sentences(model_checks, *this, model, found);
+    return found;
+  }
+
+  std::vector<std::string> GearCase::report_load(const Model &model, Log &log) const
+  {
+    log.line(TorquePressure(hertz_contact(), model).describe());
+    const std::vector<std::string> found = find_model_contradictions(model);
+    log_contradictions(found, log);
+    return found;
+  }
 
   std::vector<std::string> GearCase::find_contradictions(const RunPlan &plan) const
   {
-    std::vector<std::string> found;
-    for (const Check check : all_checks)
-      {
-        // Contradictions are said and not refused: a user may want just that run.
-        const std::string sentence = check(*this, plan);
-        if (!sentence.empty())
-          found.push_back(sentence);
-      }
+    std::vector<std::string> found = find_model_contradictions(plan.model);
+    add_sentences(run_checks, *this, plan, found);
     return found;
   }
 } // namespace vfife

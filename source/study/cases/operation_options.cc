@@ -18,8 +18,14 @@ namespace vfife
   void OperationOptions::declare(dealii::ParameterHandler &prm)
   {
     Subsection section(prm, "Operation");
-    declare_quantity_over_time(
-      prm, "speed", speed, speed_history, "rpm", "Speed of the pinion", Range::not_negative());
+    declare_quantity_over_time(prm,
+                               "speed",
+                               speed,
+                               speed_history,
+                               "rpm",
+                               "Speed of the pinion",
+                               Range::not_negative().with_hint(
+                                 "direction of rotation = reverse turns it round"));
     declare_quantity_over_time(prm,
                                "torque",
                                torque,

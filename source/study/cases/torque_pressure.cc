@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/process/log.h>
 #include <vfife/contact/law/hertz.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/model/model.h>
@@ -33,13 +32,5 @@ namespace vfife
     text << "Hertz's pressure of one tooth pair under all the torque, " << largest
          << " MPa, is above the allowed " << limit << " MPa (Operation/allowed contact pressure)";
     return text.str();
-  }
-
-  void TorquePressure::report(const double limit, Log &log) const
-  {
-    log.line(describe());
-    const std::string excess = find_excess(limit);
-    if (!excess.empty())
-      log.warning(excess);
   }
 } // namespace vfife

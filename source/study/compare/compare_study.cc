@@ -239,10 +239,18 @@ namespace vfife
     // Failures of the one that reads are told to all, so that all end alike.
     ComparisonRows             rows;
     std::optional<std::string> failure;
+    std::vector<std::string>   remarks;
     if (folder.communicator().is_root())
       try
         {
-          rows = compare(cases, tolerances_);
+          rows    = compare(cases, tolerances_);
+          remarks = list_other_pairs(cases);
+          for (const ComparedCase &one : cases)
+            if (!one.is_read)
+              remarks.push_back("nothing of " + one.name + " is compared: of each kind (" +
+                                one.kind +
+                                ") the first case with results is taken, where others have what "
+                                "goes with it");
           if (rows.empty())
             failure = "the cases have no results in common that are known to be compared";
         }
@@ -259,6 +267,8 @@ namespace vfife
     if (!message.empty())
       throw InputError("Compare/cases", message);
 
+    for (const std::string &remark : remarks)
+      log.warning(remark);
     for (const ComparisonRow &row : rows)
       log.line(row.quantity,
                ": ",
@@ -272,7 +282,7 @@ namespace vfife
                "): ",
                row.verdict());
     write_csv(folder, "comparison.csv", comparison_table(rows));
-    write_json(folder, "comparison.json", comparison_json(title_, rows));
+    write_json(folder, "comparison.json", comparison_json(title_, cases, remarks, rows));
     if (pictures_)
       draw_pictures(folder, log);
   }

@@ -1,11 +1,31 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/file_names.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_reader.h>
 #include <vfife/study/compare/compared_case.h>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 namespace vfife
 {
+  namespace
+  {
+    /** A quantity of one case and of another where they differ by more than what is written of
+     * them. */
+    std::string describe_difference(const std::string &name, const Figure &one, const Figure &other)
+    {
+      if (std::abs(one.value - other.value) <=
+          1e-6 * std::max(std::abs(one.value), std::abs(other.value)))
+        return "";
+      std::ostringstream text;
+      text << name << " " << one.value << " and " << other.value << " " << one.unit;
+      return text.str();
+    }
+  } // namespace
+
   bool ComparedCase::has(const std::string &file) const
   {
     return is_there(folder + "/" + file);
@@ -13,12 +33,45 @@ namespace vfife
 
   Table ComparedCase::table(const std::string &file) const
   {
+    is_read = true;
     return read_result_table(folder + "/" + file);
   }
 
   double ComparedCase::number(const std::string &file, const std::string &pointer) const
   {
+    is_read = true;
     return read_figure(folder + "/" + file, pointer);
+  }
+
+  std::vector<std::string> list_other_pairs(const ComparedCases &cases)
+  {
+    constexpr std::size_t    most  = 4; // names in a sentence
+    const ComparedCase      *first = nullptr;
+    NamedFigures             known;
+    std::vector<std::string> sentences;
+    for (const ComparedCase &one : cases)
+      {
+        const NamedFigures geometry = read_geometry(one.folder);
+        if (first == nullptr && !geometry.empty())
+          {
+            first = &one;
+            known = geometry;
+          }
+        std::vector<std::string> differing;
+        for (const auto &[name, figure] : geometry)
+          for (const auto &[other_name, other] : known)
+            if (name == other_name)
+              differing.push_back(describe_difference(name, figure, other));
+        differing.erase(std::remove(differing.begin(), differing.end(), ""), differing.end());
+        if (differing.empty())
+          continue;
+        const std::size_t more = std::max(differing.size(), most) - most;
+        differing.resize(differing.size() - more);
+        sentences.push_back(one.name + " is another pair than " + first->name + ": " +
+                            list_of(differing) +
+                            (more > 0 ? " and " + std::to_string(more) + " more" : ""));
+      }
+    return sentences;
   }
 
   const ComparedCase *

@@ -31,7 +31,10 @@ namespace vfife
     return std::abs(difference()) <= *tolerance ? "agrees" : "differs";
   }
 
-  Json comparison_json(const std::string &title, const ComparisonRows &rows)
+  Json comparison_json(const std::string              &title,
+                       const ComparedCases            &cases,
+                       const std::vector<std::string> &remarks,
+                       const ComparisonRows           &rows)
   {
     Json list = Json::array();
     for (const ComparisonRow &row : rows)
@@ -44,7 +47,10 @@ namespace vfife
                       {"tolerance", row.tolerance ? number(*row.tolerance) : Json()},
                       {"verdict", row.verdict()},
                       {"reason", row.reason}});
-    return {{"title", title}, {"rows", list}};
+    Json compared = Json::array();
+    for (const ComparedCase &one : cases)
+      compared.push_back({{"name", one.name}, {"kind", one.kind}, {"folder", one.folder}});
+    return {{"title", title}, {"cases", compared}, {"remarks", remarks}, {"rows", list}};
   }
 
   Table comparison_table(const ComparisonRows &rows)

@@ -30,7 +30,13 @@ namespace vfife
     if (std::isfinite(neighbour))
       reason << ", the next mode is " << neighbour << " Hz away";
     // 2/T is half the width of the window's main lobe: lines of closer modes run into each other.
-    if (neighbour > 2 / length)
+    // A difference of less than a line of the spectrum, 1/T, may agree but refutes nothing.
+    const double difference = std::abs(line - mode);
+    const bool   is_refuted = difference > tolerance * mode;
+    if (neighbour > 2 / length && is_refuted && difference < 1 / length)
+      reason << "; beyond the tolerance, but by less than a line of the spectrum, " << 1 / length
+             << " Hz";
+    else if (neighbour > 2 / length)
       row.tolerance = tolerance * mode;
     row.reason = reason.str();
     return row;

@@ -21,7 +21,6 @@
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/gear_case.h>
-#include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_fillets.h>
@@ -82,8 +81,7 @@ namespace vfife
                  " N/mm^3; ",
                  options_.positions,
                  " positions");
-        TorquePressure(gear_case_.hertz_contact(), model)
-          .report(gear_case_.operation().pressure_limit, log);
+        gear_case_.report_load(model, log);
       }
 
       void run(OutputFolder &folder, Log &log) override;
@@ -141,8 +139,7 @@ namespace vfife
     const Model               model = gear_case_.make_model(log);
     const std::vector<double> penalties =
       find_run_penalties(gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
-    TorquePressure(gear_case_.hertz_contact(), model)
-      .report(gear_case_.operation().pressure_limit, log);
+    gear_case_.report_load(model, log);
     auto       start = WallClock::now();
     Compliance compliance(model, fem_, options_.centrifugal, folder.communicator());
     log.line("penalty ",

@@ -108,7 +108,9 @@ namespace vfife
         const Table::Column &error = positions.column(name);
         const auto           ends = std::minmax_element(error.numbers.begin(), error.numbers.end());
         add(error, " mean", mean(error.numbers));
-        add(error, " peak to peak", *ends.second - *ends.first);
+        // A single position has none.
+        if (positions.n_rows() > 1)
+          add(error, " peak to peak", *ends.second - *ends.first);
       }
     for (const char *name :
          {column::contact_force_total, "secant stiffness", column::tangent_stiffness})

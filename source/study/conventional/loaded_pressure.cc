@@ -53,8 +53,9 @@ namespace vfife
     figures.push_back(
       {"transmission error without penalty mean",
        {std::accumulate(errors_.begin(), errors_.end(), 0.) / errors_.size(), "arcsec"}});
-    figures.push_back(
-      {"transmission error without penalty peak to peak", {*ends.second - *ends.first, "arcsec"}});
+    if (errors_.size() > 1)
+      figures.push_back({"transmission error without penalty peak to peak",
+                         {*ends.second - *ends.first, "arcsec"}});
     return figures;
   }
 } // namespace vfife

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
@@ -337,7 +338,17 @@ namespace vfife
     // Both sides, whichever works: the other one carries when the load or the drive turns round.
     for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
       {
-        sides.push_back(analyse_contact(pair, side, options_));
+        try
+          {
+            sides.push_back(analyse_contact(pair, side, options_));
+          }
+        catch (const NumericalError &error)
+          {
+            if (side == options_.working_side())
+              throw;
+            log.warning(error.what());
+            continue;
+          }
         log_side(sides.back(), log);
         json[side_name(side)] = side_json(sides.back(), pair.gear().pitch());
       }

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 
 namespace vfife
@@ -46,12 +47,14 @@ namespace vfife
                         section.regularity);
           log.line(row);
         }
-    char play[128];
-    std::snprintf(play,
-                  sizeof play,
-                  "backlash              %.4f mm normal at the mean point, %.1f arcsec at the gear",
-                  forms.backlash,
-                  forms.play / arcsecond);
+    char play[128] = "backlash as mounted   not known: flanks of one side touch nowhere inside";
+    if (std::isfinite(forms.play))
+      std::snprintf(
+        play,
+        sizeof play,
+        "backlash as mounted   %.4f mm normal at the mean point, %.1f arcsec at the gear",
+        forms.backlash,
+        forms.play / arcsecond);
     log.line(play);
     for (const std::string &message : forms.findings.warnings())
       log.warning(message);

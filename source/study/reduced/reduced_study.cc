@@ -16,7 +16,6 @@
 #include <vfife/reduced/reduced_pair.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_length.h>
-#include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
@@ -95,8 +94,7 @@ namespace vfife
                  " Hz, ",
                  n_steps_of_mesh(least_cutoff()),
                  " steps in a tooth mesh");
-        TorquePressure(gear_case_.hertz_contact(), model)
-          .report(gear_case_.operation().pressure_limit, log);
+        gear_case_.report_load(model, log);
       }
 
       std::size_t resume(const std::string     &folder,
@@ -281,8 +279,7 @@ namespace vfife
       summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
       summary.figures.push_back({"steps in a tooth mesh", {double(motion.steps_per_mesh), "-"}});
-      TorquePressure(gear_case_.hertz_contact(), model)
-        .report(gear_case_.operation().pressure_limit, log);
+      summary.contradictions = gear_case_.report_load(model, log);
 
       const auto prepared = [&]() {
         ReducedStart &start = run.start();

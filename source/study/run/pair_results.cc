@@ -195,7 +195,9 @@ namespace vfife
                  c.peak_to_peak,
                  " ",
                  c.unit,
-                 summary.steady->ripple.steady ? "" : " (ripple not steady)");
+                 !summary.steady->ripple.judged  ? " (ripple not judged)"
+                 : summary.steady->ripple.steady ? ""
+                                                 : " (ripple not steady)");
       }
   }
 

@@ -45,6 +45,18 @@ namespace vfife
     /** Beyond it --check names what makes a run short [s]. */
     constexpr double long_wait = 300;
 
+    /** Whether a pair has more elements and tooth meshes than a first look needs. */
+    bool is_large(const Model &model, const double end_time)
+    {
+      constexpr std::size_t  first_elements = 30000;
+      constexpr unsigned int first_meshes   = 14;
+      std::size_t            elements       = 0;
+      for (const Body &body : model.bodies)
+        elements += body.n_elements();
+      return elements > first_elements ||
+             count_meshes(*model.transmission, end_time) > first_meshes;
+    }
+
     /** Adds what follows from the equilibrium and the history of a run that has ended, or failed.
      */
     void complete_pair(const PairResults &pair,
@@ -213,10 +225,8 @@ namespace vfife
     plan.step                            = stepped.dt;
     plan.expected_time                   = run_time;
     const std::vector<std::string> found = case_->find_contradictions(plan);
-    for (const std::string &sentence : found)
-      log.line("check: ", sentence);
-    if (found.empty() && model.transmission)
-      log.line("check: no contradictions");
+    if (model.transmission)
+      log_contradictions(found, log);
     return found;
   }
 
@@ -249,9 +259,8 @@ namespace vfife
              communicator.size(),
              communicator.size() == 1 ? " rank" : " ranks",
              dynamics_.start == Start::undeformed ? "" : ", and the equilibrium before it");
-    if (model.transmission && run_time > long_wait)
-      log.line("for a first look: coarse meshes (Gear pair/mesh = coarse) and 14 tooth meshes "
-               "(Operation/tooth meshes)");
+    if (model.transmission && run_time > long_wait && is_large(model, case_->end_time()))
+      log.line("a first look takes less: Gear pair/mesh = coarse, Operation/tooth meshes = 14");
     report_contradictions(model, stepped, run_time, log);
   }
 
@@ -294,7 +303,7 @@ namespace vfife
         summary.figures =
           pair->list_figures(stepped.solver.contact().penalties().front(), case_->arm_range());
         summary.figures.push_back(
-          {"stable step of the elements", {1e9 * stepped.solver.element_step(), "ns"}});
+          {"stable step without contact", {1e9 * stepped.solver.element_step(), "ns"}});
         log.line(TorquePressure(case_->hertz_contact(), model).describe());
       }
     else if (!model.contacts.empty())

@@ -204,6 +204,8 @@ namespace vfife
   {
     if (base_.empty())
       throw InputError("Sweep/base", "the parameter file of the case is missing");
+    if (!is_there(base_))
+      throw InputError("Sweep/base", "there is no file \"" + base_ + "\"");
     if (parameters_.empty())
       throw InputError("Sweep/parameters", "there is nothing to vary");
     check_numerical();
@@ -248,8 +250,20 @@ namespace vfife
         }
       catch (const InputError &error)
         {
-          throw InputError("run with " + describe(values) + ": " + error.what());
+          const std::string message = "run with " + describe(values) + ": " + error.what();
+          const std::string entry   = find_cause(error.what());
+          throw entry.empty() ? InputError(message) : InputError(entry, message);
         }
+  }
+
+  std::string SweepStudy::find_cause(const std::string &message) const
+  {
+    for (const Parameter &parameter : parameters_)
+      for (const std::string &entry : parameter.list_entries())
+        if (message.find("\"" + entry + "=") != std::string::npos)
+          return "Sweep/Parameter " + parameter.name +
+                 (message.find("is not a") != std::string::npos ? "/entry" : "/values");
+    return "";
   }
 
   void SweepStudy::check_columns() const
@@ -261,9 +275,11 @@ namespace vfife
     for (const std::string &name : names_)
       {
         if (std::count(taken.begin(), taken.end(), name) > 0)
-          throw InputError("Sweep/parameters",
-                           "the table has another column \"" + name +
-                             "\": the parameter needs another name");
+          throw InputError(
+            "Sweep/parameters",
+            "\"" + name +
+              "\" is a figure of the runs or another parameter, and the "
+              "table sweep.csv has one column of each name: call the parameter otherwise");
         taken.push_back(name);
       }
     for (const HistoryFigure &figure : figures_)

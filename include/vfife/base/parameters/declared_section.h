@@ -53,6 +53,10 @@ namespace vfife
     std::vector<std::string> sections_with_entry(const std::string &entry,
                                                  const std::string &path = "") const;
 
+    /** Paths ("A/B/name") of all sections of that name below this one; @p path leads here. */
+    std::vector<std::string> paths_of_section(const std::string &section,
+                                              const std::string &path = "") const;
+
   private:
     std::vector<std::pair<std::string, std::string>> list_texts(std::string Entry::*text,
                                                                 const std::string  &path) const;

@@ -30,9 +30,9 @@ namespace vfife
   struct ToothForms
   {
     std::array<ToothSection, 3> pinion, gear;
-    double                      play     = 0; ///< of the gear at the mean point [rad]
-    double                      backlash = 0; ///< the same normal to the flanks [mm]
-    Findings                    findings;     ///< without section "Gear pair" in front
+    double   play     = 0; ///< of the gear at the mean point; NaN where edges end it [rad]
+    double   backlash = 0; ///< the same normal to the flanks [mm]
+    Findings findings;     ///< without section "Gear pair" in front
   };
 
   /** NumericalError when the flanks touch nowhere at the reference rotation. */

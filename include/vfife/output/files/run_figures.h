@@ -31,6 +31,10 @@ namespace vfife
    * or a switch (0 or 1); NaN where there is none. */
   double read_figure(const std::string &path, const std::string &pointer);
 
+  /** The quantities of geometry.json in @p folder by the member's name and their own, as "gear web
+   * thickness"; none where there is no such file, as of models without gears. */
+  NamedFigures read_geometry(const std::string &folder);
+
   /** Root tension, compression and stress range of both members. */
   NamedFigures list_root_figures(const RootStress &stress);
 

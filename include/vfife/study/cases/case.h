@@ -93,6 +93,9 @@ namespace vfife
      * although each of them is allowed; empty when nothing is found. */
     virtual std::vector<std::string> find_contradictions(const RunPlan &plan) const;
   };
+
+  /** A line for each contradiction that was found, or one that says that there are none. */
+  void log_contradictions(const std::vector<std::string> &found, Log &log);
 } // namespace vfife
 
 #endif

@@ -38,6 +38,13 @@ namespace vfife
     std::optional<EdgesUnderLoad>              edges_under_load() const override;
     std::vector<std::string> find_contradictions(const RunPlan &plan) const override;
 
+    /** Those of them that have nothing to do with steps: of all kinds that load the pair. */
+    std::vector<std::string> find_model_contradictions(const Model &model) const;
+
+    /** Logs Hertz's contact under the torque and find_model_contradictions(), which are returned.
+     */
+    std::vector<std::string> report_load(const Model &model, Log &log) const;
+
     /** The pair with everything derived. */
     GearPair make_pair() const;
 
@@ -52,6 +59,10 @@ namespace vfife
 
     /** The largest speed of a run over that at time zero. */
     double largest_speed_factor() const;
+
+    /** Strain of a free ring at the pitch circles at the largest speed of a run, rho v^2 / E; the
+     * larger of both members. */
+    double ring_strain() const;
 
     /** Tooth meshes of a run. */
     double run_meshes() const;

@@ -9,7 +9,6 @@
 namespace vfife
 {
   class HertzContact;
-  class Log;
   struct Model;
 
   /** Hertz's contact of one tooth pair that carries all the torque at the mean contact. */
@@ -23,9 +22,6 @@ namespace vfife
     /** What is wrong where it is above @p limit [MPa]; empty where it is not, or for a limit of 0.
      */
     std::string find_excess(double limit) const;
-
-    /** Writes both to @p log, the second as a warning. */
-    void report(double limit, Log &log) const;
 
     Vector2 semi_axes; ///< [mm], the larger first
     double  largest;   ///< [MPa]

@@ -16,6 +16,9 @@ namespace vfife
     std::string kind;            ///< word of Study/kind
     bool        is_pair = false; ///< of a gear pair, not a general model
 
+    /** Whether anything of its results has been read. */
+    mutable bool is_read = false;
+
     bool has(const std::string &file) const;
     /** A .csv file; throws InputError where it cannot be read. */
     Table table(const std::string &file) const;
@@ -24,6 +27,9 @@ namespace vfife
   };
 
   using ComparedCases = std::vector<ComparedCase>;
+
+  /** A sentence for each case whose geometry is not that of the first case that states one. */
+  std::vector<std::string> list_other_pairs(const ComparedCases &cases);
 
   /** The first case of a kind that has a file, or nullptr. */
   const ComparedCase *

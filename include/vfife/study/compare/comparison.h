@@ -4,6 +4,7 @@
 
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
+#include <vfife/study/compare/compared_case.h>
 
 #include <optional>
 #include <string>
@@ -36,7 +37,10 @@ namespace vfife
   using ComparisonRows = std::vector<ComparisonRow>;
 
   /** comparison.json as doc/report.md, Comparison ledger, has it. */
-  Json comparison_json(const std::string &title, const ComparisonRows &rows);
+  Json comparison_json(const std::string              &title,
+                       const ComparedCases            &cases,
+                       const std::vector<std::string> &remarks,
+                       const ComparisonRows           &rows);
 
   /** A row a row: quantity, unit, value, reference, reference kind, difference, tolerance, verdict,
    * reason; numbers have the unit of their row. */

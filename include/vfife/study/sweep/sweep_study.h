@@ -83,7 +83,10 @@ namespace vfife
     CommandLine               command_line(const Values &values) const;
     unsigned int              count_groups(const Communicator &communicator) const;
     std::string               describe(const Values &values) const;
-    void                      copy_beside(const OutputFolder &folder) const;
+    /** Path of the entry that makes a run's parameters wrong, by the message of that; empty where
+     * it is none of the sweep's. */
+    std::string find_cause(const std::string &message) const;
+    void        copy_beside(const OutputFolder &folder) const;
     /** The key figures of each run; as many and with the same names for all. */
     std::vector<NamedFigures> read_figures(const OutputFolder            &folder,
                                            const std::vector<Values>     &runs,

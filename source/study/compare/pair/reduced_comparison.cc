@@ -128,6 +128,9 @@ namespace vfife
                                     kind,
                                     {},
                                     "of the mean tooth meshes"};
+          if (noise > part)
+            row.reason += "; single meshes of the run differ from their mean, which makes " +
+                          rounded_text(noise) + " " + unit + " uncertain";
           // Vibrations next to the cut-off are not in the reduced pair.
           const double cutoff = reduced.summary(summary_place::figure("cut-off frequency"));
           if (order * run.mesh_frequency > .5 * cutoff)
@@ -135,6 +138,8 @@ namespace vfife
               row.reason += "; above half the cut-off of " + rounded_text(cutoff) + " Hz";
               rows.push_back(std::move(row));
             }
+          else if (noise > std::max(curve.amplitude(order), amplitude))
+            rows.push_back(std::move(row));
           else
             add(run, reduced, std::max(part, noise), std::move(row), rows);
         }
