@@ -8,6 +8,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/output/files/table_reader.h>
+#include <vfife/study/compare/compared_case.h>
 #include <vfife/study/compare/nearest_mode.h>
 #include <vfife/study/compare/pair/probe_passages.h>
 #include <vfife/study/compare/spectrum_lines.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 
 using namespace vfife;
 
@@ -265,6 +267,25 @@ namespace
           compare_with_modes("", 1001, .04, modes, .01).verdict() == "not judged");
   }
 
+  /** Cases whose bodies are not those of the first one are named with what differs. */
+  void other_pairs()
+  {
+    ComparedCases cases;
+    for (const auto &[name, thickness] :
+         {std::pair("thin", 3.), std::pair("same", 3. + 1e-9), std::pair("thick", 4.)})
+      {
+        const std::string folder = std::string("compare_of_") + name;
+        std::filesystem::create_directories(folder);
+        std::ofstream(folder + "/geometry.json")
+          << R"({"pair": {}, "gear": {"hand": "right", "web thickness": {"value": )"
+          << std::setprecision(12) << thickness << R"(, "unit": "mm"}}})";
+        cases.push_back({name, folder, "run", true});
+      }
+    cases.push_back({"no gears", ".", "run", false});
+    for (const std::string &sentence : list_other_pairs(cases))
+      std::cout << sentence << std::endl;
+  }
+
   void errors(Communicator &world)
   {
     std::ofstream("compare_wrong.prm") << "subsection Study\n set kind = compare\nend\n"
@@ -284,5 +305,6 @@ int main(int argc, char **argv)
   ring_down(session.world());
   at_rest(session.world());
   passage();
+  other_pairs();
   errors(session.world());
 }

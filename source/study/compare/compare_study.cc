@@ -247,10 +247,9 @@ namespace vfife
           remarks = list_other_pairs(cases);
           for (const ComparedCase &one : cases)
             if (!one.is_read)
-              remarks.push_back("nothing of " + one.name + " is compared: of each kind (" +
-                                one.kind +
-                                ") the first case with results is taken, where others have what "
-                                "goes with it");
+              remarks.push_back("nothing of the case \"" + one.name +
+                                "\" is compared: no other case has what stands beside the kind " +
+                                one.kind + ", or an earlier one of that kind is taken");
           if (rows.empty())
             failure = "the cases have no results in common that are known to be compared";
         }

@@ -2,6 +2,7 @@
 """The comparison ledger: rows of comparison.json (doc/report.md) and their table."""
 from ..data.files import DamagedFile, read_json
 from ..data.shapes import COMPARISON
+from ..data.table import write_persons
 
 VERDICTS = ("agrees", "differs", "not judged")
 HEADER = ["quantity", "value", "reference", "unit", "difference", "%", "tolerance", "verdict"]
@@ -44,7 +45,7 @@ def list_ledger_rows(rows):
     for row in rows:
         reference, difference = row["reference"], row["difference"]
         per_cent = 100 * difference / abs(reference) if reference and difference is not None else None
-        yield [row["quantity"], row["value"], reference, row["unit"], difference, per_cent,
+        yield [write_persons(row["quantity"]), row["value"], reference, row["unit"], difference, per_cent,
                row["tolerance"], row["verdict"]]
 
 

@@ -32,7 +32,8 @@ def tell_case(run, plots):
                     "Given, derived or proposed; in the first rows of the pair.", digits=EXACT)
     yield Cells(["of the model", "name", "kind", "given"], list(list_model_rows(run)), "Given: entries that differ from their "
                 "defaults (doc/parameter_reference.md).")
-    if run.parameters:
+    # A comparison's case is that of each of its cases.
+    if run.parameters and run.parameters.get("Study/kind") != "compare":
         yield Paragraph("All parameters that were used: parameters.prm in the run's folder, where 0 stands for a size that was "
                         "derived.", "soft")
     yield from plots

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/lumped/fourier_series.h>
 #include <vfife/output/files/result_places.h>
 #include <vfife/study/compare/pair/pair_run.h>
@@ -130,7 +131,7 @@ namespace vfife
                                     "of the mean tooth meshes"};
           if (noise > part)
             row.reason += "; single meshes of the run differ from their mean, which makes " +
-                          rounded_text(noise) + " " + unit + " uncertain";
+                          figure_text(noise) + " " + unit + " uncertain";
           // Vibrations next to the cut-off are not in the reduced pair.
           const double cutoff = reduced.summary(summary_place::figure("cut-off frequency"));
           if (order * run.mesh_frequency > .5 * cutoff)
