@@ -87,7 +87,7 @@ namespace vfife
                          {"mean normal module",
                           {gear.mean_module() * std::cos(find_spiral_angle(gear, o.gear)), "mm"}},
                          {"shaft angle", {o.shaft_angle / degree, "deg"}},
-                         {"designed normal backlash at the mean point", {o.backlash, "mm"}}};
+                         {"designed normal backlash, mean point", {o.backlash, "mm"}}};
   }
 
   void PairGeometry::show(Log &log) const
