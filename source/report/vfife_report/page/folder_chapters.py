@@ -146,7 +146,8 @@ def tell_root_stress(run, plots):
         yield Cells(["body", "fillet", "tension [MPa]", "compression [MPa]", "range [MPa]", "face [mm]", "profile [mm]"],
                     list_root_stresses(table),
                     "Largest first and least third principal stress on the surface, and the largest range that one facet sees, "
-                    "with its place: along the face from the toe, up the profile from the root land.")
+                    "with its place: along the face from the toe, up the profile from the root land. Of the surface itself: von Mises "
+                    "stresses of a fillet's elements, which lie inside, are smaller.")
     yield from plots
 
 
