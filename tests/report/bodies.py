@@ -6,12 +6,11 @@ import unittest
 from pathlib import Path
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_pair, make_parameters, make_ring, write_parameters, write_vtu)
+    make_pair, make_parameters, make_ring, read_report, write_parameters, write_vtu)
 
 import meshio
 import numpy as np
 
-from vfife_report.command import main
 from vfife_report.data.fields import Fields, read_meshes
 from vfife_report.data.run_folder import RunFolder
 from vfife_report.data.table import Table
@@ -42,10 +41,6 @@ def write_shapes(folder):
 
 
 class Bodies(unittest.TestCase):
-    def read(self, folder):
-        main([str(folder)])
-        return (Path(folder) / "report.html").read_text(encoding="utf-8")
-
     def test_meshes(self):
         """A picture of both, sections, a row a figure; nothing of speed and torque, which meshes do not have."""
         with tempfile.TemporaryDirectory() as name:
@@ -55,7 +50,7 @@ class Bodies(unittest.TestCase):
             (folder / "meridian.csv").write_text(MERIDIAN)
             pair = make_pair()
             write_vtu(folder / "pair.vtu", Fields(pair.points, {"body": pair["body"]}, None))
-            text = self.read(folder)
+            text = read_report(folder)
             for picture in ("meshes.png", "meridian.svg"):
                 self.assertTrue((folder / "pictures" / picture).is_file(), picture)
             for words in ("27/79", ": mesh</h1>", "least scaled jacobian", "0.61235", "24 elements, 192 nodes, 1.75 kg"):
@@ -90,7 +85,7 @@ class Bodies(unittest.TestCase):
             # Two diameters: a quarter of the ring's way between crest and node.
             shown = picture.axes[0].images[0].get_array()
             self.assertGreater(np.ptp(shown[..., 0]), 0.5)
-            text = self.read(folder)
+            text = read_report(folder)
             self.assertTrue((folder / "pictures" / "mode_shapes_gear.png").is_file())
             self.assertIn("Coriolis forces are left out", text)
             self.assertNotIn("at 20000 rpm", text)

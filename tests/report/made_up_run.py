@@ -16,6 +16,7 @@ except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
 
+from vfife_report.command import main  # noqa: E402
 from vfife_report.data.fields import Fields  # noqa: E402
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0],
@@ -144,3 +145,9 @@ def write_run(folder, web_thickness="5", fields=True):
     (folder / "fields.pvd").write_text('<VTKFile><Collection><DataSet timestep="0.001" '
                                        'file="last.vtu"/></Collection></VTKFile>')
     write_vtu(folder / "last.vtu", make_pair())
+
+
+def read_report(folder):
+    """The page that is made of a folder."""
+    main([str(folder)])
+    return (Path(folder) / "report.html").read_text(encoding="utf-8")

@@ -337,12 +337,14 @@ class Pages(unittest.TestCase):
         del coast["hand-over"]
         sections = {place: {"tip land": quantity(land, "mm")} for place, land in (("toe", 1.5), ("middle", 1.6), ("heel", 1.7))}
         analysis = {"working": {"driving member": "pinion", "direction of rotation": "forward", "side": "drive"},
-                    "drive": drive, "coast": coast, "unequal teeth": {"peak to peak": quantity(98.205, "arcsec")}, "teeth": {"pinion": sections, "gear": sections}}
+                    "drive": drive, "coast": coast, "unequal teeth": {"peak to peak": quantity(98.205, "arcsec")},
+                    "teeth": {"pinion": sections, "gear": sections}}
         with tempfile.TemporaryDirectory() as name:
             (Path(name) / "tca.json").write_text(json.dumps(analysis))
             main([name])
             text = re.sub(r"\s+", " ", self.read(name))
-            for words in ("On the drive side the path of contact ends before", "98.2", "The pinion drives forward: the drive side works.", "On the coast side neither flanks nor edges carry",
+            for words in ("On the drive side the path of contact ends before", "98.2",
+                          "The pinion drives forward: the drive side works.", "On the coast side neither flanks nor edges carry",
                           "before the path: border", "<td>gear tip</td>"):
                 self.assertIn(words, text)
             for row in (("path of contact: contact ratio", "-", "1.69", "0.9"), ("hand-over to the next pair: peak to peak", "arcsec", "3.98", "–"),

@@ -8,12 +8,11 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_parameters, make_ring, quantity, write_parameters, write_run)
+    make_parameters, make_ring, quantity, read_report, write_parameters, write_run)
 
 import meshio
 import numpy as np
 
-from vfife_report.command import main
 from vfife_report.data.fields import Fields
 from vfife_report.data.run_folder import RunFolder
 from vfife_report.pictures.scene import Scene
@@ -32,10 +31,6 @@ COUPLED = ("axes,mode [-],frequency [Hz],share of the static turn [-],energy in 
 
 
 class Studies(unittest.TestCase):
-    def read(self, folder):
-        main([str(folder)])
-        return (Path(folder) / "report.html").read_text(encoding="utf-8")
-
     def test_frequencies(self):
         """The lowest modes are a table; the diagram says whose speed it is over, where the pair works, and which line is which."""
         with tempfile.TemporaryDirectory() as name:
@@ -44,7 +39,7 @@ class Studies(unittest.TestCase):
             (folder / "modes.csv").write_text(MODES)
             (folder / "campbell.csv").write_text(CAMPBELL)
             (folder / "resonances.csv").write_text(RESONANCES)
-            text = self.read(folder)
+            text = read_report(folder)
             self.assertIn("1001.5", text)
             self.assertIn("1012.5", text)
             self.assertNotIn("1013.5", text)
@@ -69,7 +64,7 @@ class Studies(unittest.TestCase):
                                     ("rotor,4000,1,52.5,1,0,backward,14.25,forward\n", ("nodal", "14.25", "whirl"), ())):
             with tempfile.TemporaryDirectory() as name:
                 (Path(name) / "modes.csv").write_text(MODES.splitlines()[0] + "\n" + rows)
-                text = self.read(name)
+                text = read_report(name)
                 for words in shown:
                     self.assertIn(words, text)
                 for words in hidden:
@@ -78,7 +73,7 @@ class Studies(unittest.TestCase):
     def test_loaded_contact(self):
         with tempfile.TemporaryDirectory() as name:
             (Path(name) / "coupled_modes.csv").write_text(COUPLED)
-            text = self.read(name)
+            text = read_report(name)
             for words in ("1571.2", "share of the static turn", "0.62"):
                 self.assertIn(words, text)
 
@@ -90,7 +85,7 @@ class Studies(unittest.TestCase):
             n = len(points)
             meshio.Mesh(points.reshape(-1, 3), [("hexahedron", np.arange(8 * n).reshape(n, 8))],
                         {"von mises": points[..., 0].ravel() ** 2}).write(Path(name) / "fields" / "ring.vtu")
-            text = self.read(name)
+            text = read_report(name)
             self.assertTrue((Path(name) / "pictures" / "bodies.png").is_file())
             self.assertEqual(text.count("<img "), 1)
 
@@ -115,7 +110,7 @@ class Studies(unittest.TestCase):
                      **{f"stress {k}": quantity(100 + k, "MPa") for k in range(9)}}))
                 (folder / "edge_contact.json").write_text(json.dumps(
                     {"edges carry": number == 1, "explanation": "edges"}))
-            text = self.read(name)
+            text = read_report(name)
             self.assertIn("Edges of the teeth carry: offset 0.1 mm.", text)
             curves = draw_curves(Study(Path(name)))
             # A mean of hundreds would flatten a peak to peak of eight; nine curves are more than there are colours.
@@ -139,7 +134,7 @@ class Studies(unittest.TestCase):
             row = {"quantity": "mean dte", "unit": "arcsec", "value": -84.0, "reference": -80.0, "reference kind": "FEM",
                    "difference": -4.0, "tolerance": 1.0, "verdict": "differs", "reason": "coarse mesh"}
             (folder / "comparison.json").write_text(json.dumps({"title": "t", "rows": [row]}))
-            text = self.read(folder)
+            text = read_report(folder)
             self.assertIn('<tr class="note"><td colspan="8"><div>FEM: coarse mesh</div></td></tr>', text)
             self.assertNotIn("<th>why</th>", text)
             self.assertTrue((folder / "pictures" / "static_curve.svg").is_file())

@@ -46,7 +46,8 @@ COMPARISON = {"title?": str, "cases?": [{"name": str, "kind": str, "folder": str
 # Of a tooth contact analysis: groups of a side hold quantities, words and flags.
 _SIDE = {"mean contact on the generated pinion flank": Each(QUANTITY), "mean contact on the generated gear flank": Each(QUANTITY),
          "ellipse at the mean contact": Each(QUANTITY), "path": {}, "beyond the start": {"border": str},
-         "beyond the end": {"border": str}, "lag over pitches": Each(QUANTITY), "hands over": bool, "hands over inside the flanks": bool, "hand-over?": Each(QUANTITY)}
+         "beyond the end": {"border": str}, "lag over pitches": Each(QUANTITY), "hands over": bool,
+         "hands over inside the flanks": bool, "hand-over?": Each(QUANTITY)}
 _SECTIONS = {"toe": Each(QUANTITY), "middle": Each(QUANTITY), "heel": Each(QUANTITY)}
 CONTACT_ANALYSIS = {"working": {"driving member": str, "direction of rotation": str, "side": str},
                     "drive?": _SIDE, "coast?": _SIDE, "unequal teeth?": Each(QUANTITY),

@@ -6,7 +6,7 @@ from ..data.fields import Fields, read_piece
 from ..data.table import Table
 from ..plots.style import STRESS_MAP, WIDE, plt
 from .bodies import fit_camera
-from .hexahedra import find_axis
+from .hexahedra import find_axis, find_outer_faces
 from .shading import add_colour_bar, draw_faces, show_image
 
 SHAPES = 6
@@ -17,16 +17,16 @@ RIGID = 1e-4  # of the highest frequency of the file, below which a mode is a ri
 TWINS = 1e-4  # relative difference of the frequencies of one wave and the same wave turned
 
 
-def find_file(run, body):
-    """Table, its rows of the body at its lowest speed, and the file of their shapes."""
-    table = Table(run.path / "modes.csv")
+def find_shapes(run, table, body):
+    """Rows of modes.csv of the body at its lowest speed, and the file of their shapes."""
     mine = table["body"] == body
     lowest = table["speed"][mine][np.argmin(np.abs(table["speed"][mine]))]
-    return table, np.flatnonzero(mine & (table["speed"] == lowest)), run.path / "modes" / f"{body}_{round(lowest)}_rpm.vtu"
+    return np.flatnonzero(mine & (table["speed"] == lowest)), run.path / "modes" / f"{body}_{round(lowest)}_rpm.vtu"
 
 
 def list_shaped_bodies(run):
-    return [body for body in dict.fromkeys(Table(run.path / "modes.csv")["body"]) if find_file(run, body)[2].is_file()]
+    table = Table(run.path / "modes.csv")
+    return [body for body in dict.fromkeys(table["body"]) if find_shapes(run, table, body)[1].is_file()]
 
 
 def list_vibrations(table, rows):
@@ -53,19 +53,20 @@ def describe_vibration(table, row):
 @plt.rc_context(WIDE)
 def draw_mode_shapes(run, body):
     """The lowest vibrations at the lowest speed, deformed, with the magnitude of the displacement over its largest."""
-    table, rows, path = find_file(run, body)
+    table = Table(run.path / "modes.csv")
+    rows, path = find_shapes(run, table, body)
     chosen = list_vibrations(table, rows)
     if not chosen:
         return None
     points, data = read_piece(path)
     names = {int(name.split(",")[0].split()[1]): name for name in data if name.startswith("mode ")}
+    outer = find_outer_faces(Fields(points, {"body": np.zeros(points.shape[:2])}, None))
     extent = np.ptp(points.reshape(-1, 3), axis=0).max()
     shapes = []
     for row in chosen:
         shape = data[names[int(table["mode"][row])]]
         size = np.linalg.norm(shape, axis=-1)
-        shapes.append(Fields(points + SHOWN_AMPLITUDE * extent / size.max() * shape,
-                             {"body": np.zeros(points.shape[:2]), "size": size / size.max()}, None))
+        shapes.append(Fields(points + SHOWN_AMPLITUDE * extent / size.max() * shape, {"size": size / size.max()}, None))
     eye, up = np.array([1.0, -1.5, 1.0]), np.array([0.0, 0.0, 1.0])
     if np.any(table["nodal diameter"][rows] >= 0):
         axis = find_axis(points)[1]
@@ -79,7 +80,7 @@ def draw_mode_shapes(run, body):
     for axes in panels.flat:
         axes.axis("off")
     for axes, one, row in zip(panels.flat, shapes, chosen):
-        show_image(axes, draw_faces(one, "size", camera, edge_width=0.5).image(STRESS_MAP, 0, 1))
+        show_image(axes, draw_faces(one, "size", camera, 0.5, outer).image(STRESS_MAP, 0, 1))
         axes.set_title(describe_vibration(table, row))
     add_colour_bar(picture, panels, STRESS_MAP, 0, 1, "displacement over its largest")
     return picture

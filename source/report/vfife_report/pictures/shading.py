@@ -11,8 +11,9 @@ from .canvas import Canvas
 from .hexahedra import FACES, find_outer_faces
 
 
-def draw_faces(fields, name, camera, edge_width=0.9):
-    cells, faces = find_outer_faces(fields)
+def draw_faces(fields, name, camera, edge_width=0.9, outer=None):
+    """`outer`: cells and faces by find_outer_faces() where they are known, as of the same cells in other shapes."""
+    cells, faces = find_outer_faces(fields) if outer is None else outer
     corners = FACES[faces]
     canvas = Canvas(camera, edge_width)
     canvas.draw(fields.points[cells[:, None], corners], fields[name][cells[:, None], corners])

@@ -8,6 +8,7 @@ from ..measures.sidebands import ORDERS, TURNS, list_shafts
 from ..measures.spectrum import compute_spectrum
 from .style import COLOURS, GREY, add_legend, plt
 
+
 def draw_spectra(run):
     """None for less than two tooth meshes."""
     samples = run.samples_per_mesh()
