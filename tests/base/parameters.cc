@@ -55,7 +55,7 @@ struct Options
       declare_integer(prm, "Layers", layers, "elements across the web", 1, 64);
     }
     declare_quantity(prm, "Speed", speed, "rpm", "speed of the pinion", Range::not_negative());
-    declare_number(prm, "Safety", safety, "part of the stable step", {0., 1., true, ""});
+    declare_number(prm, "Safety", safety, "part of the stable step", {0., 1., true});
     declare_switch(prm, "Friction", friction, "whether flanks rub");
     declare_choice(prm, "Stiffness", stiffness, stiffness_choices, "stiffness of the element");
   }

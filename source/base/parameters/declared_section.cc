@@ -106,33 +106,27 @@ namespace vfife
     return names_of(sections);
   }
 
-  std::vector<std::string> DeclaredSection::sections_with_entry(const std::string &entry,
-                                                                const std::string &path) const
+  std::vector<std::string> DeclaredSection::sections_with_entry(const std::string &entry) const
+  {
+    return list_paths([&entry](const DeclaredSection &one) { return one.find_entry(entry); }, "");
+  }
+
+  std::vector<std::string> DeclaredSection::paths_of_section(const std::string &section) const
+  {
+    return list_paths([&section](const DeclaredSection &one) { return one.name == section; }, "");
+  }
+
+  std::vector<std::string>
+  DeclaredSection::list_paths(const std::function<bool(const DeclaredSection &)> &is_meant,
+                              const std::string                                  &path) const
   {
     std::vector<std::string> found;
-    // The entry may stand in several sections: a message names the section only if it is the only
-    // one.
-    if (find_entry(entry) != nullptr)
+    if (is_meant(*this))
       found.push_back(path);
     for (const DeclaredSection &section : sections)
       for (const std::string &below :
-           section.sections_with_entry(entry, path + (path.empty() ? "" : "/") + section.name))
+           section.list_paths(is_meant, path + (path.empty() ? "" : "/") + section.name))
         found.push_back(below);
-    return found;
-  }
-
-  std::vector<std::string> DeclaredSection::paths_of_section(const std::string &section,
-                                                             const std::string &path) const
-  {
-    std::vector<std::string> found;
-    for (const DeclaredSection &inner : sections)
-      {
-        const std::string inside = path + (path.empty() ? "" : "/") + inner.name;
-        if (inner.name == section)
-          found.push_back(inside);
-        for (const std::string &below : inner.paths_of_section(section, inside))
-          found.push_back(below);
-      }
     return found;
   }
 

@@ -1,9 +1,10 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/run_signals.h>
 
-#include <array>
 #include <csignal>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace vfife
 {
@@ -12,8 +13,6 @@ namespace vfife
     // A handler can reach nothing but what is static.
     volatile std::sig_atomic_t stop_signal_seen   = 0;
     volatile std::sig_atomic_t field_request_seen = 0;
-
-    constexpr std::array<int, 4> caught = {{SIGTERM, SIGINT, SIGUSR2, SIGUSR1}};
 
     /** The handler: nothing but setting flags is safe inside one. The loop asks for them. */
     void remember(const int signal)
@@ -24,49 +23,62 @@ namespace vfife
         stop_signal_seen = signal;
     }
 
-    constexpr std::array<int, 2> noticed = {{SIGINT, SIGUSR2}};
-
     /** write() and raise() are safe in a handler, streams are not. The handler is gone by then. */
     void say_and_end(const int signal)
     {
       constexpr char text[] =
         "\nvfife: stopped before the first step or between runs: no checkpoint to go on from\n";
-      if (write(STDERR_FILENO, text, sizeof(text) - 1) >= 0)
-        raise(signal);
-      else
-        _exit(128 + signal);
+      [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof(text) - 1);
+      raise(signal);
     }
   } // namespace
 
-  struct RunSignals::Handlers
+  class SignalHandlers
   {
-    std::array<struct sigaction, caught.size()> before;
+  public:
+    /** Sets @p handler for signals, each with its flags of sigaction. */
+    SignalHandlers(void (*handler)(int), const std::vector<std::pair<int, int>> &signals)
+    {
+      for (const auto &[signal, flags] : signals)
+        {
+          struct sigaction action = {}, before = {};
+          action.sa_handler = handler;
+          action.sa_flags   = flags;
+          sigemptyset(&action.sa_mask);
+          sigaction(signal, &action, &before);
+          before_.emplace_back(signal, before);
+        }
+    }
+
+    ~SignalHandlers()
+    {
+      for (const auto &[signal, before] : before_)
+        sigaction(signal, &before, nullptr);
+    }
+
+    SignalHandlers(const SignalHandlers &)            = delete;
+    SignalHandlers &operator=(const SignalHandlers &) = delete;
+
+  private:
+    std::vector<std::pair<int, struct sigaction>> before_;
   };
 
   RunSignals::RunSignals()
-    : handlers_(std::make_unique<Handlers>())
   {
     // What has come before this run is none of its business.
     stop_signal_seen = field_request_seen = 0;
-    for (std::size_t i = 0; i < caught.size(); ++i)
-      {
-        struct sigaction action = {};
-        action.sa_handler       = &remember;
-        // SA_RESTART: reading and writing go on after the signal. SA_RESETHAND: the second
-        // one of its kind ends the program.
-        action.sa_flags = SA_RESTART;
-        if (caught[i] == SIGTERM || caught[i] == SIGINT)
-          action.sa_flags |= static_cast<int>(SA_RESETHAND);
-        sigemptyset(&action.sa_mask);
-        sigaction(caught[i], &action, &handlers_->before[i]);
-      }
+    // SA_RESTART: reading and writing go on after the signal. SA_RESETHAND: the second one of its
+    // kind ends the program.
+    constexpr int again = SA_RESTART, once = SA_RESTART | static_cast<int>(SA_RESETHAND);
+    handlers_ =
+      std::make_unique<SignalHandlers>(&remember,
+                                       std::vector<std::pair<int, int>>{{SIGTERM, once},
+                                                                        {SIGINT, once},
+                                                                        {SIGUSR2, again},
+                                                                        {SIGUSR1, again}});
   }
 
-  RunSignals::~RunSignals()
-  {
-    for (std::size_t i = 0; i < caught.size(); ++i)
-      sigaction(caught[i], &handlers_->before[i], nullptr);
-  }
+  RunSignals::~RunSignals() = default;
 
   int RunSignals::stop_signal() const
   {
@@ -81,21 +93,12 @@ namespace vfife
   }
 
   StopNotice::StopNotice(const bool speaks)
-    : speaks_(speaks)
   {
-    for (std::size_t i = 0; speaks_ && i < noticed.size(); ++i)
-      {
-        struct sigaction action = {};
-        action.sa_handler       = &say_and_end;
-        action.sa_flags         = static_cast<int>(SA_RESETHAND);
-        sigemptyset(&action.sa_mask);
-        sigaction(noticed[i], &action, &before_[i]);
-      }
+    constexpr int once = static_cast<int>(SA_RESETHAND);
+    if (speaks)
+      handlers_ = std::make_unique<SignalHandlers>(
+        &say_and_end, std::vector<std::pair<int, int>>{{SIGINT, once}, {SIGUSR2, once}});
   }
 
-  StopNotice::~StopNotice()
-  {
-    for (std::size_t i = 0; speaks_ && i < noticed.size(); ++i)
-      sigaction(noticed[i], &before_[i], nullptr);
-  }
+  StopNotice::~StopNotice() = default;
 } // namespace vfife

@@ -12,7 +12,7 @@ namespace vfife
                    "tangential stiffness ratio",
                    stiffness_ratio,
                    "Stiffness with which friction sticks, over the penalty",
-                   Range{0., 1., true, ""});
+                   Range{0., 1., true});
   }
 
 

@@ -19,7 +19,7 @@ namespace vfife
 
     Range fractions(const unsigned int n_moving)
     {
-      return {0., largest_part_of_limit * 4. / n_moving, true, ""};
+      return {0., largest_part_of_limit * 4. / n_moving, true};
     }
   } // namespace
 

@@ -21,7 +21,7 @@ namespace vfife
       double begin, end;
     };
 
-    std::string count_meshes(const unsigned int n)
+    std::string meshes_text(const unsigned int n)
     {
       return std::to_string(n) + (n == 1 ? " tooth mesh" : " tooth meshes");
     }
@@ -214,7 +214,6 @@ namespace vfife
         part.cycles = n_cycles - start;
         window      = {start * samples_per_mesh, std::min(last_row, n_cycles * samples_per_mesh)};
       }
-    part.whole      = window.begin <= 0;
     part.first_row  = std::ceil(window.begin - 1e-6);
     part.end_row    = static_cast<std::size_t>(std::floor(window.end + 1e-6)) + 1;
     part.start_time = time.front() + interval * window.begin;
@@ -247,25 +246,25 @@ namespace vfife
     const auto        milliseconds = [](const double t) { return 1e3 * t; };
     const double      percent      = 100 * largest_change;
     const std::string cycles_to_judge =
-      count_meshes(judged_cycles) + (after_ramp ? " after the ramp" : "");
+      meshes_text(judged_cycles) + (after_ramp ? " after the ramp" : "");
     if (found)
       text << (ripple.steady ? "steady from " : "means steady from ") << milliseconds(start_time)
-           << " ms to " << milliseconds(end_time) << " ms (" << count_meshes(cycles) << "): ";
+           << " ms to " << milliseconds(end_time) << " ms (" << meshes_text(cycles) << "): ";
     else
       text << "no steady part: ";
     if (by_cycles)
       text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are")
-           << " fewer than two swing periods of " << count_meshes(period)
+           << " fewer than two swing periods of " << meshes_text(period)
            << "; means over single tooth meshes differ by " << (found ? "at most " : "") << percent
            << " %";
     else if (judged_cycles < period)
       text << cycles_to_judge << (judged_cycles == 1 ? " is" : " are")
-           << " less than one swing period of " << count_meshes(period);
+           << " less than one swing period of " << meshes_text(period);
     else
-      text << "means over " << (found ? "" : "the last two times ") << count_meshes(period)
+      text << "means over " << (found ? "" : "the last two times ") << meshes_text(period)
            << " differ by " << (found ? "at most " : "") << percent << " %";
     if (!found)
-      text << "; figures are of the " << (whole ? "whole record, " : "last third, ")
+      text << "; figures are of the " << (first_row == 0 ? "whole record, " : "last third, ")
            << milliseconds(start_time) << " ms to " << milliseconds(end_time) << " ms";
     text << "; " << ripple.explain();
     return text.str();

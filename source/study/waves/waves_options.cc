@@ -73,7 +73,7 @@ namespace vfife
                    allowed_amplification,
                    "Of the largest stress at a probe over that at rest in space, beyond which a "
                    "speed is to be avoided",
-                   Range{1., std::numeric_limits<double>::infinity(), true, ""});
+                   Range{1., std::numeric_limits<double>::infinity(), true});
     declare_quantity(prm,
                      "margin",
                      margin,

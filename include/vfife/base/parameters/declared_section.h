@@ -2,6 +2,7 @@
 #ifndef vfife_base_parameters_declared_section_h
 #define vfife_base_parameters_declared_section_h
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,18 +49,21 @@ namespace vfife
     std::vector<std::pair<std::string, std::string>>
     list_defaults(const std::string &path = "") const;
 
-    /** Paths ("A/B") of all sections at or below this one that have an entry of that name; @p path
-     * leads here. */
-    std::vector<std::string> sections_with_entry(const std::string &entry,
-                                                 const std::string &path = "") const;
+    /** Paths ("A/B") of all sections at or below this one, the top level, that have an entry of
+     * that name; a message names the section where it is the only one. */
+    std::vector<std::string> sections_with_entry(const std::string &entry) const;
 
-    /** Paths ("A/B/name") of all sections of that name below this one; @p path leads here. */
-    std::vector<std::string> paths_of_section(const std::string &section,
-                                              const std::string &path = "") const;
+    /** Paths ("A/B/name") of all sections of that name below this one, the top level. */
+    std::vector<std::string> paths_of_section(const std::string &section) const;
 
   private:
     std::vector<std::pair<std::string, std::string>> list_texts(std::string Entry::*text,
                                                                 const std::string  &path) const;
+
+    /** Paths of the sections that are meant, at or below this one, to which @p path leads. */
+    std::vector<std::string>
+    list_paths(const std::function<bool(const DeclaredSection &)> &is_meant,
+               const std::string                                  &path) const;
   };
 
   /** Everything declared in @p prm, from its top level on. */

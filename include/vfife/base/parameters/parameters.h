@@ -39,7 +39,7 @@ namespace vfife
     double highest    = std::numeric_limits<double>::infinity();
     bool   open_below = false; ///< lowest itself is not allowed
 
-    std::string hint; ///< what stands in for what is not allowed; ends the message
+    std::string hint = {}; ///< what stands in for what is not allowed; ends the message
 
     Range with_hint(const std::string &text) const
     {
@@ -54,15 +54,15 @@ namespace vfife
     }
     static Range positive()
     {
-      return {0., std::numeric_limits<double>::infinity(), true, ""};
+      return {0., std::numeric_limits<double>::infinity(), true};
     }
     static Range not_negative()
     {
-      return {0., std::numeric_limits<double>::infinity(), false, ""};
+      return {0., std::numeric_limits<double>::infinity(), false};
     }
     static Range between(const double lowest, const double highest)
     {
-      return {lowest, highest, false, ""};
+      return {lowest, highest, false};
     }
   };
 

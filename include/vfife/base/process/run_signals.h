@@ -2,12 +2,12 @@
 #ifndef vfife_base_process_run_signals_h
 #define vfife_base_process_run_signals_h
 
-#include <array>
-#include <csignal>
 #include <memory>
 
 namespace vfife
 {
+  class SignalHandlers;
+
   /**
    * Signals to a run, caught for the life of this object (one at a time in a process): SIGTERM,
    * SIGINT and SIGUSR2, which mpirun passes on untouched, ask it to stop; SIGUSR1 asks for a field
@@ -28,8 +28,7 @@ namespace vfife
     bool take_field_request();
 
   private:
-    struct Handlers;
-    std::unique_ptr<Handlers> handlers_;
+    std::unique_ptr<SignalHandlers> handlers_;
   };
 
   /**
@@ -47,8 +46,7 @@ namespace vfife
     StopNotice &operator=(const StopNotice &) = delete;
 
   private:
-    std::array<struct sigaction, 2> before_;
-    const bool                      speaks_;
+    std::unique_ptr<SignalHandlers> handlers_;
   };
 } // namespace vfife
 

@@ -29,9 +29,8 @@ namespace vfife
     bool         found      = false;
     std::size_t  first_row  = 0; ///< rows [first_row, end_row) of the history
     std::size_t  end_row    = 0;
-    bool         whole      = false; ///< the part is all of the history
-    double       start_time = 0;     ///< [s]
-    double       end_time   = 0;     ///< [s]
+    double       start_time = 0; ///< [s]
+    double       end_time   = 0; ///< [s]
     unsigned int cycles =
       0; ///< whole mesh cycles in the part; 0: shorter than one, plain row means
     unsigned int period        = 1;     ///< swing period that was compared, in whole mesh cycles
