@@ -2,6 +2,8 @@
 #include <vfife/base/errors.h>
 #include <vfife/mesh/body_mesh.h>
 
+#include <deal.II/grid/tria_description.h>
+
 #include <cstdint>
 
 namespace vfife

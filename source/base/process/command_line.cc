@@ -27,23 +27,25 @@ namespace vfife
       description.add_options() //
         ("output,o",
          options::value(&line.output_folder)->value_name("DIR"),
-         "folder for results, instead of Study/output folder of the file") //
+         "write results to DIR (default: Study/output folder)") //
         ("set",
          options::value(&line.overrides)->composing()->value_name("\"SECTION/SUB/NAME=VALUE\""),
-         "sets an entry, whatever the file says; may be given several times") //
+         "override one parameter of the file; repeatable") //
+        ("check",
+         options::bool_switch(&line.check),
+         "build the model, report its size, time step, expected time and warnings; do not run it") //
         ("restart",
          options::bool_switch(&line.restart),
-         "[DIR]  goes on from the last checkpoint in the folder of results, or in DIR; FILE.prm "
-         "may then be left out")                                                              //
-        ("check", options::bool_switch(&line.check), "checks the input and computes nothing") //
+         "[DIR]  continue from the last checkpoint in the output folder, or in DIR; FILE.prm is "
+         "optional then") //
         ("print-parameters",
          options::bool_switch(&line.print_parameters),
-         "prints all parameters in force with their descriptions and computes nothing") //
+         "print all effective parameters with description, unit and default") //
         ("parameter-reference",
          options::bool_switch(&line.parameter_reference),
-         "prints all parameters of all kinds of studies as a page of Markdown")          //
-        ("version", options::bool_switch(&line.version), "prints the version and stops") //
-        ("help,h", options::bool_switch(&line.help), "prints this text and stops");
+         "print the parameters of all study kinds as Markdown") //
+        ("version", options::bool_switch(&line.version), "print the version") //
+        ("help,h", options::bool_switch(&line.help), "print this text");
       return description;
     }
 
@@ -132,15 +134,15 @@ namespace vfife
   {
     CommandLine        line;
     std::ostringstream text;
-    text << usage
-         << "\n\nSimulates gears by the modified vector form intrinsic finite element method as "
-            "FILE.prm "
-         << "says.\nOn several ranks: mpirun -n N vfife FILE.prm [options]\n\n"
+    text << "vfife: dynamics of gear pairs and solids by the vector form intrinsic finite element "
+            "method\n\n"
+         << usage << "\n       mpirun -n N vfife FILE.prm [options]\n\n"
          << visible_options(line)
-         << "\nexit code: 0 done, 1 the input cannot be used, 2 the computation failed, 3 stopped "
-            "by a "
-            "signal after a checkpoint\nsignals to a run: SIGTERM, SIGINT or SIGUSR2 write a "
-            "checkpoint and stop, SIGUSR1 writes a field file\n";
+         << "\nexit codes: 0 success, 1 input error, 2 computation failed, 3 stopped after a "
+            "checkpoint\nsignals: SIGTERM, SIGINT, SIGUSR2 write a checkpoint and stop; SIGUSR1 "
+            "writes a field file\n\nexample: vfife prm/spiral_bevel_quick.prm -o results/slow "
+            "--set \"Operation/speed=8000 rpm\"\n"
+            "study kinds: see README.md; parameters: doc/parameter_reference.md\n";
     return text.str();
   }
 

@@ -9,6 +9,7 @@
 #include "file_mesh.h"
 
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
