@@ -7,12 +7,27 @@
 #include <iostream>
 #include <string>
 
+/** Folder of the sources of this program's tests. */
+std::string source_folder();
+
+/** The program vfife. */
+std::string program_file();
+
+/** How many checks of this process have failed; the test then ends with an exit code other than 0.
+ */
+inline unsigned int &n_failed_checks()
+{
+  static unsigned int n_failed = 0;
+  return n_failed;
+}
+
 /**
- * One line a check: "name: ok", or the numbers when it fails, so that the comparison with the
- * .output file fails and shows why. Tolerances are stated in the test, next to the reason for them.
+ * One line per check: "name: ok", or the numbers when it fails, so that the comparison with the
+ * .output file shows why. Tolerances are stated in the test, next to the reason for them.
  */
 inline void check(const std::string &name, const bool condition)
 {
+  n_failed_checks() += condition ? 0 : 1;
   std::cout << name << ": " << (condition ? "ok" : "FAILED") << std::endl;
 }
 
@@ -25,6 +40,7 @@ inline void check_close(const std::string &name,
     std::cout << name << ": ok" << std::endl;
   else
     {
+      ++n_failed_checks();
       std::cout.precision(15);
       std::cout << name << ": FAILED, " << value << " instead of " << reference << " within "
                 << tolerance << std::endl;

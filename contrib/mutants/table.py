@@ -5,7 +5,7 @@
     work of the torques counts twice           what is wrong, one line
     - ledger_.torque_work += time              the text, once in the file; any white space stands for any other
     + ledger_.torque_work += 2 * time          what comes in its place; without this line nothing
-    > dynamics/loads study/moments             tests as ctest names them, without .release and .mpirun=2
+    > dynamics/loads study/moments             tests as ctest names them, without .mpirun=2
     = equal because ...                        only where no test can find it: the argument
 
 An empty line ends a mutant, # begins a comment line. Several lines of - or + are one text.

@@ -12,6 +12,7 @@ import signal
 import subprocess
 import time
 from hashlib import sha256
+from pathlib import Path
 
 from table import ROOT
 
@@ -90,16 +91,15 @@ class Workshop:
         self.call(["ninja", "build.ninja"], self.build, check=True)
         _, output = self.call(["ctest", "--show-only=json-v1"], self.build, check=True)
         for test in json.loads(output[output.index("{"):])["tests"]:
-            target = next((word[7:] for word in test.get("command", ()) if word.startswith("-DTRGT=")), None)
-            # fem.ranks.mpirun2.release.test runs fem.ranks.release
-            program = target and re.sub(r"\.mpirun\d+|\.threads\d+|\.test$", "", target)
+            # build/release/tests/fem/fem_tests is the target fem_tests.
+            program = next((Path(word).name for word in test.get("command", ()) if word.endswith("_tests")), None)
             # Scripts are handed the program that they run.
             if program is None and str(self.build / "vfife") in test.get("command", ()):
                 program = "vfife_main"
             self.programs[test["name"]] = program
 
     def find_tests(self, name):
-        """fem/ranks: fem/ranks.mpirun=2.release"""
+        """fem/ranks: fem/ranks.mpirun=2"""
         return [test for test in self.programs if test == name or test.startswith(name + ".")]
 
     def make(self, tests):

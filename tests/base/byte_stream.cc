@@ -188,4 +188,5 @@ int main()
     ByteStream from(rows.bytes());
     other.serialize_rows(from);
   });
+  return 0;
 }

@@ -115,4 +115,5 @@ int main()
   tables();
   formulas();
   refusals();
+  return 0;
 }

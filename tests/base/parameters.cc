@@ -238,4 +238,5 @@ int main()
   check_first_pass();
   check_wrong_values();
   check_wrong_structure();
+  return 0;
 }

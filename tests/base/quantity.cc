@@ -219,4 +219,5 @@ int main()
   check("part of a name",
         nearest_name("thickness", {"Bore", "Web thickness of the gear"}) ==
           "Web thickness of the gear");
+  return 0;
 }

@@ -134,4 +134,5 @@ int main(int argc, char **argv)
       check("exit code of all ranks", agreed);
       check("message of the failing rank only", one_message);
     }
+  return 0;
 }

@@ -161,4 +161,5 @@ int main(int argc, char **argv)
   check_timers();
   check_neighbours();
   MPI_Finalize();
+  return 0;
 }

@@ -260,4 +260,5 @@ int main()
   slopes();
   refusals();
   files();
+  return 0;
 }

@@ -274,4 +274,5 @@ int main()
   estimates();
   preload();
   refusals();
+  return 0;
 }

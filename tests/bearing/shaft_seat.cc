@@ -154,4 +154,5 @@ int main()
   reads_what_was_done();
   forces_are_conjugate();
   linear_law();
+  return 0;
 }

@@ -271,4 +271,5 @@ int main()
   check_parts();
   check_common_motion();
   check_never_adhesive();
+  return 0;
 }

@@ -193,4 +193,5 @@ int main()
 {
   bounds();
   frequencies();
+  return 0;
 }

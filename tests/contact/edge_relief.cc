@@ -266,4 +266,5 @@ int main()
   check_gradient();
   check_crossing();
   check_off();
+  return 0;
 }

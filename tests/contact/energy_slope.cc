@@ -367,4 +367,5 @@ int main()
   check_tangent("exponential", &make_contact_law<ExponentialLaw>);
   check_direction();
   check_areas();
+  return 0;
 }

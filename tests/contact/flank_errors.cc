@@ -125,4 +125,5 @@ int main()
       flank->margins = {0., 0.};
     }
   compare("unequal teeth", options, false);
+  return 0;
 }

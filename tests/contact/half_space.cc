@@ -291,4 +291,5 @@ int main()
   check_line();
   check_arms();
   check_return();
+  return 0;
 }

@@ -363,4 +363,5 @@ int main(int argc, char **argv)
   const ElasticBlock roll = cylinder(1., 1. / 6., radius), block = cylinder(-1., 1.25 / 6., 0.);
   for (const auto &surface : contact_surface_kinds())
     check_line("line, " + surface.first, roll, block, surface.second);
+  return 0;
 }

@@ -208,4 +208,5 @@ int main()
   bounce();
   damped_bounce();
   shared_nodes();
+  return 0;
 }

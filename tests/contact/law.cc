@@ -127,4 +127,5 @@ int main()
       return motion;
     },
     1e-5);
+  return 0;
 }

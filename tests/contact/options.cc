@@ -123,4 +123,5 @@ int main()
   // Springs of 5 (m/A)/dt^2: two and forty of them in dynamics/impact.
   check_close("penalty that rattles", PenaltyOptions::rattling_value(2e-9, 5e-8), 4e6, 1e-3);
   check_vote();
+  return 0;
 }

@@ -305,4 +305,5 @@ int main()
 {
   cylinder();
   sphere();
+  return 0;
 }

@@ -256,4 +256,5 @@ int main()
   ContactOptions fading = options_for(D::surface_points, 3);
   fading.edge_fading    = 0.3;
   check_error("surface points, 3 x 3, edges fading", fading, 0.019);
+  return 0;
 }

@@ -165,4 +165,5 @@ int main()
   check_twisted_facet();
   check_sphere();
   check_normals();
+  return 0;
 }

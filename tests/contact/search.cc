@@ -290,4 +290,5 @@ int main()
   check_broad_search();
   check_smallest_gap();
   check_near_nodes();
+  return 0;
 }

@@ -215,4 +215,5 @@ int main()
   // it 31 % were missing). It jumps at kinks, which costs the trapezoidal rule 6e-4.
   check_energy("flat facets", ContactSurfaceKind::flat_facets, 1e-3);
   check_fading();
+  return 0;
 }

@@ -255,4 +255,5 @@ int main()
   cycle();
   rigid_motion();
   keeping();
+  return 0;
 }

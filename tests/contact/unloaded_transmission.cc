@@ -61,4 +61,5 @@ int main()
           check_below(what + ": difference from the generated flanks [arcsec]", difference, bound);
         }
     }
+  return 0;
 }

@@ -77,4 +77,5 @@ int main()
                   1.,
                   1e-3);
     }
+  return 0;
 }

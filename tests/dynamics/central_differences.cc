@@ -279,4 +279,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {tumble, free_bar, cantilever});
+  return 0;
 }

@@ -109,4 +109,5 @@ int main(int argc, char **argv)
   landing();
   matching();
   relaxing();
+  return 0;
 }

@@ -119,4 +119,5 @@ int main()
   altogether();
   circle();
   impossible();
+  return 0;
 }

@@ -259,4 +259,5 @@ int main(int argc, char **argv)
   check_forces(StiffnessKind::full, FrameKind::polar, "full integration, polar frame");
   check_forces(StiffnessKind::incompatible_modes, FrameKind::three_nodes, "three-node frame");
   check_relaxation();
+  return 0;
 }

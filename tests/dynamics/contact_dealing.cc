@@ -91,4 +91,5 @@ int main()
 {
   check_simple();
   check_many();
+  return 0;
 }

@@ -144,4 +144,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {all});
+  return 0;
 }

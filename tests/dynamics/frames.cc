@@ -82,4 +82,5 @@ int main(int argc, char **argv)
                 difference > 1e-7 && difference < 1e-3);
         }
     }
+  return 0;
 }

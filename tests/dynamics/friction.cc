@@ -269,4 +269,5 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   in_time();
   at_rest();
+  return 0;
 }

@@ -155,4 +155,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {invert, sink, pass_wall, bounce, fly});
+  return 0;
 }

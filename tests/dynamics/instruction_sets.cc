@@ -228,4 +228,5 @@ int main(int argc, char **argv)
     return run_instruction_set(argv[1], check_set);
   check_set(InstructionSet::generic);
   check_worst_elements();
+  return 0;
 }

@@ -359,4 +359,5 @@ int main(int argc, char **argv)
   run_parts(argc,
             argv,
             {torque, torque_on_axis, loads, pressure, springs, springs_side_by_side, wall});
+  return 0;
 }

@@ -85,4 +85,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {measure});
+  return 0;
 }

@@ -86,4 +86,5 @@ int main()
 {
   bead();
   any_turn();
+  return 0;
 }

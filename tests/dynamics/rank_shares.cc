@@ -92,4 +92,5 @@ int main(int argc, char **argv)
   if (session.world().is_root())
     check_cuts();
   check_traffic(session.world());
+  return 0;
 }

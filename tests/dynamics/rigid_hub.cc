@@ -206,4 +206,5 @@ int main(int argc, char **argv)
               2e-15);
   check("free face of a shaft is sheared", turn_apart(shaft(ConstraintKind::free_rotation)) > 0);
   damp_torsion();
+  return 0;
 }

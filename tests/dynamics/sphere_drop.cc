@@ -112,4 +112,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {fall_explicitly, fall_implicitly});
+  return 0;
 }

@@ -94,4 +94,5 @@ int main(int argc, char **argv)
   model.bodies[0].axis.direction = Vector3(1., 1., 0.).normalized();
   pattern.update(run.state);
   check("no pattern about another axis", pattern.largest_velocity() == 0.);
+  return 0;
 }

@@ -217,4 +217,5 @@ int main(int argc, char **argv)
   bound_of_assembly();
   springs();
   mass_scaling();
+  return 0;
 }

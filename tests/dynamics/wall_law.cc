@@ -74,4 +74,5 @@ int main(int argc, char **argv)
               run.state.measured.energy.contact / (4 * corners[0].energy),
               1.,
               1e-9);
+  return 0;
 }

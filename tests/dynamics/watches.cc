@@ -537,4 +537,5 @@ int main(int argc, char **argv)
              books_go_on,
              losses_of_contact,
              damping_audit});
+  return 0;
 }

@@ -257,4 +257,5 @@ int main(int argc, char **)
         ++refused;
       }
   check("an element shrunk to a point has no frame", refused == 2);
+  return 0;
 }

@@ -73,4 +73,5 @@ int main()
   HexahedronNodes folded = frustum;
   folded.col(7)          = Vector3(-0.8, -0.8, 0.5);
   check("a folded element has a negative Jacobian", compute_least_jacobian(folded) < 0.);
+  return 0;
 }

@@ -206,4 +206,5 @@ int main(int argc, char **argv)
   compare_all(InstructionSet::generic, false);
   check("a nonsense instruction set is refused", choice_refused("mmx"));
   check("generic can be asked for", !choice_refused("generic"));
+  return 0;
 }

@@ -241,4 +241,5 @@ int main()
       refused = true;
     }
   check("a folded element is refused", refused);
+  return 0;
 }

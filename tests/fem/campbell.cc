@@ -242,4 +242,5 @@ int main()
   branches();
   mode_table();
   crossings();
+  return 0;
 }

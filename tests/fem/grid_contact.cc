@@ -455,4 +455,5 @@ int main(int argc, char **argv)
              Vector2(.01, .04),
              meshes,
              world);
+  return 0;
 }

@@ -363,4 +363,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts<Communicator>(argc, argv, {beam, two_shafts, sector, mean});
+  return 0;
 }

@@ -163,4 +163,5 @@ int main(int argc, char **argv)
   directions();
   circles();
   no_sectors();
+  return 0;
 }

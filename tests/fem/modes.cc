@@ -250,4 +250,5 @@ int main(int argc, char **argv)
                communicator);
   free_block(communicator);
   messages(communicator);
+  return 0;
 }

@@ -272,4 +272,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {columns, free_motion, rolling, preloads, pin, too_soft, refusals});
+  return 0;
 }

@@ -473,4 +473,5 @@ int main(int argc, char **argv)
     argc,
     argv,
     {rigid_bodies, housing, spinning_bodies, moments, stiff_limit, unlike_axes, turned_circles});
+  return 0;
 }

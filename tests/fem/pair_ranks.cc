@@ -41,4 +41,5 @@ int main(int argc, char **argv)
     }
   check_below("loads of bearings", load, 1e-7);
   check_below("their displacements", displacement, 1e-7);
+  return 0;
 }

@@ -60,4 +60,5 @@ int main(int argc, char **argv)
       // Multigrid solves to 1e-10 of the load.
       check_below("displacements", difference / largest, 1e-7);
     }
+  return 0;
 }

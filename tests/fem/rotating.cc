@@ -239,4 +239,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {disc, ring, sector_axes, half_the_sectors});
+  return 0;
 }

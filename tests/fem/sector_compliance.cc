@@ -139,4 +139,5 @@ int main(int argc, char **argv)
     {
       std::cout << error.what() << std::endl;
     }
+  return 0;
 }

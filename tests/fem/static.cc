@@ -353,4 +353,5 @@ int main(int argc, char **argv)
   torsion(communicator);
   torque_on_axis();
   free_body(communicator);
+  return 0;
 }

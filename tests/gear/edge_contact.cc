@@ -214,4 +214,5 @@ int main()
                   arcsecond,
                 a.hand_over_lag / arcsecond,
                 0.02);
+  return 0;
 }

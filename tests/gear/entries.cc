@@ -237,4 +237,5 @@ int main()
   basic_data();
   contact_of_a_proposal();
   analysis();
+  return 0;
 }

@@ -184,4 +184,5 @@ int main()
   pitch();
   topography();
   pair();
+  return 0;
 }

@@ -291,4 +291,5 @@ int main()
   contact_of_modified_flanks();
   pitch();
   runout();
+  return 0;
 }

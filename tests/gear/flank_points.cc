@@ -64,4 +64,5 @@ int main()
   const GearPair pair(paper::options());
   check_member("pinion", pair.pinion());
   check_member("gear", pair.gear());
+  return 0;
 }

@@ -22,7 +22,7 @@ struct Row
 
 std::vector<Row> read(const std::string &name)
 {
-  std::ifstream    file(std::string(SOURCE_DIR) + "/" + name);
+  std::ifstream    file(source_folder() + "/" + name);
   std::vector<Row> rows;
   std::string      line, word;
   std::getline(file, line);
@@ -152,4 +152,5 @@ int main()
                 text.find("116.49") != std::string::npos && text.find("-60") != std::string::npos;
     }
   check("no flank far below the root: the message names flank, L and h", refused);
+  return 0;
 }

@@ -220,4 +220,5 @@ int main()
   check_assembly(pair);
   check_given_ratio_of_roll();
   check_mirrored(pair);
+  return 0;
 }

@@ -285,4 +285,5 @@ int main()
   check_other_contradictions();
   check_causes();
   check_reading();
+  return 0;
 }

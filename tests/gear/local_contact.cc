@@ -44,4 +44,5 @@ int main()
   const GearPair pair(paper::options());
   check_side(pair, MeshSide::drive);
   check_side(pair, MeshSide::coast);
+  return 0;
 }

@@ -90,4 +90,5 @@ int main()
       check_roll(plain, side, 0., .1);
       check_tilt(plain, side);
     }
+  return 0;
 }

@@ -206,4 +206,5 @@ int main()
       check(side + ": modified roll moves the heel by more than 1 um",
             (Flank(rolled, blank.pitch_angle).point_at(L, 1.).position - base).norm() > 1e-3);
     }
+  return 0;
 }

@@ -141,4 +141,5 @@ int main()
     {
       std::cout << error.entry() << ": " << error.what() << std::endl;
     }
+  return 0;
 }

@@ -62,4 +62,5 @@ int main()
 {
   // So small that the hand-over stays between the same samples.
   check_lines(.02 * um, 9, .01);
+  return 0;
 }

@@ -189,4 +189,5 @@ int main()
 {
   grids();
   settings();
+  return 0;
 }

@@ -102,4 +102,5 @@ int main()
   }) << std::endl;
   std::cout << "mating tips too high: "
             << found([](GearPairOptions &o) { o.gear.blank.mean_addendum = 1.9; }) << std::endl;
+  return 0;
 }

@@ -181,4 +181,5 @@ int main()
   check_coast(pair, drive, coast);
   check_ellipse(pair, drive);
   check_mounting(pair);
+  return 0;
 }

@@ -216,4 +216,5 @@ int main()
   motion_table();
   response_table();
   slow_response();
+  return 0;
 }

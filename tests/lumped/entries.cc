@@ -293,4 +293,5 @@ int main()
   laws_of_a_table();
   damper();
   run();
+  return 0;
 }

@@ -203,4 +203,5 @@ int main()
   linear_response();
   loss_of_contact();
   jump();
+  return 0;
 }

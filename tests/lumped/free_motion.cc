@@ -178,4 +178,5 @@ int main()
   two_inertias();
   support();
   growth();
+  return 0;
 }

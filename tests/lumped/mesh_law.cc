@@ -90,4 +90,5 @@ int main()
     {
       check("unequal positions are refused", true);
     }
+  return 0;
 }

@@ -192,4 +192,5 @@ int main()
   attachments(gear);
   solid_gear(gear);
   sizes(paper::pinion());
+  return 0;
 }

@@ -120,4 +120,5 @@ int main()
 {
   read_gmsh_files();
   read_other_files();
+  return 0;
 }

@@ -232,4 +232,5 @@ int main()
              (spur.area() - pi * rim * rim) * width +
                volume_of_ring(rim, disc.hub_radius, disc.web_thickness) +
                volume_of_ring(disc.hub_radius, disc.bore_radius, disc.hub_length));
+  return 0;
 }

@@ -166,4 +166,5 @@ int main()
   gear.web             = WebKind::none;
   check_member(paper::gear(), gear);
   check_member(paper::pinion(), coarse(pinion_body_defaults()));
+  return 0;
 }

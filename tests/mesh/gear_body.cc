@@ -292,4 +292,5 @@ int main()
   check_element_size(pinion, pinion_body_defaults());
   check_refusals(gear);
   check_declaration(gear);
+  return 0;
 }

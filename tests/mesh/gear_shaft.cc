@@ -315,4 +315,5 @@ int main()
   solid            = coarse(pinion_body_defaults());
   solid.shaft.text = "90 180 40 20";
   check_convergence(pinion, solid);
+  return 0;
 }

@@ -109,4 +109,5 @@ int main()
   const GearMember gear = paper::gear(), pinion = paper::pinion();
   check_division(pinion);
   check_refusals(gear, pinion);
+  return 0;
 }

@@ -109,4 +109,5 @@ int main()
           for (const double fillet : {0., 2.})
             if (attachment != WebAttachment::toe || (fillet > 0. && thickness < 6.))
               check_attachment(gear, attachment, direction, angle, thickness, fillet);
+  return 0;
 }

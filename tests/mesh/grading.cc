@@ -111,4 +111,5 @@ int main()
   pinion_options.grading_towards_fillet = 2.5;
   pinion_options.grading_towards_flank  = 1.5;
   check_body(paper::pinion(), pinion_options);
+  return 0;
 }

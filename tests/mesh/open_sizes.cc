@@ -104,4 +104,5 @@ int main()
   reference_pair();
   fineness();
   proposed_pairs();
+  return 0;
 }

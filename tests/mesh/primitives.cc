@@ -232,4 +232,5 @@ int main()
   check("refuses no cells", refuses([] { make_block({1., 1., 1.}, {{1, 0, 1}}); }));
   check("refuses a ring inside out", refuses([] { make_ring(2., 1., 1., {{1, 8, 1}}); }));
   check("refuses an odd core", refuses([] { make_cylinder(2., 1., {{3, 1, 1}}); }));
+  return 0;
 }

@@ -198,4 +198,5 @@ int main(int argc, char **argv)
   check_p4est(paper::pinion(), coarsest(pinion_body_defaults()));
   check_refined_body(paper::gear(), coarsest({}));
   check_refined_body(paper::pinion(), coarsest(pinion_body_defaults()));
+  return 0;
 }

@@ -103,4 +103,5 @@ int main(int argc, char **argv)
 
   check_member(paper::gear(), coarsest({}));
   check_member(paper::pinion(), coarsest(pinion_body_defaults()));
+  return 0;
 }

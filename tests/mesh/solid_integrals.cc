@@ -123,4 +123,5 @@ int main()
   options.web = WebKind::none;
   check_convergence("gear without web", gear, options, 1e-5);
   check_web_fillets(gear);
+  return 0;
 }

@@ -237,4 +237,5 @@ int main()
   sets();
   axes();
   numbering();
+  return 0;
 }

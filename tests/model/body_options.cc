@@ -193,4 +193,5 @@ int main()
   held_by_bearings();
   moving();
   refusals();
+  return 0;
 }

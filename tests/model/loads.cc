@@ -300,4 +300,5 @@ int main()
   power_of_a_moment();
   transmission();
   energies();
+  return 0;
 }

@@ -215,4 +215,5 @@ int main()
   axis();
   kinds();
   shares();
+  return 0;
 }

@@ -90,4 +90,5 @@ int main()
   check_ranges();
   check_field();
   check_sharing();
+  return 0;
 }

@@ -236,4 +236,5 @@ int main()
   loads();
   contacts();
   probes();
+  return 0;
 }

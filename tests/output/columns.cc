@@ -392,7 +392,7 @@ int main(int argc, char **argv)
       std::filesystem::remove_all(folder.path());
       return 0;
     }
-  std::ifstream     file(SOURCE_DIR "/../../doc/columns.json");
+  std::ifstream     file(source_folder() + "/../../doc/columns.json");
   std::stringstream page;
   page << file.rdbuf();
   const std::string difference = find_difference(page.str(), written);
@@ -401,4 +401,5 @@ int main(int argc, char **argv)
   check("doc/columns.json is what is written", difference.empty());
   check_table_files(folder);
   check_places(folder);
+  return 0;
 }

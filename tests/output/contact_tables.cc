@@ -183,4 +183,5 @@ int main(int argc, char **argv)
   const OutputFolder folder(folder_name, session.world());
   pattern(folder);
   teeth(folder);
+  return 0;
 }

@@ -212,4 +212,5 @@ int main(int argc, char **argv)
   FieldWriter        writer(folder, model, 50, StiffnessKind::incompatible_modes, FrameKind::polar);
   writer.observe(model, state);
   check_values(model, VtuFile(folder.file("fields/00000.vtu")));
+  return 0;
 }

@@ -301,4 +301,5 @@ int main(int argc, char **argv)
   check_pictures(folder);
   check_checkpoint(folder);
   check_model_mark();
+  return 0;
 }

@@ -239,4 +239,5 @@ int main(int argc, char **argv)
   gear_pair(folder);
   general_model(folder);
   probes(folder);
+  return 0;
 }

@@ -108,4 +108,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {placements, bores});
+  return 0;
 }

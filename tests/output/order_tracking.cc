@@ -227,4 +227,5 @@ int main()
   rim_waves(-1.);
   oscillator();
   refusals();
+  return 0;
 }

@@ -73,4 +73,5 @@ int main()
   before.peak               = 54.2495;
   before.largest_after_mesh = -3.909;
   std::cout << before.explain() << std::endl;
+  return 0;
 }

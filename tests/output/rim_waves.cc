@@ -80,4 +80,5 @@ int main(int argc, char **argv)
       else if (!(std::abs(column.numbers[0]) < 1e-10))
         check_below(column.name, column.numbers[0], 1e-10);
     }
+  return 0;
 }

@@ -112,4 +112,5 @@ int main(int argc, char **argv)
   for (const FrameKind frame : {FrameKind::polar, FrameKind::three_nodes})
     for (const double turn : {0., 2.5})
       check_shear(frame, turn);
+  return 0;
 }

@@ -239,4 +239,5 @@ int main(int argc, char **argv)
   table_of_runs(folder);
   figures_of_cases(folder);
   failed(folder);
+  return 0;
 }

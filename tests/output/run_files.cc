@@ -298,4 +298,5 @@ int main(int argc, char **argv)
   }
   check_log(session.world());
   check_options();
+  return 0;
 }

@@ -259,4 +259,5 @@ int main()
   check_start();
   check_none();
   check_ripple();
+  return 0;
 }

@@ -149,4 +149,5 @@ int main()
   frequencies();
   decay();
   meetings();
+  return 0;
 }

@@ -200,4 +200,5 @@ int main()
   waves();
   other_rates();
   balances();
+  return 0;
 }

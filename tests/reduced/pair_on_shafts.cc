@@ -149,4 +149,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {at_rest, in_motion});
+  return 0;
 }

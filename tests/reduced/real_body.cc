@@ -200,4 +200,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {on_bores, on_shafts});
+  return 0;
 }

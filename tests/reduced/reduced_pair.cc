@@ -265,4 +265,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {at_rest, in_motion, speeding_up, parting, too_long_steps, refusals});
+  return 0;
 }

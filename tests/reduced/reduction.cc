@@ -657,4 +657,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {wheels, pinions, bearings, cutoffs, coriolis, speed, rows, refusals});
+  return 0;
 }

@@ -66,4 +66,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {share});
+  return 0;
 }

@@ -227,4 +227,5 @@ int main()
         check_grid(paper::pinion(), pinion_body_defaults(), side, refinements);
       }
   check_gauges();
+  return 0;
 }

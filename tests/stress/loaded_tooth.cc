@@ -313,4 +313,5 @@ int main(int argc, char **argv)
   if (argc == 3)
     return compare_with_calculix(argv[2], session.world());
   family(session.world());
+  return 0;
 }

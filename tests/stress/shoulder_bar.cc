@@ -104,4 +104,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts<Communicator>(argc, argv, {family});
+  return 0;
 }

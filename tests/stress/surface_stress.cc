@@ -137,4 +137,5 @@ int main()
   large_rotation();
   no_traction();
   principal();
+  return 0;
 }

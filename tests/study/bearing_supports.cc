@@ -150,4 +150,5 @@ int main()
   one_member();
   two_members();
   refusals();
+  return 0;
 }

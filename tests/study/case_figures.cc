@@ -111,4 +111,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {steps, meshes, areas, widths});
+  return 0;
 }

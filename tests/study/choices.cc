@@ -225,4 +225,5 @@ subsection Fem
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {discretizations, surfaces, starts, elements, verbosities});
+  return 0;
 }

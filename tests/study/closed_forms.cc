@@ -167,4 +167,5 @@ end
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {hanging, released, twisted});
+  return 0;
 }

@@ -256,4 +256,5 @@ int main(int argc, char **argv)
   modes(session.world());
   agreement(session.world());
   contradictions(session.world());
+  return 0;
 }

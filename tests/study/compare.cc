@@ -163,10 +163,10 @@ namespace
       << "subsection Compare\n set pictures = no\n set cases = ring, modes\n"
       << " set entries = Model/Body beam/cells along length = 10;"
          " Model/Body beam/cells over height = 2\n"
-      << " subsection Case ring\n  set base = " << SOURCE_DIR
+      << " subsection Case ring\n  set base = " << source_folder()
       << "/../../prm/verification/vibrating_cantilever.prm\n"
       << "  set entries = Output/pictures = no\n end\n"
-      << " subsection Case modes\n  set base = " << SOURCE_DIR
+      << " subsection Case modes\n  set base = " << source_folder()
       << "/../../prm/fem/cantilever_modes.prm\n end\nend\n";
     run_case("compare_beam.prm", "compare_beam", world);
     const Table table = read_result_table("compare_beam/comparison.csv");
@@ -185,9 +185,9 @@ namespace
       << "subsection Study\n set kind = compare\nend\n"
       << "subsection Compare\n set pictures = no\n set cases = rest, linear\n"
       << " set entries = Output/pictures = no\n"
-      << " subsection Case rest\n  set base = " << SOURCE_DIR
+      << " subsection Case rest\n  set base = " << source_folder()
       << "/../../prm/verification/plate_with_hole.prm\n end\n"
-      << " subsection Case linear\n  set base = " << SOURCE_DIR
+      << " subsection Case linear\n  set base = " << source_folder()
       << "/../../prm/verification/plate_with_hole.prm\n"
       << "  set entries = Study/kind = linear static\n end\nend\n";
     run_case("compare_plate.prm", "compare_plate", world);
@@ -307,4 +307,5 @@ int main(int argc, char **argv)
   passage();
   other_pairs();
   errors(session.world());
+  return 0;
 }

@@ -224,4 +224,5 @@ int main()
   passed_positions();
   statics();
   frequencies();
+  return 0;
 }

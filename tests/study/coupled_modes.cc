@@ -211,4 +211,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {stiff_bodies, standing_waves, study, table});
+  return 0;
 }

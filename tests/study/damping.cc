@@ -204,4 +204,5 @@ int main(int argc, char **argv)
   refusals();
   drifting_ring("momentum", session.world());
   drifting_ring("mean speed", session.world());
+  return 0;
 }

@@ -368,4 +368,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {parts, supports, patch, swing, penalty_lag});
+  return 0;
 }

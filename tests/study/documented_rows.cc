@@ -46,7 +46,7 @@ namespace
   std::vector<std::string>
   row_of(const std::string &page, const std::string &heading, const std::string &beginning)
   {
-    std::ifstream            file(SOURCE_DIR "/../../doc/" + page);
+    std::ifstream            file(source_folder() + "/../../doc/" + page);
     std::vector<std::string> cells;
     bool                     here = false;
     for (std::string line; cells.empty() && std::getline(file, line);)
@@ -77,7 +77,7 @@ namespace
   do_case(const std::string &file, const std::vector<std::string> &overrides, Communicator &world)
   {
     const std::string folder = "documented";
-    run_pair(file.rfind("prm/", 0) == 0 ? SOURCE_DIR "/../../" + file : file,
+    run_pair(file.rfind("prm/", 0) == 0 ? source_folder() + "/../../" + file : file,
              folder,
              world,
              overrides);
@@ -307,4 +307,5 @@ int main(int argc, char **argv)
     argc,
     argv,
     {oscillator, modes, modes_in_spin, spinning_block, bars_and_beams, loaded_pair, paper_pair});
+  return 0;
 }

@@ -96,4 +96,5 @@ int main(int argc, char **argv)
   check_model("pinion", "reverse", MeshSide::coast);
   check_model("gear", "forward", MeshSide::coast);
   check_model("gear", "reverse", MeshSide::drive);
+  return 0;
 }

@@ -119,4 +119,5 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   places();
   pressures(session.world());
+  return 0;
 }

@@ -162,4 +162,5 @@ int main()
   sizes();
   verdicts();
   tables();
+  return 0;
 }

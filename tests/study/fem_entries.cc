@@ -211,4 +211,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {solvers, loose_tolerance, hubs, coriolis, linear_solver, centrifugal});
+  return 0;
 }

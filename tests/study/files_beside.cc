@@ -10,7 +10,7 @@ namespace
 {
   namespace fs = std::filesystem;
 
-  const std::string program = VFIFE_PROGRAM;
+  const std::string program = program_file();
 
   /** A block of a mesh file in a folder "case", pushed by a history in a table. */
   void write_case()
@@ -130,4 +130,5 @@ int main()
   const Ending missing = run_in("case", {program, "push.prm", "-o", "missing"});
   check("missing: exit code", missing.exit_code == 1);
   std::cout << missing.text;
+  return 0;
 }

@@ -113,4 +113,5 @@ int main(int argc, char **argv)
       {
         std::cout << error.entry() << ": " << error.what() << std::endl;
       }
+  return 0;
 }

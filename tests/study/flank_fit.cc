@@ -31,7 +31,8 @@ int main(int argc, char **argv)
   for (const char *folder : {"measured", "found", "again"})
     std::filesystem::remove_all(folder);
   const std::string kind = "subsection Study\n  set kind = flank fit\nend\n";
-  std::ofstream("pair.prm") << "include " << SOURCE_DIR << "/../../prm/paper_pair.prm\n" << kind;
+  std::ofstream("pair.prm") << "include " << source_folder() << "/../../prm/paper_pair.prm\n"
+                            << kind;
   const std::string grid = "grid_pinion_concave.csv";
   run_pair("pair.prm",
            "measured",
@@ -112,4 +113,5 @@ int main(int argc, char **argv)
       {
         std::cout << error.what() << std::endl;
       }
+  return 0;
 }

@@ -19,7 +19,7 @@ namespace
                 Communicator                   &communicator)
   {
     CommandLine line;
-    line.parameter_file = std::string(SOURCE_DIR) + "/../../prm/" + name;
+    line.parameter_file = source_folder() + "/../../prm/" + name;
     line.output_folder  = folder;
     line.overrides      = overrides;
     std::ostringstream nothing;
@@ -84,4 +84,5 @@ int main(int argc, char **argv)
               << 130 * largest(h["momentum z"]) / spin << ' ' << largest(h["energy error"]) << ' '
               << h["strain energy"].front() << ' ' << h["strain energy"].back() << ' '
               << h["kinetic energy"].front() << std::endl;
+  return 0;
 }

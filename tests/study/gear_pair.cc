@@ -179,4 +179,5 @@ int main(int argc, char **argv)
   // begins in equilibrium stays near it.
   const double mean_torque = std::accumulate(torque.begin(), torque.end(), 0.) / torque.size();
   check_close("mean contact torque over the load", mean_torque / 800., 1., 0.1);
+  return 0;
 }

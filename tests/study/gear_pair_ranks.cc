@@ -101,4 +101,5 @@ int main(int argc, char **argv)
   for (const char *integration : {"explicit", "implicit"})
     compare_ranks(integration, "", session.world(), argc > 1);
   compare_ranks("explicit", errors, session.world(), argc > 1);
+  return 0;
 }

@@ -62,4 +62,5 @@ int main(int argc, char **argv)
   const std::string start = "equilibrium before the start";
   check("one equilibrium",
         log.find(start) != std::string::npos && log.find(start) == log.rfind(start));
+  return 0;
 }

@@ -90,4 +90,5 @@ int main(int argc, char **argv)
     << "subsection Loaded contact\n set positions = 1\n set pressure cells = 8\nend\n";
   print_refusal(
     [&] { run_pair("grid_pressure_shafts.prm", "grid_pressure_shafts", session.world()); });
+  return 0;
 }

@@ -45,4 +45,5 @@ int main(int argc, char **argv)
           check(name + ": " + column.name, worst <= 1e-6 * largest);
         }
     }
+  return 0;
 }

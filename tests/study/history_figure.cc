@@ -267,4 +267,5 @@ int main()
   show_error(figure);
   figure.reference = "abc";
   show_error(figure);
+  return 0;
 }

@@ -2,6 +2,7 @@
 // Runs go on from checkpoints of other versions of the program: from one that is kept beside this
 // test (kept_checkpoint/model.prm says how it was written), and from ones that know other entries
 // and other parts than this version does.
+#include "../tests.h"
 #include "forged_checkpoint.h"
 #include "history_difference.h"
 #include "quick_pair.h"
@@ -16,7 +17,7 @@ using namespace vfife;
 
 namespace
 {
-  const std::string kept_folder = SOURCE_DIR "/kept_checkpoint/";
+  const std::string kept_folder = source_folder() + "/kept_checkpoint/";
   const std::string kept        = kept_folder + "checkpoint.bin";
   // Of 16 mm, with cells of 4 mm and all three bodies.
   const histories::Bodies bodies = {49., 4., 9e-6};
@@ -249,4 +250,5 @@ int main(int argc, char **argv)
   entry_that_is_gone(session.world());
   other_layout(session.world());
   fewer_nodes(session.world());
+  return 0;
 }

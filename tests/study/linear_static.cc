@@ -182,7 +182,7 @@ end
   {
     std::filesystem::remove_all("linear_spun");
     CommandLine line;
-    line.parameter_file = std::string(SOURCE_DIR) + "/../../prm/verification/rotating_bar.prm";
+    line.parameter_file = source_folder() + "/../../prm/verification/rotating_bar.prm";
     line.output_folder  = "linear_spun";
     line.overrides      = {"Study/kind=linear static",
                            "Output/verbosity=quiet",
@@ -343,4 +343,5 @@ end
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {pulled, bent, spun, prescribed_ring_cases, pair, errors});
+  return 0;
 }

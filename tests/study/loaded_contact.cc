@@ -220,4 +220,5 @@ int main(int argc, char **argv)
   check_pattern();
   check_stiffness(session.world());
   mass_scaling(session.world());
+  return 0;
 }

@@ -108,7 +108,7 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   std::filesystem::remove_all("lumped_results");
   made_up_results();
-  std::ofstream("values.prm") << "include " << SOURCE_DIR
+  std::ofstream("values.prm") << "include " << source_folder()
                               << "/../../prm/lumped/torsional_pair.prm\n"
                                  "subsection Lumped\n set speeds = 5\n set settling meshes = 300\n"
                                  " set measured meshes = 5\n set pictures = no\nend\n";
@@ -185,4 +185,5 @@ int main(int argc, char **argv)
          " set gear teeth = 79\n set gear inertia = 1\n set arm = 90\n set backlash = 0\n",
          session.world());
   refuse(" set stiffness = 2 MN m\n", session.world());
+  return 0;
 }

@@ -153,4 +153,5 @@ int main(int argc, char **argv)
                   ? "ok"
                   : "FAILED")
             << std::endl;
+  return 0;
 }

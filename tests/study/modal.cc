@@ -256,4 +256,5 @@ int main(int argc, char **argv)
   check("bodies are listed where none is alike",
         unlike.find("did you mean") == std::string::npos &&
           unlike.find("there is no body \"flywheel\" (bodies: pinion, gear)") != std::string::npos);
+  return 0;
 }

@@ -391,4 +391,5 @@ subsection Dynamics
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {contact, step, relaxation, damping_rate, unequal_elements});
+  return 0;
 }

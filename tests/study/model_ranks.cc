@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // General models give the same histories on one rank and on several: bars in contact, a turning
 // body, a clamped beam.
+#include "../tests.h"
 #include "history_difference.h"
 #include "quick_pair.h"
 
@@ -18,7 +19,7 @@ namespace
                 Communicator                   &communicator)
   {
     CommandLine line;
-    line.parameter_file = std::string(SOURCE_DIR) + "/../../prm/verification/" + name + ".prm";
+    line.parameter_file = source_folder() + "/../../prm/verification/" + name + ".prm";
     line.output_folder  = folder;
     line.overrides      = overrides;
     line.overrides.emplace_back("Output/verbosity=quiet");
@@ -77,4 +78,5 @@ int main(int argc, char **argv)
                 {100., 2.5, 100 * 10 * 10 * 7.85e-9},
                 world,
                 tell);
+  return 0;
 }

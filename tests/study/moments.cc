@@ -99,4 +99,5 @@ int main(int argc, char **argv)
   MpiSession session(argc, argv);
   bent_end(session.world());
   spin_up(session.world());
+  return 0;
 }

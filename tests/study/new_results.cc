@@ -90,4 +90,5 @@ int main(int argc, char **argv)
   check("modal again", run("modal", fem("modes = 4"), session.world()) == "done");
   check("another kind", run("linear static", quiet, session.world()) == "done");
   check("the folder has its results alone", has("summary.json") && !has("modes.json"));
+  return 0;
 }

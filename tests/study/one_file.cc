@@ -107,7 +107,7 @@ int main(int argc, char **argv)
   refuse(of_kind("tooth contact analysis", all_sections), world);
 
   // A gear pair at rest: no speed, no torque. A run needs them.
-  const std::string pair  = R"(
+  const std::string pair = R"(
 subsection Gear pair
   subsection Pinion
     subsection Mesh
@@ -133,7 +133,8 @@ subsection Dynamics
   set damping = 1000
 end
 )";
-  const std::string paper = std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n";
+  const std::string paper =
+    std::string("include ") + source_folder() + "/../../prm/paper_pair.prm\n";
   std::cout << do_study(of_kind("modal", paper + pair), world, true) << std::endl;
   refuse(of_kind("run", paper + pair), world);
   refuse(of_kind("static", pair), world);
@@ -147,4 +148,5 @@ end
   refuse(of_kind("tooth contact analysis", replaced(loaded, "subsection Body", "subsection Bdy")),
          world);
   refuse(of_kind("tooth contact analysis", loaded + "subsection Model\nend\n"), world);
+  return 0;
 }

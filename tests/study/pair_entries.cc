@@ -321,4 +321,5 @@ subsection Benchmark
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {meshes, penalties, spin, benchmark, figures});
+  return 0;
 }

@@ -98,7 +98,7 @@ end
   {
     const nlohmann::json json =
       find_geometry("geometry_sheet",
-                    std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n" +
+                    std::string("include ") + source_folder() + "/../../prm/paper_pair.prm\n" +
                       study("tooth contact analysis"),
                     communicator);
     check("sheet: teeth",
@@ -132,4 +132,5 @@ int main(int argc, char **argv)
   proposed(session.world());
   from_a_sheet(session.world());
   in_the_log();
+  return 0;
 }

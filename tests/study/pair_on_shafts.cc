@@ -326,4 +326,5 @@ int main(int argc, char **argv)
   run_parts<Communicator>(argc,
                           argv,
                           {&rigid_housing, &housing, &stiff_limit, &goes_on, &spin, &refusals});
+  return 0;
 }

@@ -24,7 +24,7 @@ namespace
   {
     const std::string name = "case.prm";
     std::ofstream     file(name);
-    file << "include " << SOURCE_DIR << "/../../prm/paper_pair.prm\n"
+    file << "include " << source_folder() << "/../../prm/paper_pair.prm\n"
          << lines << "subsection Operation\n"
          << "  set speed        = 20000 rpm\n"
          << "  set torque       = 800 N m\n"
@@ -137,4 +137,5 @@ int main(int argc, char **argv)
          {"Gear pair/Pinion/Shaft/sections=90 200 40 20",
           "Gear pair/Pinion/Shaft/axial cell size=1 um",
           "Gear pair/Pinion/Shaft/radial cell size=1 um"});
+  return 0;
 }

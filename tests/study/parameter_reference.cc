@@ -13,7 +13,7 @@ int main()
 {
   std::stringstream declared;
   vfife::write_parameter_reference(declared);
-  std::ifstream page(SOURCE_DIR "/../../doc/parameter_reference.md");
+  std::ifstream page(source_folder() + "/../../doc/parameter_reference.md");
   std::string   line, expected;
   unsigned int  number = 0;
   bool          same   = true;
@@ -28,4 +28,5 @@ int main()
               << "\nthe program declares: " << expected << "\n";
   check("the page has all sections", number > 300);
   check("the page is what the program declares", same);
+  return 0;
 }

@@ -216,4 +216,5 @@ int main(int argc, char **argv)
     check_passage(probe);
   restart(world);
   ramp(world);
+  return 0;
 }

@@ -60,4 +60,5 @@ int main()
         TurningModes(both, .02).frequencies == std::vector<double>{1000.});
   check("else those in turning axes",
         TurningModes(make_modes("turning"), .02).frequencies == std::vector<double>{1000.});
+  return 0;
 }

@@ -2,6 +2,7 @@
 #ifndef vfife_tests_study_quick_pair_h
 #define vfife_tests_study_quick_pair_h
 
+#include "../tests.h"
 #include <vfife/base/process/command_line.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
@@ -23,7 +24,7 @@ inline std::string coarse_pair(const std::string &gear_body, const std::string &
       set cells across tooth = 2
       set flank rows         = 2
 )";
-  return std::string("include ") + SOURCE_DIR + "/../../prm/paper_pair.prm\n" +
+  return std::string("include ") + source_folder() + "/../../prm/paper_pair.prm\n" +
          "subsection Gear pair\n  subsection Pinion" + mesh +
          "      set rim rows           = 2\n    end\n  end\n" +
          "  subsection Gear\n    subsection Body\n" + gear_body + "\n    end" + mesh + gear_mesh +

@@ -246,4 +246,5 @@ int main(int argc, char **argv)
   resting(session.world());
   pulled(session.world());
   turning(session.world());
+  return 0;
 }

@@ -420,4 +420,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {beside_run, speeds, stresses, run_up, store, goes_on, refusals});
+  return 0;
 }

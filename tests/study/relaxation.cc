@@ -19,9 +19,8 @@ namespace
   Model make_model()
   {
     Model model;
-    model.add_body(Body("plate",
-                        read_body(std::string(SOURCE_DIR) + "/../../meshes/plate_with_hole.msh"),
-                        Material()));
+    model.add_body(
+      Body("plate", read_body(source_folder() + "/../../meshes/plate_with_hole.msh"), Material()));
     const Body &plate = model.bodies.front();
     const auto  hold  = [&](const char *set, const unsigned int direction) {
       Constraint constraint;
@@ -128,4 +127,5 @@ int main(int argc, char **argv)
     }
   if (world.is_root())
     check("the adaptive form needs fewer steps", steps[0] < steps[1]);
+  return 0;
 }

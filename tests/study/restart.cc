@@ -13,14 +13,14 @@ namespace
 {
   namespace fs = std::filesystem;
 
-  const std::string program = VFIFE_PROGRAM;
+  const std::string program = program_file();
 
   /** Two bars that collide: contact opens and closes; with fields, and samples that are not those
    * of the checkpoints. */
   void write_case()
   {
     std::ofstream file("bars.prm");
-    file << "include " << SOURCE_DIR << "/../../prm/verification/two_bars.prm\n"
+    file << "include " << source_folder() << "/../../prm/verification/two_bars.prm\n"
          << "subsection Model\n"
             "  subsection Body flying\n    set cells x = 40\n  end\n"
             "  subsection Body resting\n    set cells x = 40\n  end\nend\n"
@@ -75,8 +75,8 @@ namespace
   void show(const std::string &name, const Ending &ending)
   {
     std::string text = ending.text;
-    for (std::size_t at; (at = text.find(SOURCE_DIR)) != std::string::npos;)
-      text.erase(at, std::string(SOURCE_DIR).size());
+    for (std::size_t at; (at = text.find(source_folder())) != std::string::npos;)
+      text.erase(at, source_folder().size());
     std::cout << name << ": exit code " << ending.exit_code << "\n" << text;
   }
 
@@ -125,7 +125,7 @@ namespace
     const auto begun = [] {
       return read_text("early/run.log").find("equilibrium before the start") != std::string::npos;
     };
-    const std::string pair   = SOURCE_DIR "/../../prm/spiral_bevel_quick.prm";
+    const std::string pair   = source_folder() + "/../../prm/spiral_bevel_quick.prm";
     const Ending      ending = run_program({program, pair, "-o", "early"}, begun, SIGINT);
     check("stopped in the equilibrium: ended by the signal", ending.exit_code == -1);
     check("stopped in the equilibrium: message",
@@ -254,4 +254,5 @@ int main()
   refuse_forged();
   give_up_by_energy();
   report_full_disk();
+  return 0;
 }

@@ -282,4 +282,5 @@ int main(int argc, char **argv)
             session.world());
   check_sweep(session.world());
   check_refusals(session.world());
+  return 0;
 }

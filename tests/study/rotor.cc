@@ -236,7 +236,7 @@ namespace
                       const std::vector<double> &turning,
                       Communicator              &world)
   {
-    run_pair(SOURCE_DIR "/../../prm/supports/" + name + ".prm",
+    run_pair(source_folder() + "/../../prm/supports/" + name + ".prm",
              name,
              world,
              {"Fem/modes=16", "Study/output folder=" + name});
@@ -394,4 +394,5 @@ int main(int argc, char **argv)
                            &two_discs,
                            &overhung_disc,
                            &refusals});
+  return 0;
 }

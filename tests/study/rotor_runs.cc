@@ -400,4 +400,5 @@ int main(int argc, char **argv)
   run_parts<Communicator>(argc,
                           argv,
                           {&whirl, &damped, &wound, &balance, &ball_passage, &passage_goes_on});
+  return 0;
 }

@@ -169,4 +169,5 @@ int main(int argc, char **argv)
   run_pair("run_pressure_rubbed.prm", "run_pressure_rubbed", world);
   check_forces("run_pressure_rubbed", true, 1e-8);
   check_refusals(pair, world);
+  return 0;
 }

@@ -100,7 +100,7 @@ namespace
     for (const std::string member : {"Pinion", "Gear"})
       for (const char *cells : {"cells lengthwise=2", "flank rows=2"})
         entries.push_back("Gear pair/" + member + "/Mesh/" + cells);
-    run_pair(SOURCE_DIR "/../../prm/waves/run_up.prm", "shipped", world, entries);
+    run_pair(source_folder() + "/../../prm/waves/run_up.prm", "shipped", world, entries);
     const auto orders  = read_columns("shipped/orders.csv"),
                history = read_columns("shipped/history.csv");
     // 7,500 rpm hardly grow in the first of 16 ms: 2000 (2 pi)^2/6 (1/16)^3 rpm.
@@ -168,4 +168,5 @@ int main(int argc, char **argv)
         read_text("whole/history.csv") == read_text("longer/history.csv"));
   shipped_file(world);
   refusals(world);
+  return 0;
 }

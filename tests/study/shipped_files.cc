@@ -31,7 +31,7 @@ namespace
   std::vector<ShippedFile> list_files()
   {
     std::vector<ShippedFile> files;
-    for (const auto &entry : fs::recursive_directory_iterator(SOURCE_DIR "/../../prm"))
+    for (const auto &entry : fs::recursive_directory_iterator(source_folder() + "/../../prm"))
       if (entry.path().extension() == ".prm")
         {
           std::ifstream      file(entry.path());
@@ -123,4 +123,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {check_files});
+  return 0;
 }

@@ -119,4 +119,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts<Communicator>(argc, argv, {&step, &slow_run});
+  return 0;
 }

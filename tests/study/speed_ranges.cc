@@ -225,4 +225,5 @@ int main()
   frequencies();
   ranges();
   exceedances();
+  return 0;
 }

@@ -130,7 +130,7 @@ namespace
                  {"Output/stress waves=" + std::string(diameters)});
       });
     print_refusal([&]() {
-      run_pair(SOURCE_DIR "/../../prm/verification/free_spin.prm",
+      run_pair(source_folder() + "/../../prm/verification/free_spin.prm",
                "refused",
                world,
                {"Output/stress waves=3"});
@@ -141,4 +141,5 @@ namespace
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {amplitudes, largest, refusals});
+  return 0;
 }

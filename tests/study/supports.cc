@@ -190,4 +190,5 @@ end
 int main(int argc, char **argv)
 {
   run_parts(argc, argv, {springs, preloaded_swing, led_radius});
+  return 0;
 }

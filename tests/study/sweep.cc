@@ -17,7 +17,7 @@ namespace
 
   void write_cases()
   {
-    std::ofstream("bars.prm") << "include " << SOURCE_DIR
+    std::ofstream("bars.prm") << "include " << source_folder()
                               << "/../../prm/verification/two_bars.prm\n"
                                  "subsection Study\n  set output folder = unused\nend\n"
                                  "subsection Model\n"
@@ -68,7 +68,7 @@ namespace
 
   Ending sweep(const std::string &folder, const std::vector<std::string> &more = {})
   {
-    std::vector<std::string> words = {VFIFE_PROGRAM, "sweep.prm", "-o", folder};
+    std::vector<std::string> words = {program_file(), "sweep.prm", "-o", folder};
     words.insert(words.end(), more.begin(), more.end());
     return run_program(words);
   }
@@ -100,7 +100,7 @@ namespace
   {
     write_numerical_case();
     const auto run = [](const std::vector<std::string> &more) {
-      std::vector<std::string> words = {VFIFE_PROGRAM, "numerical.prm", "-o", "numerical"};
+      std::vector<std::string> words = {program_file(), "numerical.prm", "-o", "numerical"};
       words.insert(words.end(), more.begin(), more.end());
       return run_program(words);
     };
@@ -236,7 +236,7 @@ int main()
         run_program({"mpirun",
                      "-np",
                      "2",
-                     VFIFE_PROGRAM,
+                     program_file(),
                      "sweep.prm",
                      "-o",
                      "two_ranks",
@@ -255,7 +255,7 @@ int main()
   std::ofstream("twice.prm") << "include sweep.prm\nsubsection Sweep\n"
                                 "  set figures = way, free end, steps\n"
                                 "  subsection Figure steps\n    set column = time\n  end\nend\n";
-  show("a column twice", run_program({VFIFE_PROGRAM, "twice.prm", "-o", "list"}));
+  show("a column twice", run_program({program_file(), "twice.prm", "-o", "list"}));
   show("no entry", sweep("list", {"--set", "Sweep/entries=Output/pictures"}));
   show("nothing beside", sweep("list", {"--set", "Sweep/beside=all"}));
   // No file can have this name: there is none, as of any other that is not there.

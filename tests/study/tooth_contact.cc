@@ -171,7 +171,7 @@ int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
   std::filesystem::remove_all("tca_results");
-  std::ofstream("tca.prm") << "include " << SOURCE_DIR << "/../../prm/paper_pair.prm\n"
+  std::ofstream("tca.prm") << "include " << source_folder() << "/../../prm/paper_pair.prm\n"
                            << "subsection Study\n  set kind = tooth contact analysis\nend\n";
   run_pair("tca.prm", "tca_results", session.world());
   for (const char *file : {"tca.json", "tca.csv", "path.csv", "ease_off.csv", "pair.prm"})
@@ -198,7 +198,7 @@ int main(int argc, char **argv)
 
   try
     {
-      run_pair(std::string(SOURCE_DIR) + "/../../prm/gear/printed_tables.prm",
+      run_pair(source_folder() + "/../../prm/gear/printed_tables.prm",
                "tca_results",
                session.world());
       std::cout << "FAILED: the printed tables are accepted" << std::endl;
@@ -212,4 +212,5 @@ int main(int argc, char **argv)
             text.find("printed_tables.prm:53 (") != std::string::npos);
       check("consequences follow the causes", text.find("hence: ") != std::string::npos);
     }
+  return 0;
 }

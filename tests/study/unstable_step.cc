@@ -123,4 +123,5 @@ int main(int argc, char **argv)
               mended.history.at("end displacement x").back() / (-0.5 * 5 * 0.1 / 206000),
               1.,
               0.02);
+  return 0;
 }

@@ -19,7 +19,7 @@ namespace
   CommandLine command_line(const std::string &name, const std::vector<std::string> &overrides)
   {
     CommandLine line;
-    line.parameter_file = std::string(SOURCE_DIR) + "/../../prm/verification/" + name + ".prm";
+    line.parameter_file = source_folder() + "/../../prm/verification/" + name + ".prm";
     line.output_folder  = "results_" + name;
     line.overrides      = overrides;
     line.overrides.emplace_back("Output/verbosity=quiet");
@@ -229,4 +229,5 @@ int main(int argc, char **argv)
   refuse("bar_impact", {"Dynamics/end time=0"}, world);
   refuse("bar_impact", {"Model/Constraint lateral/directions=y, theta"}, world);
   refuse_missing_file(world);
+  return 0;
 }

@@ -135,4 +135,5 @@ int main()
   mode();
   build_up();
   refusals();
+  return 0;
 }

@@ -386,4 +386,5 @@ int main(int argc, char **argv)
 {
   write_file();
   run_parts(argc, argv, {prediction, in_contact, driven, driven_by_runs, runs_go_on, refusals});
+  return 0;
 }

@@ -43,7 +43,7 @@ namespace vfife
          "print all effective parameters with description, unit and default") //
         ("parameter-reference",
          options::bool_switch(&line.parameter_reference),
-         "print the parameters of all study kinds as Markdown") //
+         "print the parameters of all study kinds as Markdown")               //
         ("version", options::bool_switch(&line.version), "print the version") //
         ("help,h", options::bool_switch(&line.help), "print this text");
       return description;
