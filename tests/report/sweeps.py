@@ -235,6 +235,38 @@ class Axes(unittest.TestCase):
             self.assertEqual(list(panel.lines[0].get_ydata()), [1, 2, 3])
 
 
+class OtherFolders(unittest.TestCase):
+    """What lies beside the cases of a study, in its folder, is none of them."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = Path(self.folder.name)
+        for name in ("one", "two", "previous", "run_03"):
+            (self.path / name).mkdir()
+            (self.path / name / "figures.json").write_text("{}")
+
+    def names(self):
+        return [variant.run.path.name for variant in find_variants(self.path)]
+
+    def test_folder_of_runs(self):
+        self.assertEqual(self.names(), ["one", "run_03", "two"])
+
+    def test_comparison(self):
+        cases = [{"name": name, "kind": "run", "folder": name} for name in ("two", "one")]
+        (self.path / "comparison.json").write_text(json.dumps({"cases": cases, "rows": []}))
+        self.assertEqual(self.names(), ["two", "one"])
+
+    def test_sweep(self):
+        (self.path / "sweep.csv").write_text("run,status\nrun_03,finished\n")
+        self.assertEqual(self.names(), ["run_03"])
+
+    def test_another_kind(self):
+        """Modes have neither histories nor figures: folders below are still no variants of them."""
+        write_parameters(self.path, {"Study/kind": ("modal", "")})
+        self.assertEqual(self.names(), [])
+
+
 class Errors(unittest.TestCase):
     def setUp(self):
         """Two webs, each on two meshes; the second one's coarse mesh has failed."""

@@ -4,6 +4,7 @@ import numpy as np
 
 from ..data.columns import TRANSMISSION_ERROR
 from ..data.table import Table
+from ..data.variants import list_below, list_compared
 from .style import COLOURS, add_legend, plt
 
 BINS = 50
@@ -13,8 +14,10 @@ def find_static_curve(study):
     """loaded_contact.csv of a comparison with more than one position; None."""
     if not study.folder.has_file("comparison.json"):
         return None
-    for path in sorted(study.path.glob("*/loaded_contact.csv")):
-        table = Table(path)
+    for path in list_compared(study.path) or list_below(study.path):
+        if not (path / "loaded_contact.csv").is_file():
+            continue
+        table = Table(path / "loaded_contact.csv")
         if table.n_rows > 1:
             return table
     return None
