@@ -7,11 +7,13 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/number_text.h>
+#include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/run_figures.h>
+#include <vfife/output/folder/earlier_results.h>
+#include <vfife/output/folder/folder_lock.h>
 #include <vfife/study/case_runner.h>
 #include <vfife/study/continuation.h>
 
-#include <filesystem>
 #include <ostream>
 #include <sstream>
 
@@ -19,8 +21,6 @@ namespace vfife
 {
   namespace
   {
-    namespace fs = std::filesystem;
-
     /** A summary is written after a failure too, so its status decides; other files are written
      * at the end only. */
     bool has_results(const std::string &folder, const std::string &last_file)
@@ -71,70 +71,120 @@ namespace vfife
     return "";
   }
 
-  bool CaseRunner::is_finished(const CommandLine &line, const Communicator &communicator) const
+  std::string CaseRunner::find_change(const CommandLine &line) const
   {
-    // One rank looks: files may appear on the others later.
-    bool finished = false;
-    if (communicator.is_root())
-      try
-        {
-          // Results have all entries in force beside them: read as a file they are compared with
-          // those of now, defaults included. Entries that are not there were not known then.
-          CommandLine before;
-          before.parameter_file = line.output_folder + "/parameters.prm";
-          const CaseFile now    = read(line);
-          if (has_results(line.output_folder, now.last_file))
-            {
-              const ParameterFile stated(before.parameter_file);
-              auto                entries = read(before).entries;
-              for (auto &[entry, value] : entries)
-                if (!stated.contains(entry))
-                  value = way_before(entry, value);
-              finished = entries == now.entries;
-            }
-        }
-      catch (const InputError &)
-        {
-          finished = false;
-        }
-    return communicator.any(finished);
+    // Results have all entries in force beside them: read as a file they are compared with those of
+    // now, defaults included. Entries that are not there were not known then.
+    CommandLine before;
+    before.parameter_file = line.output_folder + "/parameters.prm";
+    const CaseFile now    = read(line);
+    if (!has_results(line.output_folder, now.last_file))
+      return "the earlier one has not finished";
+    const ParameterFile stated(before.parameter_file);
+    const CaseFile      then    = read(before);
+    const auto          digests = read_input_digests(line.output_folder);
+    if (then.entries.size() != now.entries.size())
+      return "other sections";
+    for (std::size_t i = 0; i < now.entries.size(); ++i)
+      {
+        const auto &[entry, value] = now.entries[i];
+        const std::string former   = stated.contains(entry)
+                                       ? then.entries[i].second
+                                       : way_before(entry, then.entries[i].second);
+        const auto        digest   = digests.find(entry);
+        if (then.entries[i].first != entry)
+          return "other sections";
+        if (digest != digests.end())
+          {
+            const std::string other = find_other_content(former, digest->second, value);
+            if (!other.empty())
+              return entry + ": " + other;
+          }
+        else if (former != value)
+          return entry + ": expected \"" + former + "\" of the earlier results, got \"" + value +
+                 "\"";
+      }
+    return "";
   }
 
-  void CaseRunner::remove_last_file(const CommandLine &line) const
+  CaseRunner::Earlier CaseRunner::look_at_earlier(const CommandLine  &line,
+                                                  const Communicator &communicator) const
+  {
+    // One rank looks: files may appear on the others later.
+    Earlier earlier;
+    if (communicator.is_root())
+      {
+        try
+          {
+            earlier.change = find_change(line);
+          }
+        catch (const InputError &error)
+          {
+            earlier.change = error.what();
+          }
+        earlier.has_checkpoint = is_there(line.output_folder + "/checkpoint.bin");
+        earlier.has_results    = is_there(line.output_folder + "/parameters.prm");
+      }
+    earlier.change         = communicator.broadcast(earlier.change);
+    earlier.has_checkpoint = communicator.any(earlier.has_checkpoint);
+    earlier.has_results    = communicator.any(earlier.has_results);
+    return earlier;
+  }
+
+  void CaseRunner::put_away(const CommandLine &line, Communicator &communicator, Log &log) const
   {
     try
       {
-        // Which file that is depends on the kind of the case, which its file states.
-        const std::string last_file = read(line).last_file;
-        if (!last_file.empty())
-          fs::remove(line.output_folder + "/" + last_file);
+        const FolderLock lock(line.output_folder, line.parameter_file, communicator, log);
+        EarlierResults(line.output_folder, communicator).put_away({});
       }
     catch (const InputError &)
       {
-        // the case itself says so, on all ranks
+        // in use: these are the results of another study
       }
   }
 
   CaseReport
   CaseRunner::do_case(CommandLine line, const bool resumes, Communicator &communicator) const
   {
-    // A case ends in one of four ways, none of which ends the study of cases.
     std::ostream nowhere(nullptr); // the case has a log of its own
     Log          log(nowhere, communicator.is_root(), Verbosity::quiet);
+    std::string  remark;
     if (resumes)
       {
-        if (is_finished(line, communicator))
+        const Earlier earlier = look_at_earlier(line, communicator);
+        if (earlier.change.empty())
           return {Outcome::finished, "was finished before"};
-        // The root's word counts on all ranks: they must all begin anew, or all go on.
-        line.restart = communicator.any(communicator.is_root() &&
-                                        is_there(line.output_folder + "/checkpoint.bin"));
+        line.restart = earlier.has_checkpoint;
+        if (line.restart)
+          {
+            const CaseReport report = do_or_report(line, communicator, log);
+            if (report.outcome != Outcome::failed || !report.is_input)
+              return report;
+            // The checkpoint is of another input, or damaged.
+            line.restart = false;
+            remark       = "computed again: ";
+          }
+        else if (earlier.has_results)
+          remark = "computed again: ";
+        if (!remark.empty())
+          remark += earlier.change;
       }
+    CaseReport report = do_or_report(line, communicator, log);
+    // Results of an earlier case must not be taken for those of one whose input is refused.
+    if (report.is_input)
+      put_away(line, communicator, log);
+    if (report.outcome == Outcome::finished)
+      report.message = remark;
+    return report;
+  }
+
+  CaseReport
+  CaseRunner::do_or_report(const CommandLine &line, Communicator &communicator, Log &log) const
+  {
+    // A case ends in one of four ways, none of which ends the study of cases.
     try
       {
-        // Results of an earlier case must not be taken for those of one that ends before its last
-        // file.
-        if (communicator.is_root() && !line.restart)
-          remove_last_file(line);
         run(line, communicator, log);
       }
     catch (const Interrupted &interruption)
@@ -143,7 +193,7 @@ namespace vfife
       }
     catch (const InputError &error)
       {
-        return {Outcome::failed, error.what()};
+        return {Outcome::failed, error.what(), true};
       }
     catch (const NumericalError &error)
       {

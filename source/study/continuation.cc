@@ -1,12 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/declared_section.h>
+#include <vfife/base/parameters/parameter_files.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/output/files/checkpoint.h>
 #include <vfife/study/continuation.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -29,7 +31,8 @@ namespace vfife
     {
       std::optional<std::string> before, now; ///< none: there is no such entry
       bool                       was_set = true;
-      std::string                at_that_time; ///< with which a run goes on that did not know it
+      std::string                at_that_time;  ///< with which a run goes on that did not know it
+      std::optional<std::string> digest_before; ///< of the file that it names
     };
 
     std::map<std::string, BothTexts> put_together(const Checkpoint      &checkpoint,
@@ -43,6 +46,8 @@ namespace vfife
           entries[path].before  = text;
           entries[path].was_set = set.count(path) > 0;
         }
+      for (const auto &[path, digest] : checkpoint.input_digests)
+        entries[path].digest_before = digest;
       for (const auto &[path, text] : now.list_values())
         entries[path].now = text;
       for (const auto &[path, text] : now.list_defaults())
@@ -64,6 +69,13 @@ namespace vfife
         return !entry.was_set ? ""
                               : "the run was begun with " + quoted(*entry.before) +
                                   ", but there is no such entry now";
+      if (entry.digest_before)
+        {
+          const std::string other =
+            find_other_content(*entry.before, *entry.digest_before, *entry.now);
+          return other.empty() ? ""
+                               : other + "; begin anew without --restart, or put that content back";
+        }
       return *entry.before == *entry.now
                ? ""
                : "is " + quoted(*entry.now) + ", but the run was begun with " +
@@ -102,6 +114,22 @@ namespace vfife
                                      list_of(gone));
     }
   } // namespace
+
+  std::string find_other_content(const std::string &name_before,
+                                 const std::string &digest_before,
+                                 const std::string &name_now)
+  {
+    namespace fs             = std::filesystem;
+    const std::string digest = digest_of_file(name_now);
+    // The ending of the name says how the content is read.
+    if (digest == digest_before &&
+        fs::path(name_before).extension() == fs::path(name_now).extension())
+      return "";
+    return "expected the content of \"" + name_before + "\" with which the results were begun (" +
+           digest_before + "), got " +
+           (digest.empty() ? "\"" + name_now + "\", which is no file that can be read"
+                           : "that of \"" + name_now + "\" (" + digest + ")");
+  }
 
   std::string way_before(const std::string &path, const std::string &default_now)
   {

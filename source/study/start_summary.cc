@@ -13,6 +13,7 @@ namespace vfife
     RunSummary summary;
     summary.study          = study;
     summary.parameter_file = folder.parameter_file();
+    summary.input_digests  = folder.input_digests();
     summary.version        = program_version();
     summary.revision       = program_revision();
     summary.ranks          = folder.communicator().size();

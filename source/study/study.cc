@@ -3,6 +3,7 @@
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameter_files.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/command_line.h>
@@ -12,6 +13,8 @@
 #include <vfife/gear/spiral_bevel/gear_pair.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/folder/earlier_results.h>
+#include <vfife/output/folder/folder_lock.h>
 #include <vfife/study/case_runner.h>
 #include <vfife/study/gear/pair_geometry.h>
 #include <vfife/study/other_sections.h>
@@ -23,9 +26,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace vfife
 {
@@ -53,13 +58,40 @@ namespace vfife
       }
     };
 
-    /** The folder holds the results of one study: what an earlier one of any kind has written last,
-     * and by which it is taken for finished, must not stand beside a new one that fails. */
+    /** A study that goes on is not finished until it has written its last file again, by which it
+     * is taken for finished. */
     void remove_last_files(const OutputFolder &folder)
     {
       for (const auto &[word, kind] : study_kinds())
         if (!kind.last_file.empty())
           folder.remove_file(kind.last_file);
+    }
+
+    /** Names in the folder of the results that stay when earlier results are put away: the files
+     * of the input, of which it may have some there, and cases that are taken over. */
+    std::set<std::string> list_staying(const std::string              &folder,
+                                       const ParameterFile            &file,
+                                       const dealii::ParameterHandler &prm,
+                                       const StudyKind                &study)
+    {
+      namespace fs = std::filesystem;
+      std::set<std::string> staying;
+      for (const std::string &name : study.cases_taken_over())
+        staying.insert(name);
+      std::vector<std::string> inputs = list_parameter_files(file.path());
+      for (const auto &[path, name] : list_named_files(find_declared(prm)))
+        inputs.push_back(name);
+      std::error_code error;
+      const fs::path  top = fs::weakly_canonical(folder, error);
+      for (const std::string &input : inputs)
+        {
+          const fs::path below = fs::weakly_canonical(input, error).lexically_relative(top);
+          if (!below.empty() && *below.begin() != ".." && *below.begin() != ".")
+            staying.insert(below.begin()->string());
+        }
+      // written anew by every study
+      staying.erase("parameters.prm");
+      return staying;
     }
 
     void log_passed_over(const OtherSections &others, Log &log)
@@ -128,27 +160,48 @@ namespace vfife
         }
       // 2. Parameters that are kept name the same files from the folder they are kept in.
       std::optional<AbsoluteFileNames> absolute(prm);
-      // 3. The folder of results. What an earlier run has left is read before it is written to: its
-      // checkpoint says how much of the log is kept.
+      // 3. The folder of results, for this study alone. What an earlier run has left is read before
+      // it is written to: its checkpoint says how much of the log is kept.
       const std::string path = command_line.output_folder.empty() ? read.options.output_folder
                                                                   : command_line.output_folder;
+      const FolderLock  lock(path, file.path(), communicator, log);
       std::optional<std::size_t> log_size;
       if (command_line.restart)
         log_size = study->resume(path, find_declared(prm), communicator, log);
-      OutputFolder folder(path, communicator);
-      remove_last_files(folder);
-      folder.attach_log(log, log_size);
-      folder.write_parameters(prm, file.path());
-      absolute.reset();
-      log.line("vfife: ", file.path(), ", results in ", folder.path());
-      log_passed_over(read.others, log);
-      if (geometry)
+      OutputFolder   folder(path, communicator);
+      EarlierResults earlier(path, communicator);
+      bool           has_earlier = false;
+      if (command_line.restart)
+        earlier.keep_copies();
+      else
+        has_earlier = earlier.put_away(list_staying(path, file, prm, *study));
+      try
         {
-          geometry->show(log);
-          write_json(folder, "geometry.json", geometry->json());
+          folder.keep_list();
+          remove_last_files(folder);
+          folder.attach_log(log, log_size);
+          folder.write_parameters(prm, file.path());
+          absolute.reset();
+          log.line("vfife: ", file.path(), ", results in ", folder.path());
+          if (has_earlier)
+            log.line("results of an earlier study are put away in ", folder.file("previous"));
+          log_passed_over(read.others, log);
+          if (geometry)
+            {
+              geometry->show(log);
+              write_json(folder, "geometry.json", geometry->json());
+            }
+          // 4. The study itself, on all ranks.
+          study->run(folder, log);
         }
-      // 4. The study itself, on all ranks.
-      study->run(folder, log);
+      catch (const InputError &)
+        {
+          // Much of the input is judged only when it is used: then nothing has happened here.
+          const std::string failure = earlier.restore();
+          if (!failure.empty())
+            log.warning("results of an earlier study are in \"", path, "/previous\": ", failure);
+          throw;
+        }
     }
 
     /** Whatever @p what returns; messages get file and line of the entry they are about. */

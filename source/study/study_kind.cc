@@ -4,6 +4,11 @@
 
 namespace vfife
 {
+  std::vector<std::string> StudyKind::cases_taken_over() const
+  {
+    return {};
+  }
+
   std::size_t
   StudyKind::resume(const std::string &, const DeclaredSection &, const Communicator &, Log &)
   {

@@ -47,7 +47,8 @@ namespace vfife
       {"benchmark", {&alone<make_benchmark_study>, "contact_cost.json"}},
       // its tables are written anew after every run
       {"sweep", {&make_sweep_study, ""}},
-      {"compare", {&make_compare_study, "comparison.json"}},
+      // each of its cases is looked at
+      {"compare", {&make_compare_study, ""}},
     };
     return kinds;
   }

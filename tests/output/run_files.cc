@@ -13,6 +13,8 @@
 #include <vfife/model/state.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/summary.h>
+#include <vfife/output/folder/file_list.h>
+#include <vfife/output/folder/folder_lock.h>
 #include <vfife/output/observers/history_writer.h>
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/output/observers/progress_line.h>
@@ -283,6 +285,58 @@ namespace
     check("failure",
           nlohmann::json::parse(make_summary_text(summary))["failure"] == summary.failure);
   }
+
+  void check_lock(const Communicator &communicator)
+  {
+    namespace fs = std::filesystem;
+    std::ostringstream screen;
+    Log                log(screen, true, Verbosity::quiet);
+    const std::string  made = folder_name + "/a/b";
+    {
+      const FolderLock lock(made, "one.prm", communicator, log);
+      check("a folder is made for its lock", fs::exists(made + "/vfife.lock"));
+      check("in use", is_in_use(folder_name + "/./a/b"));
+      check("once more in the same process",
+            message_of([&] {
+              FolderLock(folder_name + "/a/../a/b", "two.prm", communicator, log);
+            }).find("is in use (process ") != std::string::npos);
+    }
+    check("not in use any more", !is_in_use(made));
+    check("folders without results are removed", !fs::exists(folder_name + "/a"));
+    check("not where there is nothing", !is_in_use(made));
+  }
+
+  /** Results of a version that kept no list are known by their names, a user's files are not. */
+  void check_list()
+  {
+    namespace fs            = std::filesystem;
+    const std::string older = folder_name + "/older";
+    fs::create_directories(older + "/fields");
+    fs::create_directories(older + "/run_01");
+    fs::create_directories(older + "/run_mine");
+    for (const char *name : {"parameters.prm",
+                             "history.csv",
+                             "run.log",
+                             "run_01/parameters.prm",
+                             "notes.txt",
+                             "own.prm"})
+      std::ofstream(older + "/" + name) << name;
+    FileList list(older);
+    check("without a list",
+          list.names() == std::set<std::string>(
+                            {"fields/", "history.csv", "parameters.prm", "run.log", "run_01/"}));
+    list.add("modes/gear.vtu");
+    list.add("modes/pinion.vtu");
+    check("with the list that is begun",
+          FileList(older).names() == std::set<std::string>({"fields/",
+                                                            "files.txt",
+                                                            "history.csv",
+                                                            "modes/",
+                                                            "parameters.prm",
+                                                            "run.log",
+                                                            "run_01/"}));
+    check("nothing in a folder of another kind", FileList(older + "/fields").names().empty());
+  }
 } // namespace
 
 int main(int argc, char **argv)
@@ -298,5 +352,7 @@ int main(int argc, char **argv)
   }
   check_log(session.world());
   check_options();
+  check_lock(session.world());
+  check_list();
   return 0;
 }

@@ -1,9 +1,13 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Files that a parameter file names: found beside it from any folder, and by the parameters that
-// are kept with the results.
+// are kept with the results; known by their content where results are taken over. One study at a
+// time in a folder.
 #include "../tests.h"
 #include "child_program.h"
 
+#include <vfife/output/files/table_reader.h>
+
+#include <cmath>
 #include <filesystem>
 
 namespace
@@ -82,6 +86,192 @@ end
     fs::current_path(here);
     return ending;
   }
+
+  /** The text of a message on one line. */
+  bool says(const Ending &ending, const std::string &words)
+  {
+    const bool found = ending.text.find(words) != std::string::npos;
+    if (!found)
+      std::cout << ending.text;
+    return found;
+  }
+
+  /** The table of the force is replaced by another one of the same name, or of another name. */
+  void other_content()
+  {
+    const std::vector<std::string> longer = {
+      program, "push.prm", "-o", "known", "--restart", "--set", "Dynamics/end time=5 us"};
+    const auto write_table = [](const std::string &name, const std::string &rows) {
+      std::ofstream("case/parts/" + name) << "time,factor\n" << rows;
+    };
+    const std::string rows = "0,0\n1e-6,1\n2e-6,0.5\n";
+    write_table("table.csv", rows);
+    check("to be made longer", run_in("case", {program, "push.prm", "-o", "known"}).exit_code == 0);
+    const std::string history = read_text("case/known/history.csv");
+    write_table("table.csv", "0,0\n1e-6,1\n2e-6,5\n");
+    const Ending refused = run_in("case", longer);
+    check("another content: refused",
+          refused.exit_code == 1 &&
+            says(refused, "(Model/Load push/history): expected the content") &&
+            says(refused, "parts/table.csv\" (CRC-32 "));
+    check("another content: the results stay", read_text("case/known/history.csv") == history);
+    write_table("copy.csv", rows);
+    auto words = longer;
+    words.insert(words.end(), {"--set", "Model/Load push/history=parts/copy.csv"});
+    check("the same content of another name goes on", run_in("case", words).exit_code == 0);
+    write_table("table.csv", rows);
+    check("and again of the first name", run_in("case", longer).exit_code == 0);
+    check("summary.json has the digests",
+          read_text("case/known/summary.json").find("\"Model/Body block/file\": \"CRC-32 ") !=
+            std::string::npos);
+  }
+
+  /** Cases of a comparison whose mesh is made longer: u = F L/(E A) at the end. */
+  void compared_content()
+  {
+    std::ofstream("case/compare.prm") << R"(
+subsection Study
+  set kind = compare
+end
+subsection Compare
+  set cases    = one, two
+  set pictures = no
+  set entries  = Study/kind = linear static; Model/Load push/history = 1; Output/pictures = no
+  subsection Case one
+    set base = push.prm
+  end
+  subsection Case two
+    set base    = push.prm
+    set entries = Material steel/Poisson's ratio = 0
+  end
+end
+)";
+    std::ofstream("case/parts/foot.prm") << R"(
+subsection Model
+  set constraints = foot
+  subsection Constraint foot
+    set kind  = fixed
+    set nodes = x-
+  end
+end
+)";
+    std::ofstream("case/push.prm", std::ios::app) << "include parts/foot.prm\n";
+    const std::string mesh = read_text("case/parts/block.inp");
+    std::ofstream("case/parts/block.inp") << mesh << "*NSET, NSET=x-\n1, 4, 5, 8\n";
+    const auto compare = [](const std::string &more = "Compare/title=of blocks") {
+      return run_in("case", {program, "compare.prm", "-o", "compared", "--set", more});
+    };
+    const auto displacement = [] {
+      return vfife::read_result_table("case/compared/two/history.csv")
+        .numbers("end displacement x")
+        .front();
+    };
+    check("compared", compare().exit_code == 0);
+    const double E = 206000;
+    check_close("end of a bar of 1 mm", displacement() / (10 / E), 1., 1e-6);
+    const Ending again = compare();
+    check("finished cases are taken over",
+          again.exit_code == 0 && says(again, "two finished: was finished before"));
+
+    // As long again: all x of 1 become 2.
+    std::string longer = read_text("case/parts/block.inp");
+    for (const char *node : {"2, 1, 0", "3, 1, 1", "6, 1, 0", "7, 1, 1"})
+      longer.replace(longer.find(node) + 3, 1, "2");
+    std::ofstream("case/parts/block.inp") << longer;
+    const Ending other = compare();
+    check("another mesh of the same name: computed again",
+          other.exit_code == 0 &&
+            says(other,
+                 "two finished: computed again: Model/Body block/file: expected the content"));
+    check_close("end of a bar of 2 mm", displacement() / (20 / E), 1., 1e-6);
+    check("results of the shorter one are put away",
+          fs::exists("case/compared/two/previous/summary.json"));
+  }
+
+  /** The program at work in a folder until it is killed. */
+  class Holder
+  {
+  public:
+    /** Returns when it has the lock and has begun to write. */
+    explicit Holder(const std::string &folder)
+      : process_(fork())
+    {
+      if (process_ == 0)
+        {
+          fs::current_path("case");
+          const int nowhere = open("/dev/null", O_WRONLY);
+          dup2(nowhere, STDOUT_FILENO);
+          execl(program.c_str(),
+                program.c_str(),
+                "push.prm",
+                "-o",
+                folder.c_str(),
+                "--set",
+                "Dynamics/end time=100 s",
+                nullptr);
+          _exit(127);
+        }
+      while (!fs::exists("case/" + folder + "/history.csv") ||
+             read_text("case/" + folder + "/vfife.lock").find("push.prm") == std::string::npos)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ~Holder()
+    {
+      kill(process_, SIGKILL);
+      waitpid(process_, nullptr, 0);
+    }
+    Holder(const Holder &)            = delete;
+    Holder &operator=(const Holder &) = delete;
+
+    pid_t process() const
+    {
+      return process_;
+    }
+
+  private:
+    pid_t process_;
+  };
+
+  /** The folder of a study that runs is refused by any path, and nothing there is touched. */
+  void locked()
+  {
+    const auto start = [](const std::string &folder) {
+      return run_in("case", {program, "push.prm", "-o", folder});
+    };
+    fs::remove("case/link");
+    fs::create_directory("case/locked");
+    fs::create_directory_symlink("locked", "case/link");
+    {
+      const Holder      holder("locked");
+      const std::string text       = read_text("case/locked/vfife.lock"),
+                        parameters = read_text("case/locked/parameters.prm");
+      check("the lock says who has it",
+            text.find("process " + std::to_string(holder.process()) + " on ") == 0 &&
+              text.find(", push.prm\n") != std::string::npos);
+      for (const char *folder : {"locked", "link", "../case/./locked"})
+        {
+          const Ending refused = start(folder);
+          check(std::string("in use: ") + folder,
+                refused.exit_code == 1 && says(refused, "which is in use (process ") &&
+                  says(refused, "push.prm). Wait until that study ends"));
+        }
+      check("in use: --restart", run_in("case", {program, "--restart", "locked"}).exit_code == 1);
+      check("in use: nothing is touched",
+            read_text("case/locked/parameters.prm") == parameters &&
+              read_text("case/locked/vfife.lock") == text && !fs::exists("case/locked/previous"));
+    }
+
+    // A process that is killed leaves the file, but not the lock.
+    check("a lock is left", fs::exists("case/locked/vfife.lock"));
+    const Ending taken = start("locked");
+    check("it is taken over", taken.exit_code == 0 && says(taken, "when it was killed (process "));
+    check("the lock is gone with its holder", !fs::exists("case/locked/vfife.lock"));
+
+    // The folder of a case is locked as that of any study.
+    const Holder holder("compared/two");
+    const Ending refused = run_in("case", {program, "compare.prm", "-o", "compared"});
+    check("a case in use", refused.exit_code == 2 && says(refused, "which is in use (process "));
+  }
 } // namespace
 
 int main()
@@ -130,5 +320,10 @@ int main()
   const Ending missing = run_in("case", {program, "push.prm", "-o", "missing"});
   check("missing: exit code", missing.exit_code == 1);
   std::cout << missing.text;
+
+  fs::rename("elsewhere/table.csv", "case/parts/table.csv");
+  other_content();
+  compared_content();
+  locked();
   return 0;
 }

@@ -32,6 +32,7 @@ namespace vfife
   {
     Outcome     outcome = Outcome::waits;
     std::string message;
+    bool        is_input = false; ///< whether the input has made it fail
 
     /** "finished", "failed: why". */
     std::string describe() const;
@@ -63,20 +64,26 @@ namespace vfife
     virtual void run(const CommandLine &line, Communicator &communicator, Log &log) const = 0;
 
     /**
-     * Whether the output folder of @p line has all results of that case, with the same parameters.
+     * Does a case, with a log of its own in its output folder. With @p resumes a case that is
+     * finished with the same entries and the same content of the files that they name is kept, and
+     * one with a checkpoint goes on; where the checkpoint is of another input the case is computed
+     * again, and the report says why. Bad input and failing numbers are reported, not thrown.
      * Collective.
-     */
-    bool is_finished(const CommandLine &line, const Communicator &communicator) const;
-
-    /**
-     * Does a case, with a log of its own in its output folder. With @p resumes a finished case is
-     * kept, and one with a checkpoint goes on. Bad input and failing numbers are reported, not
-     * thrown. Collective.
      */
     CaseReport do_case(CommandLine line, bool resumes, Communicator &communicator) const;
 
   private:
-    void remove_last_file(const CommandLine &line) const;
+    /** What a folder has of an earlier case. */
+    struct Earlier
+    {
+      std::string change; ///< in which its results are not those of the case; empty: in nothing
+      bool        has_checkpoint = false, has_results = false;
+    };
+
+    Earlier     look_at_earlier(const CommandLine &line, const Communicator &communicator) const;
+    std::string find_change(const CommandLine &line) const;
+    void        put_away(const CommandLine &line, Communicator &communicator, Log &log) const;
+    CaseReport  do_or_report(const CommandLine &line, Communicator &communicator, Log &log) const;
   };
 
   /**

@@ -16,15 +16,21 @@ namespace vfife
    * there was an entry whose default is another one. */
   std::string way_before(const std::string &path, const std::string &default_now);
 
+  /** How the content of the file that an entry names differs from that with the digest
+   * @p digest_before (digest_of_file()); empty where it does not, whatever the names are. */
+  std::string find_other_content(const std::string &name_before,
+                                 const std::string &digest_before,
+                                 const std::string &name_now);
+
   /** Entries on which the past of a run does not depend; @p longer: among them those of its end. */
   std::vector<std::string> list_changeable(bool longer);
 
   /**
    * The last usable checkpoint in @p folder, of a run with the parameters @p now but for
-   * @p changeable ones. An entry that either has alone, since the run was begun by another version
-   * of the program, passes at its default and is among the remarks. Throws InputError when
-   * there is no checkpoint, and InputErrors naming every other entry that has changed, with both
-   * values. Collective.
+   * @p changeable ones. Files that they name are compared by their content. An entry that either
+   * has alone, since the run was begun by another version of the program, passes at its default and
+   * is among the remarks. Throws InputError when there is no checkpoint, and InputErrors naming
+   * every other entry that has changed, with both values. Collective.
    */
   Checkpoint find_checkpoint(const std::string              &folder,
                              const DeclaredSection          &now,

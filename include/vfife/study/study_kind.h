@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -44,6 +45,10 @@ namespace vfife
                                const DeclaredSection &now,
                                const Communicator    &communicator,
                                Log                   &log);
+
+    /** Folders of cases in the folder of the results that run() takes over where they are finished,
+     * without --restart too. */
+    virtual std::vector<std::string> cases_taken_over() const;
 
     /** Does it and writes the results. */
     virtual void run(OutputFolder &folder, Log &log) = 0;

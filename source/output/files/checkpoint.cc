@@ -40,6 +40,8 @@ namespace vfife
       if (!knows_defaults)
         for (const auto &[path, value] : checkpoint.parameters)
           checkpoint.set_parameters.push_back(path);
+      stream.pass_part("input digests",
+                       [&](ByteStream &part) { part.pass(checkpoint.input_digests); });
       stream.pass_required_part("run", [&](ByteStream &part) {
         part.pass(checkpoint.common, checkpoint.own);
       });
@@ -105,6 +107,7 @@ namespace vfife
     checkpoint.version        = present_version();
     checkpoint.parameters     = folder.parameters();
     checkpoint.set_parameters = folder.set_parameters();
+    checkpoint.input_digests  = folder.input_digests();
     checkpoint.log_size       = folder.log_size();
     checkpoint.common         = common;
     ByteStream stream;

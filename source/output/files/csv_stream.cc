@@ -13,8 +13,10 @@ namespace vfife
     : path_(folder.file(name))
     , flushed_(std::chrono::steady_clock::now())
   {
-    if (folder.is_writer())
-      open(table);
+    if (!folder.is_writer())
+      return;
+    folder.list_file(name);
+    open(table);
   }
 
   void CsvStream::open(const Table &table)

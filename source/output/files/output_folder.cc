@@ -2,11 +2,13 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/parameter_file.h>
+#include <vfife/base/parameters/parameter_files.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/json.h>
 #include <vfife/base/text/table.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/folder/file_list.h>
 
 #include <nlohmann/json.hpp>
 
@@ -143,8 +145,21 @@ namespace vfife
     return communicator_.is_root();
   }
 
+  void OutputFolder::keep_list()
+  {
+    if (is_writer())
+      list_ = std::make_unique<FileList>(path());
+  }
+
+  void OutputFolder::list_file(const std::string &name) const
+  {
+    if (list_)
+      list_->add(name);
+  }
+
   void OutputFolder::make_subfolder(const std::string &name) const
   {
+    list_file(name + "/");
     if (is_on_disk())
       create_on_root(file(name), communicator_);
   }
@@ -159,6 +174,7 @@ namespace vfife
         keeper_->keep_text(name, text.str());
         return;
       }
+    list_file(name);
     // Closed before it is renamed: a full disk shows at the latest when the last bytes go out.
     const std::string path      = file(name);
     const std::string temporary = path + ".part";
@@ -197,6 +213,7 @@ namespace vfife
 
   void OutputFolder::copy_file(const std::string &from, const std::string &name) const
   {
+    list_file(name);
     const std::string temporary = file(name) + ".part";
     std::error_code   error;
     fs::copy_file(from, temporary, fs::copy_options::overwrite_existing, error);
@@ -219,6 +236,7 @@ namespace vfife
   {
     const DeclaredSection declared = find_declared(prm);
     parameters_                    = declared.list_values();
+    input_digests_                 = list_digests(declared);
     parameter_file_                = parameter_file;
     const auto defaults            = declared.list_defaults();
     set_parameters_.clear();
@@ -230,6 +248,8 @@ namespace vfife
     write_file("parameters.prm", [&prm](std::ostream &out) { print_parameters(out, prm); });
     Json entries = Json::object();
     add_entries(declared, "", entries);
+    for (const auto &[path, digest] : input_digests_)
+      entries[path]["digest"] = digest;
     write_file("parameters.json", [&entries](std::ostream &out) {
       out << entries.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     });
@@ -242,8 +262,9 @@ namespace vfife
     if (!is_writer())
       return;
     const std::string path = file("run.log");
-    std::error_code   error;
-    const auto        size = fs::file_size(path, error);
+    list_file("run.log");
+    std::error_code error;
+    const auto      size = fs::file_size(path, error);
     // What the run said after the checkpoint it goes on from, it will say again.
     if (kept && !error && size > *kept)
       fs::resize_file(path, *kept, error);
@@ -259,5 +280,17 @@ namespace vfife
   {
     // What a checkpoint notes: a run that goes on from it cuts the log there.
     return log_file_ ? static_cast<std::size_t>(log_file_->tellp()) : 0;
+  }
+
+  std::map<std::string, std::string> read_input_digests(const std::string &folder)
+  {
+    std::map<std::string, std::string> digests;
+    std::ifstream                      file(folder + "/parameters.json");
+    const Json                         entries = Json::parse(file, nullptr, false);
+    if (entries.is_object())
+      for (const auto &[path, entry] : entries.items())
+        if (entry.is_object() && entry.contains("digest") && entry["digest"].is_string())
+          digests[path] = entry["digest"].get<std::string>();
+    return digests;
   }
 } // namespace vfife

@@ -174,9 +174,11 @@ namespace vfife
       at(summary_place::failure, json) = summary.failure;
     json["study"]          = summary.study;
     json["parameter file"] = summary.parameter_file;
-    json["version"]        = summary.version;
-    json["revision"]       = summary.revision;
-    json["mesh"]           = mesh(summary);
+    for (const auto &[entry, digest] : summary.input_digests)
+      json["input files"][entry] = digest;
+    json["version"]  = summary.version;
+    json["revision"] = summary.revision;
+    json["mesh"]     = mesh(summary);
     add_run(summary, json);
 
     // What it found.

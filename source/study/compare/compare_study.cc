@@ -108,6 +108,15 @@ namespace vfife
         return std::numeric_limits<std::size_t>::max(); // each case is looked at by itself, always
       }
 
+      std::vector<std::string> cases_taken_over() const override
+      {
+        std::vector<std::string> names;
+        for (const Case &one : cases_)
+          if (one.results.empty())
+            names.push_back(one.name);
+        return names;
+      }
+
       void run(OutputFolder &folder, Log &log) override;
 
     private:
@@ -210,7 +219,8 @@ namespace vfife
     if (one.results.empty())
       {
         log.line(one.name, " begins: ", one.base);
-        // A case that is finished with the same entries is not done again.
+        folder.list_file(one.name + "/");
+        // A case that is finished with the same entries and files is not done again.
         const CaseReport report = runner_.do_case(command_line(one, folder.path()), true, ranks);
         log.line(one.name, " ", report.describe());
         if (report.outcome == Outcome::interrupted)

@@ -76,6 +76,7 @@ namespace vfife
             bodies.push_back(std::move(*kept));
             continue;
           }
+        store.require_writable();
         bodies.push_back(reduce_body(
           model, b, nodes, readings, fem, {2. * pi * cutoff, options.reach}, rate, communicator));
         log_body(body.name(), bodies.back(), duration_text(seconds_since(start)), log);

@@ -43,6 +43,22 @@ namespace vfife
     }
   } // namespace
 
+  void ReductionStore::require_writable() const
+  {
+    if (folder_.empty())
+      return;
+    try
+      {
+        const OutputFolder folder(folder_, communicator_);
+      }
+    catch (const std::runtime_error &error)
+      {
+        throw InputError(entry,
+                         "expected a folder that can be written to, got \"" + folder_ +
+                           "\": " + error.what() + ". Name another folder.");
+      }
+  }
+
   std::optional<ReducedBody> ReductionStore::find(const std::string     &name,
                                                   const ReductionSource &source,
                                                   const Range           &range) const

@@ -218,7 +218,10 @@ namespace vfife
         //                   group 0   |  1  |   2        then     run 4 | run 5 |   -
         const std::size_t end = std::min(first + n_groups, runs.size());
         for (std::size_t i = first; i < end; ++i)
-          log.line(folder_of_run(i), " begins: ", describe(runs[i]));
+          {
+            log.line(folder_of_run(i), " begins: ", describe(runs[i]));
+            folder.list_file(folder_of_run(i) + "/");
+          }
         CaseReport report;
         // In a last round that is not full some groups have nothing to do: they wait for the others
         // below.

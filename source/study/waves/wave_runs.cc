@@ -125,6 +125,7 @@ namespace vfife
     CommandLine         line =
       command_line(study_, schedule.speed, schedule.n_meshes(), meeting.wave.diameters);
     line.output_folder = folder_.file(name);
+    folder_.list_file(name + "/");
     log_.line(name,
               " begins: a run at ",
               schedule.speed * 30. / pi,

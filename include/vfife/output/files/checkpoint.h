@@ -23,9 +23,10 @@ namespace vfife
     std::vector<std::pair<std::string, std::string>> parameters; ///< in force, by path of the entry
     std::vector<std::string> remarks;        ///< of who read it, for the log; not stored
     std::vector<std::string> set_parameters; ///< paths of those that are not at their defaults
-    std::size_t              log_size = 0;   ///< bytes of run.log by then
-    std::string              common;         ///< for any number of ranks
-    std::vector<std::string> own;            ///< of each rank
+    std::vector<std::pair<std::string, std::string>> input_digests; ///< of files, by entry
+    std::size_t                                      log_size = 0;  ///< bytes of run.log by then
+    std::string                                      common;        ///< for any number of ranks
+    std::vector<std::string>                         own;           ///< of each rank
   };
 
   /**

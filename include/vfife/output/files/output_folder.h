@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ namespace dealii
 namespace vfife
 {
   class Communicator;
+  class FileList;
   class Log;
   class Table;
 
@@ -65,6 +67,13 @@ namespace vfife
     /** Whether this rank writes the text files. */
     bool is_writer() const;
 
+    /** From now on all files that are written are listed in files.txt (FileList). */
+    void keep_list();
+
+    /** Lists a file, or a folder below by a name that ends in "/", that others write; on the
+     * writing rank, once keep_list() has been called. */
+    void list_file(const std::string &name) const;
+
     /** Collective; throws on all ranks. */
     void make_subfolder(const std::string &name) const;
 
@@ -90,8 +99,8 @@ namespace vfife
     /**
      * parameters.prm: the parameters in force, readable again; parameters.json: the same for other
      * programs, by path ("A/B/name") value and default as texts and the unit in which a bare number
-     * is meant ("" for words). @p parameter_file: where they were read. Only the writing rank
-     * writes.
+     * is meant ("" for words); of an entry that names a file also the digest of its content.
+     * @p parameter_file: where they were read. Only the writing rank writes.
      */
     void write_parameters(dealii::ParameterHandler &prm, const std::string &parameter_file);
 
@@ -105,6 +114,11 @@ namespace vfife
     const std::vector<std::string> &set_parameters() const
     {
       return set_parameters_;
+    }
+    /** Digests of the files that they name (list_digests()). */
+    const std::vector<std::pair<std::string, std::string>> &input_digests() const
+    {
+      return input_digests_;
     }
     /** The file that they were read from, as the command line named it. */
     const std::string &parameter_file() const
@@ -127,13 +141,19 @@ namespace vfife
     std::string                    path_;
     ResultKeeper                  *keeper_ = nullptr; ///< in the place of a folder
     const Communicator            &communicator_;
+    std::unique_ptr<FileList>      list_; ///< on the writing rank, where one is kept
     std::unique_ptr<std::ofstream> log_file_;
     Log                           *log_ = nullptr;
 
     std::vector<std::pair<std::string, std::string>> parameters_;
+    std::vector<std::pair<std::string, std::string>> input_digests_;
     std::vector<std::string>                         set_parameters_;
     std::string                                      parameter_file_;
   };
+
+  /** The digests of files that OutputFolder::write_parameters() has kept in @p folder, by entry;
+   * none where earlier versions of the program have written there. */
+  std::map<std::string, std::string> read_input_digests(const std::string &folder);
 } // namespace vfife
 
 #endif

@@ -37,6 +37,8 @@ namespace vfife
     std::string failure;             ///< message of a failed run
     std::string study, parameter_file, version, revision, instruction_set;
     int         ranks = 1;
+    /** Digests of the files that entries name, by entry (list_digests()). */
+    std::vector<std::pair<std::string, std::string>> input_digests;
 
     std::vector<BodySummary> bodies;
     double                   dt       = 0; ///< [s]

@@ -40,6 +40,10 @@ namespace vfife
     std::optional<ReducedBody>
     find(const std::string &name, const ReductionSource &source, const Range &range) const;
 
+    /** Throws InputError where the folder cannot be made or written to: before a body is reduced,
+     * which takes long. */
+    void require_writable() const;
+
     /** Keeps it. Throws std::runtime_error where the disk does not take it. */
     void keep(const std::string &name, ReductionSource source, ReducedBody &body) const;
 
