@@ -183,7 +183,7 @@ namespace
         branch.frequencies.push_back(f0 + slope * rate / (2 * pi));
       }
     Table table = make_resonance_table();
-    add_resonances("gear", {branch}, teeth, 2, table);
+    add_resonances("gear", {branch}, teeth, 2, 2.5, table);
     const std::string name = direction + ", " + std::to_string(diameter) + " diameters: ";
     check(name + "number of crossings", table.n_rows() == expected.size());
     for (std::size_t i = 0; i < std::min(expected.size(), table.n_rows()); ++i)
@@ -196,6 +196,10 @@ namespace
                 table.numbers("nodal diameter")[i] == diameter && table.numbers("order")[i] == 4);
         check_close(name + "speed [rpm]",
                     table.numbers("speed")[i] / (sense * 60. * f0 / (k - slope)),
+                    1.,
+                    1e-13);
+        check_close(name + "speed of the pinion [rpm]",
+                    table.numbers("pinion speed")[i] / (2.5 * 60. * f0 / (k - slope)),
                     1.,
                     1e-13);
         check_close(name + "frequency [Hz]",

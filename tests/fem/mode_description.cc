@@ -137,6 +137,17 @@ namespace
                             std::cos(n * pi * rho) * std::cos(3 * alpha + .4)};
         });
         check("nodal circles: " + std::to_string(n), d.nodal_circles == n);
+        // Waves in either direction, most of them axial; the other one is a hundred-thousandth.
+        for (const double side : {1., -1.})
+          {
+            const auto wave = describe([n, side](const double alpha, const double rho) {
+              const Complex other =
+                              1e-5 * std::cos(5 * pi * rho) * std::exp(-3. * side * i * alpha),
+                            own = std::exp(3. * side * i * alpha);
+              return Components{.1 * own, .2 * i * own, std::cos(n * pi * rho) * own + other};
+            });
+            check("of a travelling wave", wave.nodal_circles == n);
+          }
       }
   }
 

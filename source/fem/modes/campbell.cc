@@ -188,6 +188,7 @@ namespace vfife
     table.add_column("mesh order", "-");
     table.add_column(column::speed, "rpm");
     table.add_column(column::frequency, "Hz");
+    table.add_column("pinion speed", "rpm");
     return table;
   }
 
@@ -195,6 +196,7 @@ namespace vfife
                       const std::vector<CampbellBranch> &branches,
                       const unsigned int                 teeth,
                       const unsigned int                 mesh_orders,
+                      const double                       pinion_ratio,
                       Table                             &table)
   {
     for (const CampbellBranch &branch : branches)
@@ -230,7 +232,8 @@ namespace vfife
                                  wave,
                                  m,
                                  rate * rpm,
-                                 std::abs(orders * rate) / (2. * pi)});
+                                 std::abs(orders * rate) / (2. * pi),
+                                 pinion_ratio * std::abs(rate) * rpm});
                 }
           }
   }

@@ -107,8 +107,10 @@ namespace vfife
       description.forward = 1. - positive / largest;
     unsigned int component;
     energy.maxCoeff(&component);
+    // Of a wave that travels one side has all of the motion, and the other one round-off.
+    const int side = 2. * positive < largest ? -1 : 1;
     description.nodal_circles =
-      count_circles(harmonic(values, description.nodal_diameter), component);
+      count_circles(harmonic(values, side * description.nodal_diameter), component);
     return description;
   }
 

@@ -81,6 +81,17 @@ namespace vfife
       Table                 campbell_   = make_campbell_table();
       Table                 resonances_ = make_resonance_table();
     };
+
+    /** Speed of the pinion over that of a member of a pair; no number without a pair. */
+    double find_pinion_ratio(const Model &model, const unsigned int body)
+    {
+      if (!model.transmission)
+        return not_known;
+      const Transmission &t      = *model.transmission;
+      const unsigned int  teeth  = body == t.driven ? t.driven_teeth : t.driver_teeth;
+      const bool          drives = model.bodies[t.driver].name() == "pinion";
+      return double(teeth) / (drives ? t.driver_teeth : t.driven_teeth);
+    }
   } // namespace
 
 
@@ -177,7 +188,12 @@ namespace vfife
     // excitation.
     const std::vector<CampbellBranch> branches = make_branches(speeds);
     add_branches(body.name(), branches, campbell_);
-    add_resonances(body.name(), branches, body.mesh().n_sectors, fem_.mesh_orders, resonances_);
+    add_resonances(body.name(),
+                   branches,
+                   body.mesh().n_sectors,
+                   fem_.mesh_orders,
+                   find_pinion_ratio(model, b),
+                   resonances_);
   }
 
   std::unique_ptr<StudyKind> make_modal_study()

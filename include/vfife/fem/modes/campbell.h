@@ -41,13 +41,16 @@ namespace vfife
    * teeth; m = 0: the constant load), meets a branch: its harmonic of h diameters is felt by the
    * turning body at (m z + h) Omega as a wave against the speed and at |m z - h| Omega as a wave
    * with it (against it, where h > m z). Between computed speeds frequencies are interpolated
-   * linearly. Columns: body, nodal diameter, order, wave, mesh order, speed [rpm], frequency [Hz].
+   * linearly. Columns: body, nodal diameter, order, wave, mesh order, speed of the body [rpm],
+   * frequency [Hz] in its turning axes, speed of the pinion [rpm]: @p pinion_ratio times that of
+   * the body, no number for bodies that are none of a pair.
    */
   Table make_resonance_table();
   void  add_resonances(const std::string                 &body,
                        const std::vector<CampbellBranch> &branches,
                        unsigned int                       teeth,
                        unsigned int                       mesh_orders,
+                       double                             pinion_ratio,
                        Table                             &table);
 } // namespace vfife
 

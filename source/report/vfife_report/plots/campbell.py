@@ -29,11 +29,20 @@ def draw_campbell(run, body):
     if operation:
         axes.axvline(operation, color=COLOURS[0], linestyle="--", linewidth=0.9, label=f"operation, {operation:.0f} rpm")
     axes.margins(x=0)
-    axes.set(ylim=(0, top), xlabel=f"speed of the {body} [rpm]", ylabel="frequency [kHz]")
+    axes.set(ylim=(0, top), xlabel=f"speed of the {body} [rpm]{tell_pinion(resonances, body)}", ylabel="frequency [kHz]")
     # Above the names of the orders that leave the axes there, and beside those at the side.
     axes.set_title(f"{body}: natural frequencies in axes that turn with it", pad=16)
     axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.14, 1.), frameon=False)
     return plot
+
+
+def tell_pinion(resonances, body):
+    """What the pinion's speed is, of a gear."""
+    if body != "gear" or resonances is None or "pinion speed" not in resonances:
+        return ""
+    ratio = [pinion / abs(own) for own, pinion in zip(resonances["speed"], resonances["pinion speed"])
+             if own and np.isfinite(pinion)]
+    return f" (of the pinion: {ratio[0]:.4g} times this)" if ratio else ""
 
 
 def draw_branches(axes, branches, mine):
