@@ -33,8 +33,8 @@ namespace vfife
     for (const std::string &text : texts)
       {
         const double value = parse_quantity(text, "-");
-        if (!(value >= 1 && value <= 1000) || value != std::floor(value))
-          throw InputError("\"" + text + "\" is no number of nodal diameters: 1, 2, 3 ...");
+        if (!(value >= 0 && value <= 1000) || value != std::floor(value))
+          throw InputError("\"" + text + "\" is no number of nodal diameters: 0, 1, 2, 3 ...");
         numbers.push_back(static_cast<unsigned int>(value));
       }
     return numbers;

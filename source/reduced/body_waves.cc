@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,17 +23,6 @@ namespace vfife
     /** Change of the rate by which slopes of frequencies are found: they are smooth over it. */
     constexpr double slope_part = 1e-4;
 
-    std::size_t find_harmonic(const ReducedBody &body, const unsigned int diameters)
-    {
-      for (std::size_t k = 0; k < body.harmonics.size(); ++k)
-        if (body.harmonics[k].number == diameters)
-          return k;
-      std::ostringstream text;
-      text << "no wave of " << diameters << " nodal diameters below the cut-off of "
-           << body.cutoff / (2. * pi) << " Hz";
-      throw InputError(text.str());
-    }
-
     const BodyWave *find_wave(const std::vector<BodyWave> &waves,
                               const WaveDirection          direction,
                               const unsigned int           order)
@@ -45,6 +33,17 @@ namespace vfife
       return nullptr;
     }
   } // namespace
+
+  std::size_t find_harmonic(const ReducedBody &body, const unsigned int diameters)
+  {
+    for (std::size_t k = 0; k < body.harmonics.size(); ++k)
+      if (body.harmonics[k].number == diameters && body.harmonics[k].n_modes() > 0)
+        return k;
+    std::ostringstream text;
+    text << "no wave of " << diameters << " nodal diameters below the cut-off of "
+         << body.cutoff / (2. * pi) << " Hz";
+    throw InputError(text.str());
+  }
 
   const char *name_of(const WaveDirection direction)
   {
@@ -104,7 +103,10 @@ namespace vfife
         wave.diameters = modes.number;
         wave.omega     = w * solver.eigenvalues()[k].real();
         wave.direction = wave.omega * spin < 0 ? WaveDirection::forward : WaveDirection::backward;
-        wave.shape     = solver.eigenvectors().col(k).head(n).normalized();
+        // Both signs are one vibration where all sectors move alike.
+        if (modes.number == 0 && wave.direction == WaveDirection::forward)
+          continue;
+        wave.shape         = solver.eigenvectors().col(k).head(n).normalized();
         const double share = (wave.shape.dot(B * wave.shape)).real() / wave.omega;
         wave.kinetic_share = 1. / (2. - share);
         waves.push_back(std::move(wave));
@@ -135,67 +137,40 @@ namespace vfife
     return 2. * wave.damping_ratio(zeta) / (1. - stiffening);
   }
 
-  std::optional<double> find_meeting_rate(const std::function<double(double)> &frequency,
-                                          const double                         order,
-                                          const double                         lowest,
-                                          const double                         highest)
+  WaveMeeting find_wave_meeting(const ReducedBody &body,
+                                const BodyWave    &wave,
+                                const unsigned int mesh_order,
+                                const double       rate,
+                                const double       sense)
   {
-    const auto   excess = [&](const double rate) { return frequency(rate) - order * rate; };
-    const double low = excess(lowest), high = excess(highest);
-    if ((low > 0) == (high > 0))
-      return {};
-    boost::uintmax_t iterations = 100;
-    const auto       found =
-      boost::math::tools::toms748_solve(excess,
-                                        lowest,
-                                        highest,
-                                        low,
-                                        high,
-                                        boost::math::tools::eps_tolerance<double>(40),
-                                        iterations);
-    return .5 * (found.first + found.second);
-  }
-
-  std::vector<WaveMeeting> find_wave_meetings(const ReducedBody &body,
-                                              const unsigned int diameters,
-                                              const unsigned int n_orders,
-                                              const unsigned int mesh_orders,
-                                              const double       lowest,
-                                              const double       highest,
-                                              const double       turning,
-                                              const double       sense)
-  {
-    const std::size_t        harmonic = find_harmonic(body, diameters);
-    std::vector<WaveMeeting> meetings;
-    for (unsigned int k = 1; k <= mesh_orders; ++k)
-      for (const WaveDirection direction : {WaveDirection::forward, WaveDirection::backward})
-        for (unsigned int order = 1; order <= n_orders; ++order)
-          {
-            WaveMeeting meeting;
-            meeting.mesh_order     = k;
-            meeting.wave.diameters = diameters;
-            meeting.wave.direction = direction;
-            const double turns     = meeting.turns_order(body.n_sectors);
-            const auto   at        = [&](const double rate) {
-              const std::vector<BodyWave> waves = find_waves(body, harmonic, turning * rate, sense);
-              return *find_wave(waves, direction, order);
-            };
-            const auto frequency = [&](const double rate) { return at(rate).frequency(); };
-            if (order > body.harmonics[harmonic].n_modes())
-              continue;
-            const auto rate = find_meeting_rate(frequency, turns, lowest, highest);
-            if (!rate)
-              continue;
-            meeting.wave = at(*rate);
-            meeting.rate = turning * *rate;
-            meeting.stiffening =
-              (frequency(*rate * (1. + slope_part)) - frequency(*rate * (1. - slope_part))) /
-              (2. * slope_part * frequency(*rate));
-            meetings.push_back(std::move(meeting));
-          }
-    std::sort(meetings.begin(), meetings.end(), [](const WaveMeeting &a, const WaveMeeting &b) {
-      return std::abs(a.rate) < std::abs(b.rate);
-    });
-    return meetings;
+    constexpr unsigned int n_iterations = 100;
+    constexpr double       agreed       = 1e-12;
+    const std::size_t      harmonic     = find_harmonic(body, wave.diameters);
+    const auto             at           = [&](const double other) {
+      return *find_wave(find_waves(body, harmonic, other, sense), wave.direction, wave.order);
+    };
+    WaveMeeting meeting;
+    meeting.mesh_order = mesh_order;
+    meeting.wave       = wave;
+    meeting.rate       = rate;
+    // Frequencies change little with the rate: each round leaves the stiffening of the difference.
+    for (unsigned int n = 0; n < n_iterations; ++n)
+      {
+        meeting.wave = at(meeting.rate);
+        const double next =
+          std::copysign(meeting.wave.frequency() / meeting.turns_order(body.n_sectors), rate);
+        const bool done = std::abs(next - meeting.rate) < agreed * std::abs(next);
+        meeting.rate    = next;
+        if (!done)
+          continue;
+        meeting.stiffening =
+          (at(next * (1. + slope_part)).frequency() - at(next * (1. - slope_part)).frequency()) /
+          (2. * slope_part * meeting.wave.frequency());
+        return meeting;
+      }
+    std::ostringstream text;
+    text << "mesh order " << mesh_order << " and the wave of " << wave.diameters
+         << " nodal diameters have no rate where they meet near " << rate * 30. / pi << " rpm";
+    throw NumericalError(text.str());
   }
 } // namespace vfife

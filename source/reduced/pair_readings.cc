@@ -181,7 +181,10 @@ namespace vfife
                                      const unsigned int         diameters)
   {
     // c_0, c_1, s_1, c_2 ... of each component: c cos + s sin is Re((c - i s) exp(i n alpha)).
-    const std::size_t at = component * (coefficients.size() / 3) + 2 * diameters - 1;
+    const std::size_t first = component * (coefficients.size() / 3);
+    if (diameters == 0)
+      return coefficients[first];
+    const std::size_t at = first + 2 * diameters - 1;
     return {coefficients[at], -coefficients[at + 1]};
   }
 

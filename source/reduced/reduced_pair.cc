@@ -86,6 +86,7 @@ namespace vfife
         member.motion.change(member.rate, step);
         member.set_gains();
       }
+    stands_ = false;
     // Steps of another length are no ground to go on from.
     earlier_force_.resize(0);
     if (nodes_.empty()) // before start()
@@ -184,7 +185,8 @@ namespace vfife
         torque += torque - earlier_torque_;
       }
     now_.deflection = answers_->answer(now_.force);
-    now_.turn       = load.rest + torque / load.stiffness;
+    if (load.stiffness > 0)
+      now_.turn = load.rest + torque / load.stiffness;
     try
       {
         now_.acting = pair_.evaluate(*answers_, base + now_.deflection, now_.turn, true);
@@ -210,10 +212,29 @@ namespace vfife
     if (std::abs(turned) * t.driven_teeth < largest_turn * 2. * pi)
       return;
     std::ostringstream text;
-    text << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body turned by "
-         << turned * 180. / pi << " degrees beyond the driver in one step of "
-         << 1e6 * options_.step << " us: flanks would pass through each other; take smaller steps";
+    text
+      << "at step " << step_ << " (" << 1e3 * time_ << " ms) the driven body turned by "
+      << turned * 180. / pi << " degrees beyond the driver in one step of " << 1e6 * options_.step
+      << " us: flanks would pass through each other; take smaller steps (Reduced/steps per mesh)";
     throw NumericalError(text.str());
+  }
+
+  void ReducedPair::search_when_due()
+  {
+    if (++since_search_ < search_steps_)
+      return;
+    widening_ -= widening_ > 0 ? 1 : 0;
+    search();
+  }
+
+  void ReducedPair::balance_widely(const std::vector<std::vector<VectorXcd>> &coordinates,
+                                   const TurnLoad                            &load)
+  {
+    while (!balance(coordinates, load))
+      {
+        ++widening_;
+        search();
+      }
   }
 
   void ReducedPair::step()
@@ -227,11 +248,7 @@ namespace vfife
 
     // 1. Where the bodies would be with half the present contact forces alone.
     const std::vector<AxialLoad> axial = advance_drive();
-    if (++since_search_ >= search_steps_)
-      {
-        widening_ -= widening_ > 0 ? 1 : 0;
-        search();
-      }
+    search_when_due();
     std::vector<std::vector<VectorXcd>> coordinates(members_.size());
     TurnLoad                            load;
     for (std::size_t b = 0; b < members_.size(); ++b)
@@ -246,14 +263,9 @@ namespace vfife
           load = {0., 1. / member.motion.turn_gain(), member.motion.expect_turn(half[b])};
       }
 
-    // 2. The contact at the end of the step; where it comes upon nodes that were not looked at,
-    // with more of them.
+    // 2. The contact at the end of the step.
     const double turn = now_.turn;
-    while (!balance(coordinates, load))
-      {
-        ++widening_;
-        search();
-      }
+    balance_widely(coordinates, load);
     check_turn(now_.turn - turn);
 
     // 3. The motion with the mean of the forces at both ends.

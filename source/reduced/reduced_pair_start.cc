@@ -24,7 +24,8 @@ namespace vfife
   ReducedEquilibrium ReducedPair::start()
   {
     time_ = driver_turn_ = 0;
-    step_                = 0;
+    step_ = n_iterations_ = 0;
+    widening_             = 0;
     for (unsigned int b = 0; b < members_.size(); ++b)
       {
         Member &member = *members_[b];
@@ -39,9 +40,8 @@ namespace vfife
     search();
 
     // Modes give way as they do to forces that stand still in space.
-    std::vector<TouchRows>              rows;
-    std::vector<const TouchRows *>      pointers;
-    std::vector<std::vector<VectorXcd>> coordinates;
+    std::vector<TouchRows>         rows;
+    std::vector<const TouchRows *> pointers;
     for (unsigned int b = 0; b < members_.size(); ++b)
       {
         const Member &member = *members_[b];
@@ -49,17 +49,13 @@ namespace vfife
                           member.standing_gains(),
                           RingAxes{member.rows.placement(), model_.transmission->arm});
         rows.back().set_nodes(nodes_of(nodes_, b));
-        coordinates.push_back(member.forces_of(member.axial).modes);
-        for (std::size_t i = 0; i < coordinates[b].size(); ++i)
-          coordinates[b][i] =
-            member.motion.standing_flexibility(i, member.sector_rate) * coordinates[b][i];
       }
     for (const TouchRows &one : rows)
       pointers.push_back(&one);
     Answers answers(*this, pointers);
 
     springs_.set_dampers({}, 0.);
-    const VectorXd base      = displace(coordinates);
+    const VectorXd base      = displace(standing_coordinates());
     now_                     = pair_.press_rigid(answers, base, load_, settle(answers, base));
     now_.unit                = std::abs(load_) / model_.transmission->arm;
     now_.patience            = start_patience;
@@ -68,6 +64,31 @@ namespace vfife
     found.turn               = now_.turn;
     found.iterations         = n;
 
+    stand();
+    now_.patience   = PressedState().patience;
+    rows_           = base + now_.deflection;
+    now_.deflection = answers_->answer(now_.force);
+    set_bearings(rows_);
+    check_reach(nodes_, displace_nodes(nodes_));
+    restart_energy();
+    return found;
+  }
+
+  std::vector<std::vector<VectorXcd>> ReducedPair::standing_coordinates() const
+  {
+    std::vector<std::vector<VectorXcd>> coordinates;
+    for (const auto &member : members_)
+      {
+        std::vector<VectorXcd> &own =
+          coordinates.emplace_back(member->forces_of(member->axial).modes);
+        for (std::size_t i = 0; i < own.size(); ++i)
+          own[i] = member->motion.standing_flexibility(i, member->sector_rate) * own[i];
+      }
+    return coordinates;
+  }
+
+  void ReducedPair::stand()
+  {
     const std::vector<ModalForces> contact = project(now_);
     for (std::size_t b = 0; b < members_.size(); ++b)
       {
@@ -76,13 +97,20 @@ namespace vfife
         forces.add(1., contact[b]);
         member.motion.stand(forces, member.body.turns ? now_.turn : 0., member.sector_rate);
       }
-    now_.patience   = PressedState().patience;
-    rows_           = base + now_.deflection;
-    now_.deflection = answers_->answer(now_.force);
+  }
+
+  void ReducedPair::step_standing()
+  {
+    if (!stands_)
+      for (const auto &member : members_)
+        member->rows.set_gains(member->standing_gains());
+    stands_ = true;
+    springs_.set_dampers({}, 0.);
+    advance_drive();
+    search_when_due();
+    balance_widely(standing_coordinates(), TurnLoad{load_});
+    stand();
     set_bearings(rows_);
-    check_reach(nodes_, displace_nodes(nodes_));
-    restart_energy();
-    return found;
   }
 
   void ReducedPair::serialize(ByteStream &stream)

@@ -39,6 +39,7 @@
 #include <vfife/output/observers/probe_writer.h>
 #include <vfife/output/observers/rim_writer.h>
 #include <vfife/output/observers/teeth_writer.h>
+#include <vfife/reduced/resonance/contact_meetings.h>
 #include <vfife/study/benchmark/contact_benchmark.h>
 #include <vfife/study/benchmark/operator_benchmark.h>
 #include <vfife/study/benchmark/rank_benchmark.h>
@@ -54,7 +55,6 @@
 #include <vfife/study/reduced/speed_ranges.h>
 #include <vfife/study/stress_waves/stress_wave_writers.h>
 #include <vfife/study/sweep/sweep_study.h>
-#include <vfife/study/waves/contact_meetings.h>
 #include <vfife/study/waves/wave_line.h>
 
 #include <nlohmann/json.hpp>
@@ -168,7 +168,7 @@ namespace
     add("exceedances.csv", "reduced", make_exceedance_table());
     add("waves_lines.csv", "waves", make_wave_line_table());
     add("waves_frequencies.csv", "waves", make_wave_frequency_table());
-    add("waves_in_contact.csv", "waves", make_contact_meeting_table({}, {}, 1.));
+    add("waves_in_contact.csv", "waves", make_contact_meeting_table({}, {}, 1., 1));
     add("waves_response.csv", "waves", make_wave_motion_table());
     add("waves_build_up.csv", "waves", make_build_up_table());
     add("waves_stress.csv", "waves", make_wave_stress_table());

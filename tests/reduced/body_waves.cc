@@ -8,7 +8,6 @@
 #include <vfife/reduced/body_waves.h>
 #include <vfife/reduced/modal_motion.h>
 
-
 using namespace vfife;
 
 namespace
@@ -107,10 +106,12 @@ namespace
   /** K(rate) = (m^2 + 2 coupling m) rate^2 with m = +-(k z +- n) signed as the frequency. */
   void meetings()
   {
-    const ReducedBody body  = make_body();
-    double            worst = 0, width = 0;
-    const auto        found = find_wave_meetings(body, diameters, 2, 2, 50., 900., 1., 1.);
-    check("two mesh orders meet two waves", found.size() == 4);
+    const ReducedBody        body  = make_body();
+    double                   worst = 0, width = 0;
+    std::vector<WaveMeeting> found;
+    for (const unsigned int order : {1u, 2u})
+      for (const BodyWave &wave : find_waves(body, 0, body_rate, 1.))
+        found.push_back(find_wave_meeting(body, wave, order, 100., 1.));
     for (const WaveMeeting &meeting : found)
       {
         const bool   backward = meeting.wave.direction == WaveDirection::backward;
@@ -130,17 +131,39 @@ namespace
       }
     check_below("rates at which they meet", worst, 1e-9);
     check_below("half power at half the width", width, 1e-3);
-    check("none between other rates",
-          find_wave_meetings(body, diameters, 1, 1, 50., 100., 1., 1.).empty());
     // The same body, its axis called by the other sense.
     ReducedBody other = body;
     other.harmonics[0].coriolis *= -1.;
-    const auto turned = find_wave_meetings(other, diameters, 1, 1, 50., 900., -1., -1.);
-    check_close("turning the other way about a turned axis", turned[0].rate, -found[2].rate, 1e-6);
-    print_refusal([&]() { find_wave_meetings(body, 5, 1, 1, 50., 900., 1., 1.); });
-    const auto rate =
-      find_meeting_rate([](const double x) { return std::sqrt(9. + x * x); }, 2., 0., 10.);
-    check_close("iteration: a root", *rate, std::sqrt(3.), 1e-9);
+    for (const WaveMeeting &meeting : found)
+      for (const BodyWave &wave : find_waves(other, 0, -body_rate, -1.))
+        if (wave.direction == meeting.wave.direction)
+          check_close("turning the other way about a turned axis",
+                      find_wave_meeting(other, wave, meeting.mesh_order, -800., -1.).rate,
+                      -meeting.rate,
+                      1e-6);
+    BodyWave none;
+    none.diameters = 5;
+    print_refusal([&]() { find_wave_meeting(body, none, 1, 100., 1.); });
+  }
+
+  /** All sectors alike: real coordinates, one vibration and no direction. */
+  void umbrella()
+  {
+    ReducedBody body               = make_body();
+    body.harmonics[0].number       = 0;
+    body.harmonics[0].coriolis     = Eigen::MatrixXcd::Zero(1, 1);
+    const std::vector<BodyWave> at = find_waves(body, 0, 300., 1.);
+    check("umbrella: one vibration", at.size() == 1 && at[0].order == 1);
+    check_close("its frequency over the closed form",
+                at[0].frequency() / std::sqrt(stiffness_at(300.)),
+                1.,
+                1e-12);
+    const WaveMeeting met = find_wave_meeting(body, at[0], 2, 300., 1.);
+    check_close("met at twice the mesh frequency",
+                met.rate /
+                  std::sqrt((lambda - spin * body_rate * body_rate) / (4. * teeth * teeth - spin)),
+                1.,
+                1e-9);
   }
 } // namespace
 
@@ -149,5 +172,6 @@ int main()
   frequencies();
   decay();
   meetings();
+  umbrella();
   return 0;
 }

@@ -93,6 +93,22 @@ namespace
       }
     // The swing that a load upon another tooth starts is still there.
     check_below("positions of a tooth mesh in turn", worst, 2e-4);
+
+    // In equilibria alone, few and far between.
+    pair.set_speed(model.transmission->driver_rate, mesh / 8.);
+    pair.start();
+    for (const unsigned int half : {1, 2})
+      {
+        for (unsigned int i = 0; i < 4; ++i)
+          pair.step_standing();
+        const State state = measure(pair);
+        check_close("equilibria in turn: transmission error",
+                    state.measured.transmission_error /
+                      error_of(model, compliance, whole.solve(turns[half], 1.)),
+                    1.,
+                    straight);
+        check_close("the load is carried", state.measured.contact_torque / 8e5, 1., 1e-6);
+      }
   }
 
   /** Transmission errors at the ends of steps of a history. */

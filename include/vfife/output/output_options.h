@@ -17,7 +17,7 @@ namespace vfife
 {
   struct Transmission;
 
-  /** "2", "3"... as numbers of nodal diameters. Throws InputError for what is none. */
+  /** "0", "2", "3"... as numbers of nodal diameters. Throws InputError for what is none. */
   std::vector<unsigned int> parse_diameters(const std::vector<std::string> &texts);
 
   /** Section Output: how often which file is written. */

@@ -4,8 +4,6 @@
 
 #include <vfife/reduced/reduced_body.h>
 
-#include <functional>
-#include <optional>
 #include <vector>
 
 namespace vfife
@@ -18,6 +16,10 @@ namespace vfife
 
   /** "forward", "backward". */
   const char *name_of(WaveDirection direction);
+
+  /** Place of the harmonic with modes of @p diameters; throws InputError where there is none below
+   * the cut-off. */
+  std::size_t find_harmonic(const ReducedBody &body, unsigned int diameters);
 
   /** A travelling wave of a reduced body at one rate, without damping and contact: c = shape exp(i
    * omega t) in the harmonic with as many nodal diameters. */
@@ -37,8 +39,9 @@ namespace vfife
   };
 
   /**
-   * All waves of the harmonic in place @p harmonic, which has diameters and is not half the number
-   * of sectors, ascending within each direction: (K(rate) + 2 i rate omega G - omega^2) shape = 0.
+   * All waves of the harmonic in place @p harmonic, which is not half the number of sectors,
+   * ascending within each direction: (K(rate) + 2 i rate omega G - omega^2) shape = 0. A vibration
+   * without diameters has no direction and is called backward.
    * @p rate: about Body::axis [rad/s]; @p sense: of that axis about the axis of the sectors. At
    * rest the direction is that of the turn to come about Body::axis. Throws NumericalError where
    * the body is not stable at that rate.
@@ -67,29 +70,16 @@ namespace vfife
   };
 
   /**
-   * The rate in [@p lowest, @p highest] at which @p frequency (of the rate, both rad/s) is @p order
-   * times the rate; none where the difference has one sign at both ends.
+   * Where a mesh order meets the wave with the diameters, direction and order of @p wave: wave and
+   * rate follow each other from @p rate (about Body::axis, its sign stays) until they agree, so
+   * that the frequency is that of the rate where they meet. Throws InputError for diameters without
+   * a mode below the cut-off, NumericalError as find_waves() and where they do not agree.
    */
-  std::optional<double> find_meeting_rate(const std::function<double(double)> &frequency,
-                                          double                               order,
-                                          double                               lowest,
-                                          double                               highest);
-
-  /**
-   * Where mesh orders 1 ... @p mesh_orders meet the first @p n_orders waves of @p diameters in each
-   * direction between the rates @p lowest and @p highest (magnitudes) of a body that turns about
-   * Body::axis in the sense of @p turning (1 or -1); ascending by rate. Wave and rate follow each
-   * other until they agree: the frequency is that of the rate where they meet. Throws InputError
-   * for diameters without a mode below the cut-off, NumericalError as find_waves().
-   */
-  std::vector<WaveMeeting> find_wave_meetings(const ReducedBody &body,
-                                              unsigned int       diameters,
-                                              unsigned int       n_orders,
-                                              unsigned int       mesh_orders,
-                                              double             lowest,
-                                              double             highest,
-                                              double             turning,
-                                              double             sense);
+  WaveMeeting find_wave_meeting(const ReducedBody &body,
+                                const BodyWave    &wave,
+                                unsigned int       mesh_order,
+                                double             rate,
+                                double             sense);
 } // namespace vfife
 
 #endif

@@ -75,6 +75,11 @@ namespace vfife
      * each other that flanks would be passed over. */
     void step();
 
+    /** One step of the drive at whose end both bodies stand still in space, in equilibrium: what
+     * the present load and rate make of them without vibration, whatever the step is. set_speed()
+     * leads back to motion. Throws NumericalError, naming the position. */
+    void step_standing();
+
     /** Sets time, step and measurements; forces at the nodes where the field is not empty. */
     void measure(State &state);
 
@@ -121,6 +126,11 @@ namespace vfife
     const ReducedBody &body(unsigned int b) const;
     /** Of Body::axis about the axis of the body's sectors: 1 or -1. */
     double sector_sense(unsigned int b) const;
+    /** [s] */
+    double time_step() const
+    {
+      return options_.step;
+    }
     /** On the driven body about its axis now [N mm]. */
     double load() const
     {
@@ -145,6 +155,15 @@ namespace vfife
     double driven_turn() const; ///< kinematic, in the drive direction [rad]
     /** Looks for what may touch in the steps until the next search. */
     void search();
+    void search_when_due();
+    /** Finds the contact at the end of a step, with more nodes where it comes upon some that were
+     * not looked at. */
+    void balance_widely(const std::vector<std::vector<Eigen::VectorXcd>> &coordinates,
+                        const TurnLoad                                   &load);
+    /** Coordinates of all modes under the axial loads alone where they stand still in space. */
+    std::vector<std::vector<Eigen::VectorXcd>> standing_coordinates() const;
+    /** Modes and turn become those that stand still under the present contact. */
+    void stand();
     /** From now on rows are of these nodes; forces at nodes that stay go with them. */
     void set_rows(std::vector<NodeOfBody> nodes);
     /** Where nodes are displaced to now (3 each, axes of time zero) [mm]. */
@@ -216,7 +235,8 @@ namespace vfife
     double                   searched_from_ = 0, searched_to_ = 0; ///< turns of the driver [rad]
     Eigen::VectorXd          held_;         ///< displacements of candidates then, or empty [mm]
     unsigned int             widening_ = 0; ///< doublings of the distance looked at
-    EnergyLedger             energy_, first_energy_;
+    bool         stands_ = false; ///< the rows' flexibility is that of forces that stand in space
+    EnergyLedger energy_, first_energy_;
   };
 } // namespace vfife
 

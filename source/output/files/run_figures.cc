@@ -111,7 +111,8 @@ namespace vfife
       };
       const RootNames roots;
       for_each(summary_place::figures, [&](const std::string &name, const Json &figure) {
-        if (roots.end(name) || ends_with(name, figure_name::on_own_grid))
+        if (roots.end(name) || ends_with(name, figure_name::on_own_grid) ||
+            name == figure_name::nearest_wave_speed || name == figure_name::nearest_wave_distance)
           figures[name] = figure;
       });
       for_each(summary_place::probes, [&](const std::string &name, const Json &probe) {

@@ -193,6 +193,9 @@ namespace vfife
     for (const ProbeRecord &record : summary.probes)
       at(summary_place::probes, json)[record.name] = probe(record);
 
+    if (!summary.nearest_wave.empty())
+      at(summary_place::nearest_wave, json) = summary.nearest_wave;
+
     // What speaks for it or against it.
     if (summary.energy)
       add_energy(*summary.energy, json);

@@ -145,9 +145,10 @@ TABLE_PLOTS = (
             "Stresses over speed: largest of all sectors, and without vibration.", "Response over speed",
             data="stress_response.csv"),
     PlotRow("waves_met.svg", (has_file("waves_frequencies.csv"),), driven_waves.draw_waves_met,
-            "Frequencies of the web's waves over speed, less or more the turn of the gear, and mesh orders. Discs: amplitudes "
-            "of the rim where the waves were driven.", "Travelling waves",
-            data="waves_frequencies.csv, waves_lines.csv"),
+            "Frequencies of the web's waves over speed, less or more the turn of the gear, and mesh orders. Thin lines: the gear by "
+            "itself; thick lines: in contact. Points: all resonances in contact, stars: the swing. Circles: waves asked for; discs: "
+            "amplitudes of the rim where they were driven.", "Travelling waves",
+            data="waves_frequencies.csv, waves_lines.csv, waves_in_contact.csv"),
     PlotRow("driven_waves.svg", (has_file("waves_response.csv"),), driven_waves.draw_driven_waves,
             "Driven waves of the rim around their speeds. Vertical: where the mesh order meets the wave of the free gear.",
             "Travelling waves", data="waves_response.csv"),

@@ -14,9 +14,11 @@
 #include <vfife/output/pictures.h>
 #include <vfife/reduced/reduced_options.h>
 #include <vfife/reduced/reduced_pair.h>
+#include <vfife/reduced/resonance/nearest_wave.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/continuation.h>
+#include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
 #include <vfife/study/reduced/fillet_readings.h>
@@ -193,6 +195,21 @@ namespace vfife
                                  log,
                                  observers);
       }
+      void say_nearest_wave(const Model  &model,
+                            const Motion &motion,
+                            ReducedPair  &pair,
+                            Log          &log,
+                            RunSummary   &summary) const
+      {
+        if (!output_.pictures)
+          return; // it is for the report
+        const auto find = [&] {
+          return find_nearest_wave(model,
+                                   {motion.options.damping, motion.options.mesh_damping},
+                                   pair);
+        };
+        report_nearest_wave(find, log, summary);
+      }
       void sweep(const Model      &model,
                  ReducedPair      &pair,
                  const Motion     &motion,
@@ -280,6 +297,7 @@ namespace vfife
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
       summary.figures.push_back({"steps in a tooth mesh", {double(motion.steps_per_mesh), "-"}});
       summary.contradictions = gear_case_.report_load(model, log);
+      say_nearest_wave(model, motion, pair, log, summary);
 
       const auto prepared = [&]() {
         ReducedStart &start = run.start();

@@ -20,6 +20,7 @@
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/continuation.h>
+#include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
 #include <vfife/study/run/contact_width_watch.h>
@@ -170,6 +171,14 @@ namespace vfife
                                                      double         run_time,
                                                      Log           &log) const;
 
+      /** What is known of the run before its first step, for log and summary. */
+      void foresee(const Model        &model,
+                   SteppedSolver      &stepped,
+                   double              run_time,
+                   const Communicator &communicator,
+                   Log                &log,
+                   RunSummary         &summary) const;
+
       std::unique_ptr<Case>     case_;
       DynamicsOptions           dynamics_;
       OutputOptions             output_;
@@ -228,6 +237,20 @@ namespace vfife
     if (model.transmission)
       log_contradictions(found, log);
     return found;
+  }
+
+  void RunStudy::foresee(const Model        &model,
+                         SteppedSolver      &stepped,
+                         const double        run_time,
+                         const Communicator &communicator,
+                         Log                &log,
+                         RunSummary         &summary) const
+  {
+    summary.contradictions = report_contradictions(model, stepped, run_time, log);
+    // For the report.
+    if (output_.pictures)
+      report_nearest_wave_of_run(
+        model, dynamics_, stepped.solver.contact().penalties(), communicator, log, summary);
   }
 
   void RunStudy::inspect(Communicator &communicator, Log &log)
@@ -315,8 +338,8 @@ namespace vfife
       }
     add_figures(list_damping(dynamics_, transmission, log), summary.figures);
     stepping.add_fields(output_.compute_field_steps(transmission, dt), dynamics_);
-    summary.contradictions = report_contradictions(
-      model, stepped, stepped.expect_run_time(stepping.state(), end_time / dt), log);
+    const double run_time = stepped.expect_run_time(stepping.state(), end_time / dt);
+    foresee(model, stepped, run_time, communicator, log, summary);
 
     // The steps; what has been found is put together when they have ended, well or not.
     const auto start    = make_start(model, dynamics_, stepped.solver, communicator, log);

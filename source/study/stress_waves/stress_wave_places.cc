@@ -107,8 +107,9 @@ namespace vfife
                                         const FilletStrains *const strains) const
   {
     StressWaves waves = none();
-    const auto  phase = [&](const unsigned int sector) {
-      return std::polar(2. / n_sectors_, -(n * sector * 2. * pi / n_sectors_));
+    // Re(w exp(i n alpha)) is in w and its conjugate, but where all sectors have the same.
+    const auto phase = [&](const unsigned int sector) {
+      return std::polar((n == 0 ? 1. : 2.) / n_sectors_, -(n * sector * 2. * pi / n_sectors_));
     };
     for (std::size_t p = 0; probes && p < copies_.size(); ++p)
       {

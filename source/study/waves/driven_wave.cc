@@ -6,7 +6,6 @@
 #include <vfife/study/stress_waves/stress_wave_places.h>
 #include <vfife/study/waves/driven_wave.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vfife
@@ -30,26 +29,21 @@ namespace vfife
     return pair_.body(model_.transmission->driven);
   }
 
-  std::size_t WaveDriver::find_harmonic(const unsigned int diameters) const
-  {
-    const auto &harmonics = body().harmonics;
-    return std::find_if(harmonics.begin(),
-                        harmonics.end(),
-                        [&](const auto &harmonic) { return harmonic.number == diameters; }) -
-           harmonics.begin();
-  }
-
   Eigen::RowVectorXcd WaveDriver::rim_gains(const unsigned int diameters) const
   {
     // The sum over sectors of exp(i n k alpha) Re(z c exp(i n k alpha)) is N/2 conj(z c), and rim
     // coefficients are twice that of the real reading and i times that of the imaginary one.
+    // Without diameters it is N z c, of the real reading alone.
     const ReducedBody &reduced = body();
-    const auto        &shapes  = reduced.harmonics[find_harmonic(diameters)].shapes;
+    const auto        &shapes  = reduced.harmonics[find_harmonic(reduced, diameters)].shapes;
     const auto         row     = [&](const bool imaginary) {
       return shapes.row(3 * reduced.touch_nodes.size() +
                         reduced.find_reading(reading::of_rim(axial, diameters, imaginary)));
     };
-    return 1e3 * double(reduced.n_sectors) * (row(false) - imaginary_unit * row(true));
+    const double factor = 1e3 * reduced.n_sectors;
+    if (diameters == 0)
+      return factor * row(false);
+    return factor * (row(false) - imaginary_unit * row(true));
   }
 
   Complex WaveDriver::read_rim(const unsigned int n)
@@ -60,7 +54,7 @@ namespace vfife
   WaveMotion WaveDriver::drive(const WaveMeeting &meeting, const WaveSchedule &schedule)
   {
     const unsigned int n = meeting.wave.diameters, driven = model_.transmission->driven;
-    const std::size_t  harmonic = find_harmonic(n);
+    const std::size_t  harmonic = find_harmonic(body(), n);
     const ProbeMeasure probes   = [this](const std::vector<Probe> &copies) {
       return pair_.measure_probes(copies);
     };

@@ -16,12 +16,15 @@ namespace vfife
 
   std::string WaveLine::name() const
   {
-    const BodyWave &wave = meeting.wave;
+    const BodyWave   &wave = meeting.wave;
+    const std::string met  = " at mesh order " + std::to_string(meeting.mesh_order);
+    if (wave.diameters == 0)
+      return "vibration without diameters" +
+             (wave.order > 1 ? " (order " + std::to_string(wave.order) + ")" : "") + met;
     return "wave of " + std::to_string(wave.diameters) +
            (wave.diameters == 1 ? " diameter " : " diameters ") +
            (wave.order > 1 ? "(order " + std::to_string(wave.order) + ") " : "") +
-           (wave.direction == WaveDirection::forward ? "with" : "against") +
-           " the spin at mesh order " + std::to_string(meeting.mesh_order);
+           (wave.direction == WaveDirection::forward ? "with" : "against") + " the spin" + met;
   }
 
   double WaveLine::predicted_width() const

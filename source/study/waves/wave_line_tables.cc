@@ -3,11 +3,11 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/types.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/study/waves/wave_line.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vfife
 {
@@ -26,10 +26,16 @@ namespace vfife
       return table;
     }
 
+    /** Of a wave with diameters. */
+    const char *direction_of(const BodyWave &wave)
+    {
+      return wave.diameters == 0 ? "-" : name_of(wave.direction);
+    }
+
     std::vector<Table::Cell> start_row(const WaveLine &line, const std::string &solver)
     {
       const BodyWave &wave = line.meeting.wave;
-      return {name_of(wave.direction), wave.diameters, wave.order, line.meeting.mesh_order, solver};
+      return {direction_of(wave), wave.diameters, wave.order, line.meeting.mesh_order, solver};
     }
   } // namespace
 
@@ -105,18 +111,14 @@ namespace vfife
     table.add_row(row);
   }
 
-  NamedFigures list_line_figures(const std::vector<WaveLine> &lines, const double speed)
+  NamedFigures list_line_figures(const std::vector<WaveLine>      &lines,
+                                 const std::optional<NearestWave> &nearest)
   {
     NamedFigures figures;
-    double       nearest = std::numeric_limits<double>::infinity();
     for (const WaveLine &line : lines)
-      {
-        figures.push_back({"speed of the " + line.name(), {line.linear_curve.peak * rpm, "rpm"}});
-        nearest = std::min(nearest, std::abs(line.linear_curve.peak / speed - 1.));
-      }
-    if (!lines.empty())
-      figures.push_back(
-        {"distance of the speed of operation from the nearest wave", {100. * nearest, "%"}});
+      figures.push_back({"speed of the " + line.name(), {line.linear_curve.peak * rpm, "rpm"}});
+    if (nearest)
+      figures.push_back({figure_name::nearest_wave_distance, {100. * nearest->distance, "%"}});
     return figures;
   }
 
@@ -129,22 +131,28 @@ namespace vfife
     table.add_column(column::speed, "rpm");
     table.add_column(column::frequency, "Hz");
     table.add_column("fixed frequency", "Hz");
+    table.add_column("fixed frequency in contact", "Hz");
     return table;
   }
 
-  void add_wave_frequency(const BodyWave &wave, const double speed, const double rate, Table &table)
+  void add_wave_frequency(const BodyWave &wave,
+                          const double    speed,
+                          const double    rate,
+                          const double    in_contact,
+                          Table          &table)
   {
     // What meets the wave at a place that stands in space: crests pass it faster or slower by the
     // turn of the body.
     const double turn = wave.diameters * std::abs(rate);
     const double fixed =
       wave.direction == WaveDirection::forward ? wave.frequency() + turn : wave.frequency() - turn;
-    table.add_row({name_of(wave.direction),
+    table.add_row({direction_of(wave),
                    wave.diameters,
                    wave.order,
                    speed * rpm,
                    wave.frequency() / (2. * pi),
-                   fixed / (2. * pi)});
+                   fixed / (2. * pi),
+                   in_contact / (2. * pi)});
   }
 
   Table make_wave_motion_table()

@@ -25,6 +25,8 @@ namespace vfife
     const double    sense = wave.omega < 0 ? -1. : 1.;
     omega_                = sense * meeting.turns_order(transmission.driven_teeth) * rate;
     spin_ = (wave.direction == WaveDirection::forward ? -sense : sense) * wave.diameters * rate;
+    // A motion of all sectors alike is real, of which the mean has one half.
+    amplitude_        = wave.diameters == 0 ? 2. : 1.;
     motion_.speed     = schedule.speed;
     motion_.mesh_time = 2. * pi / (schedule.speed * transmission.driver_teeth);
   }
@@ -36,7 +38,7 @@ namespace vfife
 
   Complex WaveRecord::turned() const
   {
-    return std::polar(1., -omega_ * time());
+    return std::polar(amplitude_, -omega_ * time());
   }
 
   void WaveRecord::add(const Complex &rim, const double error, const double force)

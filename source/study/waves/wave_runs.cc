@@ -184,7 +184,7 @@ namespace vfife
       {
         turned.push_back(record.turned());
         record.add({rim.numbers("z cos " + std::to_string(n))[k],
-                    -rim.numbers("z sin " + std::to_string(n))[k]},
+                    n == 0 ? 0. : -rim.numbers("z sin " + std::to_string(n))[k]},
                    history.numbers(column::dte)[k] * arcsecond,
                    history.numbers(column::contact_force_total)[k]);
       }

@@ -22,7 +22,8 @@ namespace vfife
                      "lowest speed",
                      lowest_speed,
                      "rpm",
-                     "Of the pinion: waves are met from here on",
+                     "Of the pinion: waves are met from here on, by the speed in contact; 0: from "
+                     "rest on",
                      Range::not_negative());
     declare_quantity(prm,
                      "highest speed",
@@ -30,7 +31,11 @@ namespace vfife
                      "rpm",
                      "Of the pinion: up to here, and speed at which the bodies are reduced",
                      Range::not_negative());
-    declare_names(prm, "diameters", diameters, "Numbers of nodal diameters of the gear's waves");
+    declare_names(prm,
+                  "diameters",
+                  diameters,
+                  "Numbers of nodal diameters of the gear's waves; 0: all sectors move alike, as "
+                  "an umbrella");
     declare_integer(prm,
                     "wave orders",
                     wave_orders,
@@ -114,9 +119,14 @@ namespace vfife
           throw InputError(section + "/" + entry, error.what());
         }
     };
-    if (!(lowest_speed > 0 && highest_speed > lowest_speed))
+    if (!(highest_speed > 0))
+      throw InputError(
+        section + "/highest speed",
+        "expected a speed above 0, got 0; set the range of speeds in which waves are "
+        "looked for");
+    if (!(highest_speed > lowest_speed))
       throw InputError(section + "/lowest speed",
-                       "0 < lowest speed < highest speed is needed: between them waves are met");
+                       "expected a speed below highest speed; waves are met between both");
     if (read("diameters", [this] { return diameter_numbers(); }).empty())
       throw InputError(section + "/diameters", "at least one number of nodal diameters");
     if (read("offsets", [this] { return offset_parts(); }).size() < 3)

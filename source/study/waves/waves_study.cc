@@ -16,8 +16,11 @@
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/reduced/reduced_options.h>
+#include <vfife/reduced/resonance/linear_response.h>
+#include <vfife/reduced/resonance/static_passage.h>
 #include <vfife/study/case_runner.h>
 #include <vfife/study/cases/gear_case.h>
+#include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/run/run_penalties.h>
@@ -25,10 +28,7 @@
 #include <vfife/study/stress_waves/stress_wave_places.h>
 #include <vfife/study/waves/driven_lines.h>
 #include <vfife/study/waves/driven_wave.h>
-#include <vfife/study/waves/free_lines.h>
 #include <vfife/study/waves/line_theory.h>
-#include <vfife/study/waves/linear_response.h>
-#include <vfife/study/waves/static_passage.h>
 #include <vfife/study/waves/wave_line.h>
 #include <vfife/study/waves/wave_runs.h>
 #include <vfife/study/waves/waves_options.h>
@@ -155,6 +155,8 @@ namespace vfife
                            roots != nullptr ? of_fillets : nullptr);
       }
       void check_diameters(const Model &model) const;
+      /** Throws InputError for diameters without a mode of the body. */
+      void require_waves(const ReducedBody &body) const;
       struct Tools;
       void               drive(Tools                  &tools,
                                const Model            &model,
@@ -202,6 +204,19 @@ namespace vfife
                              " nodal diameters");
     }
 
+    void WavesStudy::require_waves(const ReducedBody &body) const
+    {
+      for (const unsigned int n : options_.diameter_numbers())
+        try
+          {
+            find_harmonic(body, n);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError("Waves/diameters", error.what());
+          }
+    }
+
     ReducedPairOptions WavesStudy::pair_options() const
     {
       ReducedPairOptions options;
@@ -223,13 +238,12 @@ namespace vfife
       Tools(const WavesOptions             &waves,
             const Model                    &model,
             const std::vector<ReducedBody> &bodies,
-            const std::vector<double>      &penalties,
             const ReducedPairOptions       &options,
             const unsigned int              n_steps,
             const StressWavePlaces         &places,
             ReducedPair                    &pair)
         : driver(model, pair, places)
-        , passage(model, bodies, penalties, options, n_steps)
+        , passage(model, pair, n_steps)
         , linear(bodies[model.transmission->driven],
                  passage,
                  {options.damping, options.mesh_damping},
@@ -238,6 +252,7 @@ namespace vfife
         , theory(waves,
                  *model.transmission,
                  model.bodies[model.transmission->driven].rate < 0 ? -1. : 1.,
+                 model.transmission->driver_rate,
                  linear,
                  driver)
         , cutoff(find_kept_cutoff(bodies))
@@ -302,37 +317,30 @@ namespace vfife
       const std::vector<ReducedBody> bodies = reduce(model, looked_at, folder.communicator(), log);
       const StressWavePlaces         places(model, looked_at);
       ReducedPair                    pair(model, bodies, penalties, pair_options());
-      const unsigned int             driven  = model.transmission->driven;
       RunSummary                     summary = start_summary("waves", model, folder);
 
-      const FreeLines       free(options_, model, bodies[driven], pair.sector_sense(driven));
-      std::vector<WaveLine> lines = free.find(dynamics_.mass_damping());
-      if (lines.empty())
-        log.line("no mesh order meets a wave between these speeds");
-      write_csv(folder, "waves_frequencies.csv", free.list_frequencies());
+      require_waves(bodies[model.transmission->driven]);
+      std::vector<WaveLine>      lines;
+      std::optional<NearestWave> nearest;
       try
         {
-          Tools tools(options_,
-                      model,
-                      bodies,
-                      penalties,
-                      pair_options(),
-                      reduced_.steps_per_mesh,
-                      places,
-                      pair);
-          log.line("static curves of a slow tooth mesh: the moment of the contact varies by ",
-                   100. * tools.passage.moment_ripple(),
-                   " %; of the rotation under the torque the contact with teeth and driver has ",
-                   100. * tools.linear.contact_compliance() * tools.passage.stiffness(),
-                   " %");
+          Tools tools(
+            options_, model, bodies, pair_options(), reduced_.steps_per_mesh, places, pair);
+          log.line(
+            "static curves of a tooth mesh: of the rotation under the torque the contact with "
+            "teeth and driver has ",
+            100. * tools.linear.contact_compliance() * tools.passage.stiffness(),
+            " %");
           write_csv(folder,
                     "waves_in_contact.csv",
                     tools.theory.list_meetings(RimWriter::count_diameters(model)));
-          for (WaveLine &line : lines)
-            {
-              tools.theory.predict(line);
-              log_wave_line(line, log);
-            }
+          write_csv(folder, "waves_frequencies.csv", tools.theory.list_frequencies());
+          lines   = tools.theory.find_lines(dynamics_.mass_damping());
+          nearest = tools.theory.find_nearest(gear_case_.operation().speed);
+          if (lines.empty())
+            log.line("no mesh order meets one of these waves between these speeds");
+          for (const WaveLine &line : lines)
+            log_wave_line(line, log);
           if (options_.driven)
             drive(tools, model, places, folder, log, lines);
         }
@@ -345,11 +353,13 @@ namespace vfife
       for (const WaveLine &line : lines)
         add_wave_lines(line, table);
       write_csv(folder, "waves_lines.csv", table);
-      write_own_figures(folder, list_line_figures(lines, gear_case_.operation().speed));
+      write_own_figures(folder, list_line_figures(lines, nearest));
       summary.run_time = seconds_since(start);
       summary.figures  = {{"cut-off frequency", {find_kept_cutoff(bodies), "Hz"}},
                           {"damping", {dynamics_.mass_damping(), "1/s"}},
                           {"lines", {double(lines.size()), "-"}}};
+      if (nearest)
+        report_nearest_wave(*nearest, log, summary);
       write_summary(folder, summary);
       if (summary.status == "failed")
         throw NumericalError(summary.failure);

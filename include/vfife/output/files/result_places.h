@@ -25,6 +25,8 @@ namespace vfife
     constexpr char energy_error[]     = "/energy/error";
     constexpr char n_contact_losses[] = "/contact losses/count";
 
+    constexpr char nearest_wave[] = "/nearest wave"; ///< in words
+
     // What holds figures by their names.
     constexpr char figures[]            = "/figures";
     constexpr char transmission_error[] = "/transmission error"; ///< parts of the mean DTE
@@ -63,6 +65,10 @@ namespace vfife
     constexpr char least_arm[]       = "least arm on the path of contact";
     constexpr char largest_arm[]     = "largest arm on the path of contact";
     constexpr char force_on_arm[]    = "torque over effective arm"; ///< of the contact
+
+    constexpr char nearest_wave_speed[] = "speed of the nearest wave";
+    constexpr char nearest_wave_distance[] =
+      "distance of the speed of operation from the nearest wave";
 
     constexpr char on_own_grid[] = " on its own grid"; ///< behind the name of a pressure
 

@@ -59,6 +59,7 @@ namespace vfife
     std::vector<std::pair<std::string, NamedFigures>> traffic;
     std::vector<std::string> contradictions; ///< checks of figures against each other that failed
     std::vector<std::string> warnings;
+    std::string              nearest_wave; ///< to the speed of operation, in words; or empty
 
     /** Elements of all bodies times steps over the run time [1/s]; 0 without a run time. */
     double element_steps_per_second() const;

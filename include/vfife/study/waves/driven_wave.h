@@ -26,8 +26,6 @@ namespace vfife
     /** Amplitudes of the rim's axial wave with @p diameters [um] of unit coordinates of its
      * harmonic. */
     Eigen::RowVectorXcd rim_gains(unsigned int diameters) const;
-    /** Place of the harmonic among those of the body. */
-    std::size_t find_harmonic(unsigned int diameters) const;
 
   private:
     const ReducedBody   &body() const;

@@ -4,6 +4,7 @@
 
 #include <vfife/base/text/table.h>
 #include <vfife/output/files/figures.h>
+#include <vfife/reduced/resonance/nearest_wave.h>
 #include <vfife/study/waves/wave_fits.h>
 #include <vfife/study/waves/wave_record.h>
 
@@ -85,9 +86,10 @@ namespace vfife
   void  add_wave_lines(const WaveLine &line, Table &table);
 
   /** waves_frequencies.csv: a row a wave and speed of the driver [rad/s], @p rate of the driven
-   * body [rad/s]. */
+   * body [rad/s]; @p in_contact: as an observer at rest sees it there [rad/s]. */
   Table make_wave_frequency_table();
-  void  add_wave_frequency(const BodyWave &wave, double speed, double rate, Table &table);
+  void  add_wave_frequency(
+     const BodyWave &wave, double speed, double rate, double in_contact, Table &table);
 
   /** waves_response.csv: a row a speed of a line and solver. */
   Table make_wave_motion_table();
@@ -106,9 +108,10 @@ namespace vfife
    * are one. @p margin: over the speed. */
   Table make_avoided_speed_table(const std::vector<WaveLine> &lines, double allowed, double margin);
 
-  /** For tables of cases: the speeds of the lines in contact, and how far from @p speed of the
-   * driver [rad/s], over it, the nearest one is. */
-  NamedFigures list_line_figures(const std::vector<WaveLine> &lines, double speed);
+  /** For tables of cases: the speeds of the lines in contact, and how far from the speed of
+   * operation, over it, the @p nearest resonance is. */
+  NamedFigures list_line_figures(const std::vector<WaveLine>      &lines,
+                                 const std::optional<NearestWave> &nearest);
 
   /** Says what is predicted of a line. */
   void log_wave_line(const WaveLine &line, Log &log);

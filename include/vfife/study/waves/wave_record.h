@@ -70,7 +70,8 @@ namespace vfife
     {
       return sample_ >= (schedule_.n_meshes() - 1) * schedule_.samples;
     }
-    /** exp(-i omega t) at the next sample. */
+    /** exp(-i omega t) at the next sample: times a sample and averaged, its part of that frequency;
+     * twice that for a wave without diameters, whose samples are real. */
     std::complex<double> turned() const;
 
     /** Adds a sample: wave of the rim [um], and where it counts transmission error [rad] and force
@@ -84,8 +85,9 @@ namespace vfife
     double time() const;
 
     WaveSchedule schedule_;
-    double       omega_; ///< of the force in the turning axes, signed as the wave's [rad/s]
-    double       spin_;  ///< of what stands in space, in the turning axes [rad/s]
+    double       omega_;         ///< of the force in the turning axes, signed as the wave's [rad/s]
+    double       amplitude_ = 1; ///< of turned()
+    double       spin_;          ///< of what stands in space, in the turning axes [rad/s]
     WaveMotion   motion_;
     std::size_t  sample_      = 0;
     double       least_error_ = 0, largest_error_ = 0;

@@ -25,9 +25,9 @@ namespace vfife
     double lowest_speed  = 0; ///< of the pinion [rad/s]
     double highest_speed = 0; ///< [rad/s]
 
-    std::vector<std::string> diameters   = {"2", "3", "4", "5", "6"};
+    std::vector<std::string> diameters   = {"0", "1", "2", "3", "4", "5", "6"};
     unsigned int             wave_orders = 1;  ///< waves of each number of diameters and direction
-    unsigned int             mesh_orders = 1;  ///< multiples of the mesh frequency
+    unsigned int             mesh_orders = 3;  ///< multiples of the mesh frequency
     unsigned int             n_speeds    = 25; ///< of the frequencies over speed
 
     bool                     driven      = true; ///< whether waves are driven, not only predicted

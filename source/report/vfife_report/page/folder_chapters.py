@@ -17,6 +17,7 @@ from .parts import EXACT, Cells, Paragraph, list_values
 
 SHOWN_MODES = 12  # of a body at a speed
 SHOWN_PRESSURES = 40  # tooth pairs
+SHOWN_RESONANCES = 60  # speeds
 
 
 def tell_ledger(run, plots):
@@ -174,6 +175,25 @@ def tell_frequencies(run, plots):
                        for name, value in zip(names, row)] for row in cells.rows]
         yield cells
     yield from plots
+    yield from tell_resonances(run)
+
+
+def tell_resonances(run):
+    """Of the free bodies, by the speed of the pinion where they are of a pair."""
+    table = read_table(run.path / "resonances.csv")
+    if table is None or not table.n_rows:
+        return
+    of_pair = "pinion speed" in table and np.all(np.isfinite(table["pinion speed"]))
+    by = "pinion speed" if of_pair else "speed"
+    shown = [k for k in np.argsort(np.abs(table[by]), kind="stable") if table["mesh order"][k] > 0][:SHOWN_RESONANCES]
+    names = ["body", "nodal diameter", "order", "wave", "mesh order", "speed", "frequency", *(["pinion speed"] if of_pair else [])]
+    text = ("Speeds at which orders meet vibrations of each body by itself. Column speed: of that body. Frequency: in axes that turn "
+            "with it.")
+    if of_pair:
+        text += (" The contact moves these speeds; those of the pair in contact, with the swing, are found by Study/kind = waves.")
+    if len(shown) == SHOWN_RESONANCES:
+        text += f" The lowest {SHOWN_RESONANCES} of resonances.csv."
+    yield tell_rows(table, names, shown, text)
 
 
 def tell_response(run, plots):
@@ -205,6 +225,7 @@ def tell_waves(run, plots):
                 [[cell(lines[name][k]) for name in (*named, "predicted amplitude", "amplitude", "stress amplification")]
                  for k in range(lines.n_rows)],
                 "Amplitude of the rim, and largest stress at a probe over that without waves, at the peak.")
+    yield from tell_meetings(run)
     beyond = list(list_peaks_beyond(lines, read_table(run.path / "waves_response.csv")))
     if beyond:
         yield Paragraph(f"Peaks beyond the speeds that were driven: {', '.join(beyond)}. Their speed, width and amplitude are "
@@ -213,6 +234,31 @@ def tell_waves(run, plots):
     if avoided is not None:
         yield tell_rows(avoided, ("from", "to", "stress amplification", "waves"), range(avoided.n_rows),
                         "Pinion speeds to avoid, with margins.")
+
+
+def tell_meetings(run):
+    """All resonances of the pair in contact."""
+    table = read_table(run.path / "waves_in_contact.csv")
+    if table is None or not table.n_rows or "mesh frequency" not in table:
+        return
+    moment = table["amplitude of the moment"]
+    strongest = sorted(np.argsort(-moment, kind="stable")[:SHOWN_RESONANCES])
+    swing = table["share of the turn"] > table["share of the wave"]
+    text = ("Pinion speeds at which mesh orders meet free vibrations of the pair in contact, by linear theory. Wave: the free gear's "
+            "that has most of the energy; swing: the turn of the gear on the contact has more.")
+    if len(strongest) < table.n_rows:
+        text += f" The {SHOWN_RESONANCES} with the largest moment of the contact, of {table.n_rows} in waves_in_contact.csv."
+    yield Cells(["speed [rpm]", "mesh order", "vibration", "nodal diameter", "order", "width [% of the speed]",
+                 "share of the wave [%]", "share of the turn [%]", "amplitude of the moment [N m]"],
+                [[float(table["speed"][k]), float(table["mesh order"][k]), "swing" if swing[k] else name_vibration(table, k),
+                  float(table["nodal diameter"][k]), float(table["order"][k]), 100 * float(table["width"][k]),
+                  100 * float(table["share of the wave"][k]), 100 * float(table["share of the turn"][k]), float(moment[k])]
+                 for k in strongest], text, digits=EXACT, short=frozenset((
+                     "width [% of the speed]", "share of the wave [%]", "share of the turn [%]", "amplitude of the moment [N m]")))
+
+
+def name_vibration(table, row):
+    return "all sectors alike" if table["nodal diameter"][row] == 0 else str(table["wave"][row])
 
 
 def tell_meshes(run, plots):

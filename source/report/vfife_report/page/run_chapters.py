@@ -42,6 +42,9 @@ def tell_case(run, plots):
 def tell_quantities(run, plots):
     rows = [[name, value, unit, remark(run, name)] for name, value, unit in list_quantities(run)]
     marked = any(row[-1] for row in rows)
+    nearest = run.summary.get("nearest wave")
+    if nearest:
+        yield Paragraph(f"Nearest wave in contact to the speed of operation, mesh orders 1 to 3: {nearest}.")
     if marked:
         yield Paragraph("The ripple is not steady: its figures are those of this record, and half of it gives others.", "alarm")
     yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],

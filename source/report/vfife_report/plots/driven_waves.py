@@ -16,7 +16,8 @@ PANELS_IN_ROW = 2
 
 def name_line(lines, row):
     """\"4 forward, mesh order 1\""""
-    return (f"{lines['nodal diameter'][row]:.0f} {lines['wave'][row]}, mesh order {lines['mesh order'][row]:.0f}")
+    wave = str(lines["wave"][row])
+    return f"{lines['nodal diameter'][row]:.0f}{'' if wave == '-' else ' ' + wave}, mesh order {lines['mesh order'][row]:.0f}"
 
 
 def find_line(table, lines, row, solver=None):
@@ -39,32 +40,53 @@ def list_solvers(lines, row):
 
 
 def draw_waves_met(run):
-    """Frequencies of the waves as an observer at rest sees them, rays of the mesh orders, and at their crossings
-    the amplitudes found."""
+    """Frequencies of the waves as an observer at rest sees them, rays of the mesh orders, at their crossings in contact the
+    amplitudes found, and all other vibrations that they meet there."""
     frequencies, lines = Table(run.path / "waves_frequencies.csv"), read_table(run.path / "waves_lines.csv")
+    met = read_table(run.path / "waves_in_contact.csv")
     plot, axes = plt.subplots(figsize=(8, 6))
     draw_frequencies(axes, frequencies)
     end = frequencies["speed"].max()
     top = 1.05e-3 * frequencies["fixed frequency"].max()
-    if lines is not None:
+    if lines is not None and lines.n_rows:
         slope = np.median(lines["mesh frequency"] / lines["speed in contact"])
         label_orders(axes, [(order, 1e-3 * order * slope) for order in np.unique(lines["mesh order"])], end, top)
         draw_bubbles(axes, lines)
+    if met is not None and met.n_rows and "mesh frequency" in met:
+        draw_meetings(axes, met, end, top, lines is None or not lines.n_rows)
     axes.set(xlim=(0, end), ylim=(0, top), xlabel="pinion speed [rpm]", ylabel="frequency [kHz]")
     axes.set_title("Waves and mesh orders as an observer at rest sees them", pad=16)
     axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.13, 1.), frameon=False)
     return plot
 
 
+def draw_meetings(axes, met, end, top, with_orders):
+    """Resonances in contact, those of the swing apart."""
+    if with_orders:
+        slope = np.median(met["mesh frequency"] / met["speed"])
+        label_orders(axes, [(order, 1e-3 * order * slope) for order in np.unique(met["mesh order"])], end, top)
+    height = 1e-3 * met["mesh order"] * met["mesh frequency"]
+    swing = met["share of the turn"] > met["share of the wave"]
+    for rows, mark, size, name in ((~swing, ".", 12, "resonance in contact"), (swing, "*", 90, "swing in contact")):
+        if np.any(rows):
+            axes.scatter(met["speed"][rows], height[rows], s=size, marker=mark, color=COLOURS[0], label=name, zorder=3)
+
+
 def draw_frequencies(axes, frequencies):
+    """Thin: of the gear by itself; thick: in contact, of the waves that an order meets."""
+    in_contact = "fixed frequency in contact" in frequencies
     keys = sorted({(int(n), d, int(o)) for n, d, o in zip(
         frequencies["nodal diameter"], frequencies["wave"], frequencies["order"])})
     for diameter, wave, order in keys:
         rows = (frequencies["nodal diameter"] == diameter) & (frequencies["wave"] == wave) & (
             frequencies["order"] == order)
-        axes.plot(frequencies["speed"][rows], 1e-3 * frequencies["fixed frequency"][rows], DASHES_OF_WAVE[wave],
-                  color=COLOURS[diameter % len(COLOURS)],
-                  label=f"n = {diameter}, {wave}" if order == 1 else None)
+        style = {"color": COLOURS[diameter % len(COLOURS)], "linestyle": DASHES_OF_WAVE.get(wave, "-.")}
+        name = f"n = {diameter}" + (f", {wave}" if wave in DASHES_OF_WAVE else "")
+        axes.plot(frequencies["speed"][rows], 1e-3 * frequencies["fixed frequency"][rows], linewidth=0.6 if in_contact else 1.5,
+                  label=name if order == 1 else None, **style)
+        if in_contact and np.any(np.isfinite(frequencies["fixed frequency in contact"][rows])):
+            axes.plot(frequencies["speed"][rows], 1e-3 * frequencies["fixed frequency in contact"][rows], linewidth=1.5,
+                      gid=f"{name}, order {order}, in contact", **style)
 
 
 def draw_bubbles(axes, lines):

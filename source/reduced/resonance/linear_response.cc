@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/complex.h>
-#include <vfife/study/waves/linear_response.h>
-#include <vfife/study/waves/static_passage.h>
+#include <vfife/reduced/resonance/linear_response.h>
+#include <vfife/reduced/resonance/static_passage.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -14,10 +14,6 @@ namespace vfife
   using Eigen::MatrixXcd;
   using Eigen::MatrixXd;
   using Eigen::VectorXcd;
-
-  namespace
-  {
-  } // namespace
 
   LinearResponse::LinearResponse(const ReducedBody   &body,
                                  const StaticPassage &passage,
@@ -33,30 +29,26 @@ namespace vfife
     // Of the turn of the hub under a torque that the contact balances: the modes' part.
     for (std::size_t k = 0; k < body.harmonics.size(); ++k)
       {
-        VectorXcd force = per_moment(k);
+        per_moment_.push_back(passage.force(k, 0) / passage.moment());
+        VectorXcd force = per_moment_[k];
         if (body.harmonics[k].number == 0)
           force -= driven_sense * body.harmonics[k].torque;
-        compliance_ -= force.dot(answer(k, 0, 0., force)).real();
+        compliance_ -= force.dot(answer(k, 0., 0., force)).real();
       }
   }
 
-  VectorXcd LinearResponse::per_moment(const std::size_t harmonic) const
+  Complex LinearResponse::mesh_frequency(const int p, const Complex &rate) const
   {
-    return passage_.force(harmonic, 0) / passage_.moment();
-  }
-
-  Complex LinearResponse::frequency(const unsigned int h, const int p, const Complex &rate) const
-  {
-    return double(int(h) + p * int(body_.n_sectors)) * sense_ * rate;
+    return double(p * int(body_.n_sectors)) * sense_ * rate;
   }
 
   VectorXcd LinearResponse::answer(const std::size_t harmonic,
-                                   const int         p,
+                                   const Complex    &frequency,
                                    const Complex    &rate,
                                    const VectorXcd  &force) const
   {
     const ReducedBody::Harmonic &modes = body_.harmonics[harmonic];
-    const Complex                omega = frequency(modes.number, p, rate);
+    const Complex                omega = frequency + double(modes.number) * sense_ * rate;
     MatrixXcd matrix = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
     matrix += modes.eigenvalues.cast<Complex>().asDiagonal();
     matrix += 2. * imaginary_unit * rate * omega * modes.coriolis;
@@ -64,31 +56,38 @@ namespace vfife
     return matrix.partialPivLu().solve(force);
   }
 
-  Complex LinearResponse::flank_turn(const int p, const Complex &rate, const bool by_moment) const
+  Complex LinearResponse::flank_turn(const Complex &frequency,
+                                     const Complex &rate,
+                                     const ForceOf &force) const
   {
     // conj(f(conj(x))) is analytic in x where f is.
     Complex sum = 0;
     for (std::size_t k = 0; k < body_.harmonics.size(); ++k)
       {
-        const VectorXcd load = per_moment(k);
-        const auto      turn = [&](const int q, const Complex &at) {
-          return load.dot(answer(k, q, at, by_moment ? load : passage_.force(k, q)));
+        const auto turn = [&](const Complex &at, const Complex &turning, const int sign) {
+          return per_moment_[k].dot(answer(k, at, turning, force(k, sign)));
         };
-        sum += .5 * (turn(p, rate) + std::conj(turn(-p, std::conj(rate))));
+        sum += .5 * (turn(frequency, rate, 1) +
+                     std::conj(turn(-std::conj(frequency), std::conj(rate), -1)));
       }
     return sum;
   }
 
-  Complex LinearResponse::turn(const int p, const Complex &rate, const Complex &moment) const
+  Complex LinearResponse::turn_compliance(const Complex &frequency) const
   {
-    const Complex omega = frequency(0, p, rate);
-    return moment /
-           (body_.turn_inertia * (-omega * omega + imaginary_unit * damping_.turn * omega));
+    return 1. / (body_.turn_inertia *
+                 (-frequency * frequency + imaginary_unit * damping_.turn * frequency));
   }
 
-  Complex LinearResponse::loop_compliance(const int p, const Complex &rate) const
+  Complex LinearResponse::turn(const int p, const Complex &rate, const Complex &moment) const
   {
-    return compliance_ + turn(p, rate, 1.) + flank_turn(p, rate, true);
+    return moment * turn_compliance(mesh_frequency(p, rate));
+  }
+
+  Complex LinearResponse::loop_compliance(const Complex &frequency, const Complex &rate) const
+  {
+    return compliance_ + turn_compliance(frequency) +
+           flank_turn(frequency, rate, [this](const std::size_t k, int) { return per_moment_[k]; });
   }
 
   Complex LinearResponse::moment(const int p, const Complex &rate) const
@@ -96,8 +95,12 @@ namespace vfife
     if (p < 0)
       return std::conj(moment(-p, std::conj(rate)));
     // The spring is as long as at rest where the flank is where it would be there.
-    return (passage_.turn(p) + flank_turn(p, 0., false) - flank_turn(p, rate, false)) /
-           loop_compliance(p, rate);
+    const auto force = [&](const std::size_t k, const int sign) {
+      return passage_.force(k, sign * p);
+    };
+    return (passage_.turn(p) + flank_turn(0., 0., force) -
+            flank_turn(mesh_frequency(p, rate), rate, force)) /
+           loop_compliance(mesh_frequency(p, rate), rate);
   }
 
   VectorXcd LinearResponse::coordinates(const std::size_t harmonic,
@@ -105,7 +108,10 @@ namespace vfife
                                         const Complex    &rate,
                                         const Complex    &moment) const
   {
-    return answer(harmonic, p, rate, passage_.force(harmonic, p) + moment * per_moment(harmonic));
+    return answer(harmonic,
+                  mesh_frequency(p, rate),
+                  rate,
+                  passage_.force(harmonic, p) + moment * per_moment_[harmonic]);
   }
 
   std::vector<Complex> LinearResponse::free_vibrations(const double rate) const
@@ -138,8 +144,8 @@ namespace vfife
       {
         const ReducedBody::Harmonic &modes = body_.harmonics[k];
         const Eigen::Index           m = modes.n_modes(), parts = parts_of(modes);
-        const Complex                shift = imaginary_unit * frequency(modes.number, 0, rate) / w;
-        MatrixXcd stiffness = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
+        const Complex shift     = imaginary_unit * double(modes.number) * sense_ * rate / w;
+        MatrixXcd     stiffness = (rate * rate - body_.rate * body_.rate) * modes.spin_stiffness;
         stiffness += modes.eigenvalues.cast<Complex>().asDiagonal();
         MatrixXcd damping = 2. * rate / w * modes.coriolis;
         damping.diagonal().array() += damping_.modes / w + shift;
@@ -149,7 +155,7 @@ namespace vfife
         system.block(n + first, first, parts, parts) =
           -real_form(stiffness / (w * w), modes.number);
         system.block(n + first, n + first, parts, parts) = -real_form(damping, modes.number);
-        const VectorXcd b                                = per_moment(k);
+        const VectorXcd &b                               = per_moment_[k];
         load.segment(first, m)                           = b.real();
         if (parts > m)
           load.segment(first + m, m) = b.imag();

@@ -1,11 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_waves_linear_response_h
-#define vfife_study_waves_linear_response_h
+#ifndef vfife_reduced_resonance_linear_response_h
+#define vfife_reduced_resonance_linear_response_h
 
 #include <vfife/base/complex.h>
 #include <vfife/reduced/modal_motion.h>
 #include <vfife/reduced/reduced_body.h>
 
+#include <functional>
 #include <vector>
 
 namespace vfife
@@ -43,10 +44,13 @@ namespace vfife
     std::complex<double>
     turn(int p, const std::complex<double> &rate, const std::complex<double> &moment) const;
 
-    /** What the flanks give way by under a unit moment with the mesh harmonic @p p > 0: contact,
-     * turn and modes [1/(N mm)]. It is zero where that harmonic meets a free vibration in contact.
-     */
-    std::complex<double> loop_compliance(int p, const std::complex<double> &rate) const;
+    /** What the flanks give way by under a unit moment exp(i frequency t): contact, turn and modes
+     * [1/(N mm)]. @p frequency: in axes that stand in space, in the sense of the sectors [rad/s].
+     * It is zero where that is the frequency of a free vibration in contact. */
+    std::complex<double> loop_compliance(const std::complex<double> &frequency,
+                                         const std::complex<double> &rate) const;
+    /** Frequency of the mesh harmonic @p p, in axes that stand in space [rad/s]. */
+    std::complex<double> mesh_frequency(int p, const std::complex<double> &rate) const;
 
     /** Free vibrations in contact at @p rate: exponents of exp(lambda t) in axes that stand in
      * space [1/s], both of each pair of conjugates. */
@@ -70,22 +74,25 @@ namespace vfife
     }
 
   private:
-    /** omega = (h + p z) phi' of a harmonic, h = 0 for the body as a whole. */
-    Complex frequency(unsigned int h, int p, const Complex &rate) const;
-    /** (K - omega^2 + i omega (2 rate G + zeta))^-1 times @p force. */
-    Eigen::VectorXcd
-    answer(std::size_t harmonic, int p, const Complex &rate, const Eigen::VectorXcd &force) const;
-    /** What modes turn the driven flank at the harmonic p > 0 under modal forces of all harmonics,
-     * those of the static curve or, @p by_moment, of a unit moment. */
-    Complex flank_turn(int p, const Complex &rate, bool by_moment) const;
-    /** Modal forces per moment of the contact. */
-    Eigen::VectorXcd per_moment(std::size_t harmonic) const;
+    /** (K - omega^2 + i omega (2 rate G + zeta))^-1 times @p force, omega that of the harmonic in
+     * its turning axes at the @p frequency. */
+    Eigen::VectorXcd answer(std::size_t             harmonic,
+                            const Complex          &frequency,
+                            const Complex          &rate,
+                            const Eigen::VectorXcd &force) const;
+    /** What modes turn the driven flank at the @p frequency under modal forces of all harmonics;
+     * those of the second argument -1 go with the negative frequency. */
+    using ForceOf = std::function<Eigen::VectorXcd(std::size_t harmonic, int sign)>;
+    Complex flank_turn(const Complex &frequency, const Complex &rate, const ForceOf &force) const;
+    /** The rigid turn under a unit moment. */
+    Complex turn_compliance(const Complex &frequency) const;
 
-    const ReducedBody   &body_;
-    const StaticPassage &passage_;
-    ModalDamping         damping_;
-    double               sense_;
-    double               compliance_ = 0;
+    const ReducedBody            &body_;
+    const StaticPassage          &passage_;
+    ModalDamping                  damping_;
+    double                        sense_;
+    double                        compliance_ = 0;
+    std::vector<Eigen::VectorXcd> per_moment_; ///< modal forces per moment, by harmonic
   };
 } // namespace vfife
 

@@ -2,12 +2,13 @@
 #include <vfife/base/complex.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/types.h>
-#include <vfife/study/waves/contact_meetings.h>
-#include <vfife/study/waves/linear_response.h>
+#include <vfife/reduced/resonance/contact_meetings.h>
+#include <vfife/reduced/resonance/linear_response.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace vfife
@@ -72,7 +73,9 @@ namespace vfife
           return pole && other.mesh_order == p && is_same(other.rate, *pole);
         });
       };
-      const auto compliance = [&](const Complex &at) { return linear.loop_compliance(p, at); };
+      const auto compliance = [&](const Complex &at) {
+        return linear.loop_compliance(linear.mesh_frequency(p, at), at);
+      };
       std::optional<Complex> found = find_zero(compliance, start);
       // Of two lines near by both starts may lead to one: divided out, it leaves the other.
       if (const auto other = find_known(found); other != known.end())
@@ -129,6 +132,8 @@ namespace vfife
           const int h = body.harmonics[k].number;
           for (const WaveDirection direction : {WaveDirection::backward, WaveDirection::forward})
             {
+              if (h == 0 && direction == WaveDirection::forward)
+                continue; // one vibration
               const VectorXcd &c      = meeting.residues(direction)[k];
               const double     energy = meeting.energy_of(c.squaredNorm(), h, z, direction);
               meeting.energy += energy;
@@ -158,8 +163,20 @@ namespace vfife
                                    const int           teeth,
                                    const WaveDirection direction) const
   {
+    // Real coordinates, those without diameters, have both signs of the frequency.
     const int z = mesh_order * teeth;
-    return .5 * squared * std::pow(direction == WaveDirection::backward ? z + n : z - n, 2);
+    return (n == 0 ? 1. : .5) * squared *
+           std::pow(direction == WaveDirection::backward ? z + n : z - n, 2);
+  }
+
+  double ContactMeeting::harmonic_share(const std::size_t harmonic, const ReducedBody &body) const
+  {
+    const int n   = body.harmonics[harmonic].number;
+    double    sum = 0;
+    for (const WaveDirection one : {WaveDirection::backward, WaveDirection::forward})
+      if (n > 0 || one == WaveDirection::backward)
+        sum += energy_of(residues(one)[harmonic].squaredNorm(), n, body.n_sectors, one);
+    return sum / energy;
   }
 
   double ContactMeeting::share_of(const WaveMeeting &free, const ReducedBody &body) const
@@ -180,15 +197,33 @@ namespace vfife
     return 2. * std::abs(rate.imag() / rate.real());
   }
 
+  namespace
+  {
+    /** A rate [rad/s] below which no order meets a free vibration: of n diameters omega at (p z +-
+     * n) rate, n at most half the sectors. */
+    double find_least_rate(const LinearResponse &linear, const unsigned int mesh_orders)
+    {
+      constexpr double below = .9; // the frequency at rest, for what spin changes
+      double           least = std::numeric_limits<double>::infinity();
+      for (const Complex &exponent : linear.free_vibrations(0.))
+        if (exponent.imag() > 0)
+          least = std::min(least, exponent.imag());
+      return below * least / (linear.body().n_sectors * (mesh_orders + .5));
+    }
+  } // namespace
+
   std::vector<ContactMeeting> find_contact_meetings(const LinearResponse &linear,
                                                     const unsigned int    mesh_orders,
-                                                    const double          lowest,
+                                                    const double          from_rate,
                                                     const double          highest,
                                                     const double          turning)
   {
     const unsigned int          z = linear.body().n_sectors;
     std::vector<ContactMeeting> meetings;
-    const unsigned int          n_steps = std::ceil(std::log(highest / lowest) / std::log(step));
+    const double lowest = from_rate > 0 ? from_rate : find_least_rate(linear, mesh_orders);
+    if (!(lowest < highest))
+      return meetings;
+    const unsigned int n_steps = std::ceil(std::log(highest / lowest) / std::log(step));
     for (unsigned int k = 0; k < n_steps; ++k)
       {
         const double               from = lowest * std::pow(highest / lowest, double(k) / n_steps);
@@ -212,8 +247,7 @@ namespace vfife
             }
       }
     std::sort(meetings.begin(), meetings.end(), [](const auto &a, const auto &b) {
-      return a.mesh_order != b.mesh_order ? a.mesh_order < b.mesh_order
-                                          : std::abs(a.rate.real()) < std::abs(b.rate.real());
+      return std::abs(a.rate.real()) < std::abs(b.rate.real());
     });
     for (ContactMeeting &meeting : meetings)
       {
@@ -227,14 +261,63 @@ namespace vfife
     return meetings;
   }
 
+  std::vector<double> follow_vibration(const LinearResponse      &linear,
+                                       const ContactMeeting      &meeting,
+                                       const std::vector<double> &rates)
+  {
+    // Beside the order's frequency crests pass a place in space by the turn of the body; what spin
+    // and contact add to that is small from step to step.
+    constexpr unsigned int steps = 4; // between two rates
+    const double own = std::abs(meeting.rate.real()), turning = meeting.rate.real() < 0 ? -1. : 1.,
+                 slope = (meeting.direction == WaveDirection::backward ? -1. : 1.) *
+                         double(meeting.diameters) * linear.sense() * turning;
+    std::vector<double> frequencies(rates.size(), not_known);
+    for (const bool upwards : {true, false})
+      {
+        double  at        = own;
+        Complex frequency = linear.mesh_frequency(meeting.mesh_order, meeting.rate);
+        bool    lost      = false;
+        for (std::size_t i = 0; i < rates.size(); ++i)
+          {
+            const std::size_t k = upwards ? i : rates.size() - 1 - i;
+            if ((rates[k] >= own) != upwards)
+              continue;
+            const double change = (rates[k] - at) / steps;
+            for (unsigned int n = 0; n < steps && !lost; ++n)
+              {
+                at += change;
+                const Complex guess = frequency + slope * change;
+                const auto    found = find_zero(
+                  [&](const Complex &w) { return linear.loop_compliance(w, turning * at); }, guess);
+                lost = !found || !(std::abs(*found - guess) < near * std::abs(guess));
+                if (!lost)
+                  frequency = *found;
+              }
+            if (!lost)
+              frequencies[k] = std::abs(frequency.real());
+          }
+      }
+    return frequencies;
+  }
+
+  std::string describe_wave(const ContactMeeting &meeting)
+  {
+    if (meeting.turn_share > meeting.share)
+      return "swing";
+    return "n = " + std::to_string(meeting.diameters) +
+           (meeting.diameters == 0 ? "" : std::string(" ") + name_of(meeting.direction));
+  }
+
   Table make_contact_meeting_table(
     const std::vector<ContactMeeting>                                &meetings,
     const std::function<Eigen::RowVectorXcd(unsigned int diameters)> &gains,
-    const double                                                      ratio)
+    const double                                                      ratio,
+    const unsigned int                                                teeth)
   {
     Table table;
     table.add_column("mesh order", "-");
     table.add_column(column::speed, "rpm");
+    table.add_column(column::mesh_frequency, "Hz");
     table.add_column("width", "-");
     table.add_text_column("wave");
     table.add_column("nodal diameter", "-");
@@ -251,6 +334,7 @@ namespace vfife
         const double              half = std::abs(meeting.rate.imag());
         table.add_row({meeting.mesh_order,
                        std::abs(meeting.rate.real()) * ratio * 30. / pi,
+                       std::abs(meeting.rate.real()) * teeth / (2. * pi),
                        meeting.width(),
                        meeting.diameters == 0 ? "-" : name_of(meeting.direction),
                        meeting.diameters,

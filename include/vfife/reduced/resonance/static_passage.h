@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_waves_static_passage_h
-#define vfife_study_waves_static_passage_h
+#ifndef vfife_reduced_resonance_static_passage_h
+#define vfife_reduced_resonance_static_passage_h
 
 #include <vfife/reduced/reduced_pair.h>
 
@@ -21,28 +21,19 @@ namespace vfife
   class StaticPassage
   {
   public:
-    /** Takes @p n_steps, each so long that a motion with the damping of @p options rests after it.
-     * Throws NumericalError. */
-    StaticPassage(const Model                    &model,
-                  const std::vector<ReducedBody> &bodies,
-                  const std::vector<double>      &penalties,
-                  ReducedPairOptions              options,
-                  unsigned int                    n_steps);
+    /** At @p n_steps positions, in equilibrium at each of them. Leaves the @p pair, which has a
+     * constant speed, there: set_speed() and start() lead back. Throws NumericalError. */
+    StaticPassage(const Model &model, ReducedPair &pair, unsigned int n_steps);
 
     /** Of the modal forces of the harmonic in place @p harmonic. */
     Eigen::VectorXcd force(std::size_t harmonic, int p) const;
     /** Of the turn of the driven body's momentum in the drive direction [rad]. */
     std::complex<double> turn(int p) const;
 
-    /** Mean moment of the contact on the driven body, + in the drive direction [N mm]. */
+    /** Moment of the contact on the driven body, + in the drive direction [N mm]. */
     double moment() const
     {
       return moment_;
-    }
-    /** Of that moment: largest less least over the mean [-]. */
-    double moment_ripple() const
-    {
-      return ripple_;
     }
     /** Torque over rotation of the driven hub at the start [N mm/rad]. */
     double stiffness() const
@@ -56,7 +47,7 @@ namespace vfife
 
     unsigned int                               teeth_;
     double                                     sense_; ///< of the turn about the sectors' axis
-    double                                     moment_ = 0, ripple_ = 0, stiffness_ = 0;
+    double                                     moment_ = 0, stiffness_ = 0;
     std::vector<unsigned int>                  numbers_; ///< of the harmonics
     std::vector<std::vector<Eigen::VectorXcd>> forces_;  ///< by step, harmonic
     std::vector<double>                        turns_;   ///< by step [rad]

@@ -1,0 +1,78 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/types.h>
+#include <vfife/model/model.h>
+#include <vfife/reduced/reduced_pair.h>
+#include <vfife/reduced/resonance/linear_response.h>
+#include <vfife/reduced/resonance/nearest_wave.h>
+#include <vfife/reduced/resonance/static_passage.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace vfife
+{
+  namespace
+  {
+    /** Mesh orders that drive waves. */
+    constexpr unsigned int driving_orders = 3;
+    /** Parts of the speed within which they are looked for, the next one where there is none. */
+    constexpr double surroundings[] = {.1, .4};
+    /** Positions of a tooth mesh whose mean force acts on the modes: poles ask for no more. */
+    constexpr unsigned int n_positions = 12;
+  } // namespace
+
+  std::string NearestWave::describe() const
+  {
+    std::ostringstream text;
+    text << describe_wave(meeting) << ", order " << meeting.mesh_order << ", " << std::fixed
+         << std::setprecision(0) << speed * 30. / pi << " rpm, " << std::setprecision(1)
+         << 100. * distance << " %";
+    return text.str();
+  }
+
+  std::optional<NearestWave> find_nearest_wave(const std::vector<ContactMeeting> &meetings,
+                                               const double                       ratio,
+                                               const double                       speed)
+  {
+    if (meetings.empty())
+      return {};
+    const auto speed_of = [ratio](const ContactMeeting &meeting) {
+      return std::abs(meeting.rate.real()) / ratio;
+    };
+    const ContactMeeting &nearest =
+      *std::min_element(meetings.begin(),
+                        meetings.end(),
+                        [&](const ContactMeeting &a, const ContactMeeting &b) {
+                          return std::abs(speed_of(a) - speed) < std::abs(speed_of(b) - speed);
+                        });
+    return NearestWave{nearest, speed_of(nearest), std::abs(speed_of(nearest) / speed - 1.)};
+  }
+
+  std::optional<NearestWave>
+  find_nearest_wave(const Model &model, const ModalDamping &damping, ReducedPair &pair)
+  {
+    const Transmission &t = *model.transmission;
+    if (!t.has_constant_rate() || t.driver_rate == 0)
+      return {};
+    const double         step = pair.time_step();
+    const StaticPassage  passage(model, pair, n_positions);
+    const LinearResponse linear(
+      pair.body(t.driven), passage, damping, pair.sector_sense(t.driven), t.driven_sense);
+    const double ratio = std::abs(t.ratio()), rate = ratio * t.driver_rate,
+                 turning = model.bodies[t.driven].rate < 0 ? -1. : 1.;
+    std::optional<NearestWave> found;
+    for (const double part : surroundings)
+      if (!found)
+        found = find_nearest_wave(find_contact_meetings(linear,
+                                                        driving_orders,
+                                                        (1. - part) * rate,
+                                                        (1. + part) * rate,
+                                                        turning),
+                                  ratio,
+                                  t.driver_rate);
+    pair.set_speed(t.driver_rate, step);
+    return found;
+  }
+} // namespace vfife

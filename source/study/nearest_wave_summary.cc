@@ -1,0 +1,108 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/process/wall_clock.h>
+#include <vfife/base/types.h>
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/fem/fem_options.h>
+#include <vfife/model/model.h>
+#include <vfife/output/files/result_places.h>
+#include <vfife/output/files/summary.h>
+#include <vfife/output/observers/progress_line.h>
+#include <vfife/reduced/body_reduction.h>
+#include <vfife/reduced/pair_readings.h>
+#include <vfife/reduced/reduced_options.h>
+#include <vfife/reduced/reduced_pair.h>
+#include <vfife/reduced/resonance/nearest_wave.h>
+#include <vfife/study/nearest_wave_summary.h>
+
+#include <string>
+#include <utility>
+
+namespace vfife
+{
+  namespace
+  {
+    std::optional<NearestWave> find_wave_of_run(const Model               &model,
+                                                const DynamicsOptions     &dynamics,
+                                                const std::vector<double> &penalties,
+                                                const Communicator        &communicator)
+    {
+      require_reducible(model);
+      FemOptions fem;
+      fem.mass    = MassKind::lumped; // as the mass points of the run
+      fem.element = dynamics.stiffness == StiffnessKind::full ? FemElement::full
+                                                              : FemElement::incompatible_modes;
+      const ReducedOptions     options;
+      const Transmission      &t         = *model.transmission;
+      const double             frequency = t.driver_rate * t.driver_teeth / (2. * pi);
+      const double             cutoff    = 2. * pi * options.find_cutoff(frequency);
+      std::vector<ReducedBody> bodies;
+      for (unsigned int b = 0; b < model.bodies.size(); ++b)
+        bodies.push_back(reduce_body(model,
+                                     b,
+                                     list_touch_nodes(model, b),
+                                     list_readings(model, b, dynamics.stiffness, 0),
+                                     fem,
+                                     {cutoff, options.reach},
+                                     model.bodies[b].rate,
+                                     communicator));
+      const ModalDamping damping{dynamics.mass_damping(), dynamics.mesh_damping};
+      ReducedPair        pair(model,
+                       std::move(bodies),
+                       penalties,
+                       {1. / (frequency * options.steps_per_mesh), damping.modes, damping.turn});
+      return find_nearest_wave(model, damping, pair);
+    }
+  } // namespace
+
+  void report_nearest_wave(const NearestWave &nearest, Log &log, RunSummary &summary)
+  {
+    log.line("nearest wave: ", nearest.describe());
+    summary.nearest_wave = nearest.describe();
+    summary.figures.push_back({figure_name::nearest_wave_speed, {nearest.speed * 30. / pi, "rpm"}});
+    summary.figures.push_back({figure_name::nearest_wave_distance, {100. * nearest.distance, "%"}});
+  }
+
+  void report_nearest_wave(const std::function<std::optional<NearestWave>()> &find,
+                           Log                                               &log,
+                           RunSummary                                        &summary)
+  {
+    const auto  start = WallClock::now();
+    std::string reason;
+    try
+      {
+        if (const auto nearest = find())
+          report_nearest_wave(*nearest, log, summary);
+        else
+          reason = "none of the mesh orders 1 to 3 meets one near this speed";
+      }
+    catch (const InputError &error)
+      {
+        reason = error.what();
+      }
+    catch (const NumericalError &error)
+      {
+        reason = error.what();
+      }
+    if (!reason.empty())
+      log.line("nearest wave: not known; ", reason);
+    log.line("  waves in contact found in ", duration_text(seconds_since(start)));
+  }
+
+  void report_nearest_wave_of_run(const Model               &model,
+                                  const DynamicsOptions     &dynamics,
+                                  const std::vector<double> &penalties,
+                                  const Communicator        &communicator,
+                                  Log                       &log,
+                                  RunSummary                &summary)
+  {
+    if (!model.transmission || !model.transmission->has_constant_rate() ||
+        model.transmission->driver_rate == 0)
+      return;
+    report_nearest_wave([&] { return find_wave_of_run(model, dynamics, penalties, communicator); },
+                        log,
+                        summary);
+  }
+} // namespace vfife
