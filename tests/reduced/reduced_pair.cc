@@ -258,6 +258,10 @@ namespace
       {
         std::cout << error.what() << std::endl;
       }
+    pair.start();
+    for (unsigned int i = 0; i < 20; ++i)
+      pair.step_standing();
+    check("equilibria have no such step", true);
   }
 
   void refusals(Communicator &world)
