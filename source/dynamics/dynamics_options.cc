@@ -173,17 +173,5 @@ namespace vfife
                        damping_ratio > 0
                          ? "is missing: a damping ratio holds at one frequency"
                          : "is missing or zero, though a damping frequency is given");
-    // Compliance of the reference pair, measured once: -0.2 % at 1e3 1/s, -12 % at 1e4, -28 % at
-    // 2e4 (doc/dynamics.md, Mesh damping).
-    const bool too_strong = mass_damping() > 2e4;
-    if (too_strong || mesh_damping > 2e5)
-      throw InputError(section + (!too_strong         ? "/mesh damping"
-                                  : damping_ratio > 0 ? "/damping ratio"
-                                                      : "/damping"),
-                       "so strong a damper drags the deformation that stands still in space "
-                       "through the turning material and "
-                       "falsifies the compliance (more than 25 % at 20000 1/s); allowed are "
-                       "damping up to 20000 1/s (ratio times 4 pi frequency) and "
-                       "mesh damping up to 200000 1/s, recommended is not more than 2000 1/s");
   }
 } // namespace vfife

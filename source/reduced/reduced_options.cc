@@ -9,9 +9,8 @@ namespace vfife
 {
   namespace
   {
-    /** Orders of the mesh frequency that the modes have by themselves, and the least cut-off [Hz].
-     */
-    constexpr double kept_orders = 6, least_cutoff = 25e3;
+    /** Orders of the mesh frequency that the modes have by themselves. */
+    constexpr double kept_orders = 6;
   } // namespace
 
   void ReducedOptions::declare(dealii::ParameterHandler &prm)
@@ -21,7 +20,8 @@ namespace vfife
                      cutoff,
                      "Hz",
                      "Modes of the bodies below it are kept; what lies above gives way at once. 0: "
-                     "six times the mesh frequency, at least 25 kHz",
+                     "six times the mesh frequency, at least seven times (kind waves: three "
+                     "times) that at which a free ring at the gear's pitch circle breathes",
                      Range::not_negative());
     declare_integer(
       prm, "steps per mesh", steps_per_mesh, "Steps in a tooth mesh, at least", 4, 100000);
@@ -59,9 +59,9 @@ namespace vfife
       prm, "counted meshes", counted_meshes, "Tooth meshes at each speed of a sweep", 1, 1000000);
   }
 
-  double ReducedOptions::find_cutoff(const double mesh_frequency) const
+  double ReducedOptions::find_cutoff(const double mesh_frequency, const double least) const
   {
-    return cutoff > 0 ? cutoff : std::max(least_cutoff, kept_orders * mesh_frequency);
+    return cutoff > 0 ? cutoff : std::max(least, kept_orders * mesh_frequency);
   }
 
   unsigned int ReducedOptions::find_steps(const double       mesh_frequency,

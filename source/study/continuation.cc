@@ -154,7 +154,10 @@ namespace vfife
                                         "Output/pictures",
                                         "Output/verbosity"};
     if (longer)
-      entries.insert(entries.begin() + 1, {"Operation/tooth meshes", "Operation/end time"});
+      entries.insert(entries.begin() + 1,
+                     {"Operation/tooth meshes",
+                      "Operation/most tooth meshes",
+                      "Operation/end time"});
     return entries;
   }
 

@@ -66,6 +66,7 @@ namespace
                                   {"teeth and rest", {-40.25, "arcsec"}},
                                   {"web windup", {-20.5, "arcsec"}},
                                   {"rim tilt and shift", {-18.75, "arcsec"}},
+                                  {"rim bending", {-7.5, "arcsec"}},
                                   {"centrifugal shift", {-9., "arcsec"}},
                                   {"bearings", {-32., "arcsec"}},
                                   {"shaft bending", {-94., "arcsec"}}};
@@ -162,6 +163,7 @@ namespace
                                                     {"teeth and rest", {-40.25, "arcsec"}},
                                                     {"web windup", {-20.5, "arcsec"}},
                                                     {"rim tilt and shift", {-18.75, "arcsec"}},
+                                                    {"rim bending", {-7.5, "arcsec"}},
                                                     {"centrifugal shift", {-9., "arcsec"}},
                                                     {"bearings", {-32., "arcsec"}},
                                                     {"shaft bending", {-94., "arcsec"}},

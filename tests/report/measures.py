@@ -8,7 +8,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from made_up_run import (  # first: ends the test without the libraries
-    make_parameters, make_summary, write_parameters, write_run)
+    make_parameters, make_summary, quantity, write_parameters, write_run)
 
 import numpy as np
 
@@ -21,10 +21,11 @@ from vfife_report.measures.ledger import list_ledger_rows, read_ledger
 from vfife_report.measures.lines import find_harmonics, find_lines
 from vfife_report.measures.passages import find_engagement, find_passage
 from vfife_report.measures.periodicity import fold_meshes, measure_periodicity
+from vfife_report.measures.quantities import remark
 from vfife_report.measures.spectrum import compute_directed_spectrum, compute_spectrum
 from vfife_report.measures.waves import (
     list_wave_lines, list_wave_spectra, measure_waves, read_wave, split_wave)
-from vfife_report.page.words import make_title
+from vfife_report.page.words import list_case_rows, list_sentences, make_title
 
 # As the program wrote it before there was a parameters.json.
 EARLIER_PARAMETERS = """# Listing of Parameters
@@ -160,6 +161,45 @@ class Checks(unittest.TestCase):
         name = "mesh damping: energy taken from the swing"
         self.assertEqual(self.check((0,) * 5, 800, 0)[name], ("met", "0.3 mJ"))
         self.assertEqual(self.check((0,) * 5, 800, 0, -0.3)[name], ("not met", "-0.3 mJ"))
+
+
+class SpeedSweep(unittest.TestCase):
+    """A reduced pair at many speeds has no speed of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path = Path(folder.name)
+        write_parameters(path, {**make_parameters(), "Study/kind": ("reduced", ""), "Operation/tooth meshes": ("40", "-"),
+                                "Operation/torque": ("0", "N m"), "Operation/pinion torque": ("265 N m", "N m"),
+                                "Reduced/sweep": ("up", ""), "Reduced/lowest speed": ("8000 rpm", "rpm"),
+                                "Reduced/highest speed": ("9000 rpm", "rpm"), "Reduced/speeds": ("3", "-"),
+                                "Reduced/settling meshes": ("2", "-"), "Reduced/counted meshes": ("4", "-")})
+        (path / "resonance.csv").write_text("direction,speed [rpm],energy error [-]\nup,8000,0.001\nup,8500,-0.02\nup,9000,0.0049\n")
+        summary = {"status": "finished", "contradictions": [], "warnings": [], "run": {"time": quantity(2e-3, "s"), "steps": 900, "run time": quantity(1, "s"), "ranks": 1}, "figures": {
+            "speeds": quantity(3), "lowest speed": quantity(8000, "rpm"), "highest speed": quantity(9000, "rpm"),
+            "transmission error near the cut-off": quantity(8.18, "arcsec"), "mesh order near the cut-off": quantity(8)}}
+        (path / "summary.json").write_text(json.dumps(summary))
+        self.run_folder = RunFolder(path)
+
+    def test_words(self):
+        self.assertEqual(make_title(self.run_folder), "Spiral bevel gear pair 27/79, web 5 mm at 70 deg, pinion from 8000 rpm to "
+                         "9000 rpm, 265 N m on the pinion: reduced")
+        rows = dict(list_case_rows(self.run_folder))
+        self.assertEqual(rows["speeds of the pinion"], "3 from 8000 rpm to 9000 rpm, up")
+        self.assertEqual(rows["tooth meshes at each speed"], "2 to settle, 4 counted")
+        self.assertNotIn("tooth meshes", rows)
+        self.assertNotIn("speed of the pinion in operation", rows)
+        self.assertEqual(next(list_sentences(self.run_folder)).split(",")[0], "The spiral bevel gear pair 27/79 turns at 3 speeds "
+                         "from 8000 to 9000 rpm of the pinion")
+
+    def test_energy_of_single_speeds(self):
+        found = {name: (value, verdict) for name, value, _, verdict in list_checks(self.run_folder)}
+        self.assertEqual(found["largest energy error of a speed"], ("2 % at 8500 rpm, 1 of 3 above", "not met"))
+
+    def test_remark(self):
+        self.assertEqual(remark(self.run_folder, "dte, peak to peak"), "8.18 arcsec of mesh order 8, above half the cut-off")
+        self.assertEqual(remark(self.run_folder, "dte, mean"), "")
 
 
 class Passages(unittest.TestCase):

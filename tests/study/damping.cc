@@ -69,8 +69,6 @@ namespace
     options                   = DynamicsOptions();
     options.damping_frequency = 3700;
     refuse();
-    options.damping_ratio = .5;
-    refuse();
   }
 
   /** Speed and spin of a ring that drifts along its axis at w while it turns at rate s. */

@@ -138,6 +138,51 @@ namespace
       }
   }
 
+  /** Axial waves of a rim of 48 sectors, turned to any place: A cos(n theta - phase) at the
+   * contact, whose tooth follows its sector. Waves 0 and 1 are rigid motions, nine is as short as
+   * teeth. */
+  void rim_bending()
+  {
+    Model model                      = make_pair(1., 1.);
+    model.transmission->driven_teeth = 48;
+    const Transmission &t            = *model.transmission;
+    const Body         &driven       = model.bodies[t.driven];
+    Communicator        self(MPI_COMM_SELF);
+    constexpr double    amplitude = 1e-3, phase = .7, contact = pi / 4;
+    for (const unsigned int waves : {0u, 1u, 2u, 3u, 8u, 9u})
+      {
+        const auto wave = [&](const double theta) {
+          return amplitude * std::cos(waves * theta - phase);
+        };
+        State spun =
+          made_state(model, [](const Body &, unsigned int, const Vector3 &start) { return start; });
+        State bent =
+          made_state(model, [&](const Body &body, const unsigned int i, const Vector3 &start) {
+            const Vector3 &X = body.node_positions()[i];
+            return &body != &driven
+                     ? start
+                     : Vector3(start + wave(std::atan2(X[1], X[0])) * body.axis.direction);
+          });
+        DeflectionProbe probe(model, self);
+        probe.take_spun(spun);
+        const DeflectionParts found = probe.take_loaded(bent);
+        const double full = t.contact_normal.dot(driven.axis.direction) / arm * wave(contact);
+        const double size = std::abs(t.contact_normal.dot(driven.axis.direction)) * amplitude / arm;
+        const bool   bends = waves >= 2 && waves <= 8;
+        // A sector is rigid: of a wave whose nodes are n alpha apart it has that less (n
+        // alpha)^2/12.
+        check_close("bending with " + std::to_string(waves) + " diameters",
+                    probe.rim_bending(),
+                    bends ? full : 0.,
+                    bends ? size * (std::pow(waves * 2 * pi / 48, 2) / 8 + 1e-3) : 1e-3 * size);
+        check_close("all parts add up",
+                    found.teeth + found.centrifugal + found.web_windup + found.rim_tilt +
+                      probe.rim_bending(),
+                    found.total,
+                    1e-15);
+      }
+  }
+
   /** Shafts that their bearings let move, and that bend: the seats are the outer surfaces' ends of
    * the driven ring and the inner ones' of the driver. */
   void supports()
@@ -367,6 +412,6 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {parts, supports, patch, swing, penalty_lag});
+  run_parts(argc, argv, {parts, rim_bending, supports, patch, swing, penalty_lag});
   return 0;
 }

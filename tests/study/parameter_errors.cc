@@ -88,6 +88,9 @@ int main(int argc, char **argv)
   refuse(write_case("subsection Study\n  set kind = walk\nend\n"), world);
   refuse(write_case("subsection Operation\n  set hub = rigid hob\nend\n"), world);
   refuse(write_case("subsection Dynamics\n  set damping = 1e5 1/s\nend\n"), world);
+  refuse(write_case("subsection Dynamics\n  set damping ratio = 0.5\n"
+                    "  set damping frequency = 3.7 kHz\nend\n"),
+         world);
   refuse(write_case("subsection Dynamics\n  set damping = 1000 1/s\n"), world);
   refuse(write_case("include nothing_here.prm\n"), world);
   refuse("missing.prm", world);

@@ -161,6 +161,23 @@ namespace
     check("waves run little beside it",
           waves.at("running wave 1")[2] < .2 * waves.at("standing wave 1")[2]);
     check("contact is not lost", response.at("losses of contact")[3] == 0);
+    // The summary has range, time and steps of all speeds.
+    const auto summary = read_summary("sweep");
+    const auto figure  = [&](const char *name) {
+      return summary.at("figures").at(name).at("value").get<double>();
+    };
+    check_close("lowest speed [rpm]", figure("lowest speed"), 12000, 1e-9);
+    check_close("highest speed [rpm]", figure("highest speed"), 20000, 1e-9);
+    double meshes = 0;
+    for (const double frequency : response.at("mesh frequency"))
+      meshes += 1. / frequency;
+    check("time of 15 tooth meshes and what the low pass takes",
+          summary.at("run").at("time").at("value").get<double>() > 15 * meshes &&
+            summary.at("run").at("time").at("value").get<double>() < 24 * meshes);
+    check("steps of 15 tooth meshes of 10 or more at each speed",
+          summary.at("run").at("steps").get<double>() > 4 * 15 * 10);
+    check("speeds too far apart are said",
+          summary.at("warnings").dump().find("speeds lie 8000 rpm apart") != std::string::npos);
   }
 
   /** Stresses over speed: so slowly that hardly anything vibrates, and faster. */
@@ -388,6 +405,54 @@ namespace
       [&]() { run_pair("goes_on.prm", "parts", world, {"Operation/torque=700 N m"}, true); });
   }
 
+  /** Strong dampers need 6 tooth meshes; the swing of this soft web may need more. A run that goes
+   * on length by length is that of the last length, also where it was stopped before. */
+  void until_steady(Communicator &world)
+  {
+    std::ofstream("steady.prm") << pair_text("reduced");
+    const auto turn = [&](const std::string &folder, const std::string &meshes, bool goes_on) {
+      std::vector<std::string> entries = {"Operation/tooth meshes=" + meshes,
+                                          "Operation/most tooth meshes=14",
+                                          "Reduced/cutoff frequency=9 kHz",
+                                          "Dynamics/damping=20000",
+                                          "Dynamics/mesh damping=20000"};
+      if (folder == "steady_parts" && !goes_on)
+        entries.emplace_back("Dynamics/largest number of steps=150");
+      run_pair("steady.prm", folder, world, entries, goes_on);
+      return read_columns(folder + "/history.csv");
+    };
+    const Columns     steady = turn("steady", "until steady", false);
+    const std::string log    = read_text("steady/run.log");
+    check("not steady after 6 tooth meshes: goes on to 9",
+          log.find("not steady after 6 tooth meshes: goes on to 9") != std::string::npos);
+    const auto part = read_summary("steady").at("steady part");
+    const bool is_steady =
+      part.at("found").get<bool>() && part.at("ripple").at("steady").get<bool>();
+    check("ends where it is steady, or at the limit",
+          is_steady == (log.find("the ripple is steady within") != std::string::npos) &&
+            !is_steady == (log.find("the ripple is not steady after 14") != std::string::npos));
+    const auto meshes =
+      static_cast<unsigned int>(std::lround((steady.at("time").size() - 1) / 98.));
+    const Columns given = turn("given", std::to_string(meshes), false);
+    turn("steady_parts", "until steady", false);
+    const Columns parts = turn("steady_parts", "until steady", true);
+    for (const Columns *other : {&given, &parts})
+      {
+        const auto &dte = steady.at("dte"), &same = other->at("dte");
+        double      worst = dte.size() == same.size() ? 0 : 1;
+        for (std::size_t i = 0; i < std::min(dte.size(), same.size()); ++i)
+          worst = largest_of(worst, std::abs(dte[i] - same[i]));
+        check_below("the same motion [arcsec]", worst, 1e-7);
+      }
+    const auto refuse = [&](const std::vector<std::string> &entries) {
+      print_refusal([&] { run_pair("steady.prm", "refused", world, entries); });
+    };
+    refuse({"Operation/tooth meshes=until steady", "Output/checkpoint every=0"});
+    refuse(
+      {"Operation/tooth meshes=until steady", "Dynamics/damping=0", "Dynamics/mesh damping=0"});
+    refuse({"Operation/tooth meshes=steady"});
+  }
+
   void refusals(Communicator &world)
   {
     const auto refuse = [&](const std::string &entry, const std::string &value) {
@@ -419,6 +484,8 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {beside_run, speeds, stresses, run_up, store, goes_on, refusals});
+  run_parts(argc,
+            argv,
+            {beside_run, speeds, stresses, run_up, store, goes_on, until_steady, refusals});
   return 0;
 }

@@ -27,8 +27,13 @@ namespace vfife
 
     void declare(dealii::ParameterHandler &prm);
 
-    /** The cut-off of the entry, or six orders of the mesh frequency and at least 25 kHz [Hz]. */
-    double find_cutoff(double mesh_frequency) const;
+    /** Cut-off over the frequency at which a free ring at the gear's pitch circle breathes, at
+     * least: of motions, whose eight orders of the mesh and more have to be right, and of studies
+     * of waves alone (doc/reduced.md, Cut-off). */
+    static constexpr double rings_of_motions = 7, rings_of_waves = 3;
+
+    /** The cut-off of the entry, or six orders of the mesh frequency and at least @p least [Hz]. */
+    double find_cutoff(double mesh_frequency, double least) const;
 
     /** Steps in a tooth mesh: a multiple of the @p samples of a history. */
     unsigned int find_steps(double mesh_frequency, double cutoff, unsigned int samples) const;

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/number_or_word.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>
@@ -285,6 +286,38 @@ namespace vfife
       [&value](const unsigned int number) { value = number; },
       "a whole number" + (words.empty() ? "" : ", " + words),
       description_of(meaning, words, "-"));
+  }
+
+  void declare_number_or_word(dealii::ParameterHandler &prm,
+                              const std::string        &name,
+                              NumberOrWord             &value,
+                              const std::string        &word,
+                              const std::string        &meaning,
+                              const unsigned int        lowest,
+                              const unsigned int        highest)
+  {
+    const std::string range =
+      "between " + std::to_string(lowest) + " and " + std::to_string(highest);
+    const auto read = [=, number = value.number](const std::string &text) {
+      if (text == word)
+        return NumberOrWord{number, true};
+      std::string  rest;
+      const double found = read_number(text, rest);
+      if (!rest.empty() || found != std::floor(found))
+        throw InputError("must be a whole number, or \"" + word + "\"");
+      if (found < lowest || found > highest)
+        throw InputError("must be " + range);
+      return NumberOrWord{static_cast<unsigned int>(found), false};
+    };
+    declare(
+      prm,
+      name,
+      value.is_word ? word : std::to_string(value.number),
+      value,
+      read,
+      [&value](const NumberOrWord &given) { value = given; },
+      "a whole number, " + range + ", or \"" + word + "\"",
+      description_of(meaning, range + ", or \"" + word + "\"", "-"));
   }
 
   void declare_switch(dealii::ParameterHandler &prm,

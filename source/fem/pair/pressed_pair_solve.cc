@@ -237,7 +237,10 @@ namespace vfife
     for (unsigned int i = 0;; ++i)
       {
         const double residual = now.residual(load, model_.transmission->arm);
-        history << " " << residual;
+        if (now.presses() && std::isfinite(residual))
+          history << " " << residual;
+        else
+          history << " then contact is lost";
         if (residual < tolerance)
           return i;
         if (residual < std::min(least, jump))

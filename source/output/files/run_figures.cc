@@ -42,6 +42,7 @@ namespace vfife
               {"teeth and rest", "arcsec", part_of_error(error_part::teeth_and_rest)},
               {"web windup", "arcsec", part_of_error(error_part::web_windup)},
               {"rim tilt and shift", "arcsec", part_of_error(error_part::rim_tilt_and_shift)},
+              {error_part::rim_bending, "arcsec", part_of_error(error_part::rim_bending)},
               {"centrifugal shift", "arcsec", part_of_error(error_part::centrifugal_shift)},
               {"bearings", "arcsec", part_of_error(error_part::bearings)},
               {"shaft bending", "arcsec", part_of_error(error_part::shaft_bending)},
@@ -112,6 +113,7 @@ namespace vfife
       const RootNames roots;
       for_each(summary_place::figures, [&](const std::string &name, const Json &figure) {
         if (roots.end(name) || ends_with(name, figure_name::on_own_grid) ||
+            ends_with(name, figure_name::stress_of_part) ||
             name == figure_name::nearest_wave_speed || name == figure_name::nearest_wave_distance)
           figures[name] = figure;
       });

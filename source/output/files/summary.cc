@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/log.h>
 #include <vfife/base/text/json.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/result_places.h>
@@ -57,9 +58,10 @@ namespace vfife
 
     void add_run(const RunSummary &summary, Json &json)
     {
-      Json &run                         = json["run"];
-      at(summary_place::time, json)     = figure_json(summary.time, "s");
-      run["step"]                       = figure_json(summary.dt, "s");
+      Json &run                     = json["run"];
+      at(summary_place::time, json) = figure_json(summary.time, "s");
+      if (summary.dt > 0) // at many speeds there are many
+        run["step"] = figure_json(summary.dt, "s");
       at(summary_place::steps, json)    = summary.steps;
       at(summary_place::run_time, json) = figure_json(summary.run_time, "s");
       // Of kinds that step elements.
@@ -165,6 +167,13 @@ namespace vfife
     return run_time > 0 ? cells * static_cast<double>(steps) / run_time : 0.;
   }
 
+  std::string RunSummary::fail(const std::string &message)
+  {
+    status  = "failed";
+    failure = cause.empty() ? message : cause + "; " + message;
+    return failure;
+  }
+
   std::string make_summary_text(const RunSummary &summary)
   {
     Json json;
@@ -216,5 +225,12 @@ namespace vfife
       return;
     const std::string text = make_summary_text(summary);
     folder.write_file("summary.json", [&text](std::ostream &out) { out << text; });
+  }
+
+  void write_summary(const OutputFolder &folder, RunSummary summary, const Log &log)
+  {
+    for (const Log::Warning &warning : log.warnings())
+      summary.warnings.push_back(warning.text);
+    write_summary(folder, summary);
   }
 } // namespace vfife

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/process/log.h>
 #include <vfife/study/cases/case.h>
 
 namespace vfife
@@ -14,6 +13,15 @@ namespace vfife
   }
 
   void Case::declare_run(dealii::ParameterHandler &)
+  {
+  }
+
+  std::vector<unsigned int> Case::list_lengths(const DynamicsOptions &) const
+  {
+    return {};
+  }
+
+  void Case::set_length(unsigned int)
   {
   }
 
@@ -52,16 +60,13 @@ namespace vfife
     return {};
   }
 
-  std::vector<std::string> Case::find_contradictions(const RunPlan &) const
+  std::vector<std::string> Case::report_checks(const RunPlan &, Log &) const
   {
     return {};
   }
 
-  void log_contradictions(const std::vector<std::string> &found, Log &log)
+  std::string Case::find_cause() const
   {
-    for (const std::string &sentence : found)
-      log.line("check: ", sentence);
-    if (found.empty())
-      log.line("check: no contradictions");
+    return {};
   }
 } // namespace vfife

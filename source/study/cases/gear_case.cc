@@ -5,7 +5,6 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/log.h>
-#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/mesh/gear/gear_meridian.h>
@@ -123,6 +122,18 @@ namespace vfife
   void GearCase::check() const
   {
     check_bodies();
+    operation_.require_speed("Operation");
+    check_operation();
+  }
+
+  void GearCase::check_at_rest() const
+  {
+    check_bodies();
+    check_operation();
+  }
+
+  void GearCase::check_operation() const
+  {
     operation_.check("Operation");
     // There waves along a bar would be slower than the pitch circle.
     if (!(ring_strain() < 1))
@@ -186,105 +197,6 @@ namespace vfife
   {
     // There are one or two: a material that both members name is declared once.
     return materials_.front().name == name ? materials_.front() : materials_.back();
-  }
-
-  const OperationOptions &GearCase::operation() const
-  {
-    return operation_;
-  }
-
-  double GearCase::mesh_frequency() const
-  {
-    return operation_.mesh_frequency(pair_.completed().pinion.blank.teeth);
-  }
-
-  double GearCase::end_time() const
-  {
-    if (operation_.end_time > 0)
-      return operation_.end_time;
-    const double at_first_speed = operation_.meshes / mesh_frequency();
-    if (operation_.speed_history.is_constant())
-      return at_first_speed;
-    try
-      {
-        return operation_.speed_history.find_time(at_first_speed);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError("Operation/speed",
-                         std::string(error.what()) + ": " + std::to_string(operation_.meshes) +
-                           " tooth meshes are asked for");
-      }
-  }
-
-  double GearCase::run_meshes() const
-  {
-    return operation_.end_time > 0
-             ? mesh_frequency() * operation_.speed_history.integral(operation_.end_time)
-             : operation_.meshes;
-  }
-
-  bool GearCase::may_be_made_longer() const
-  {
-    return !operation_.speed_history.is_formula();
-  }
-
-  double GearCase::largest_speed_factor() const
-  {
-    // Of a table on the whole: a run that is made longer goes on with the same samples. What has
-    // no speed, as kinds that stand still, has no end either.
-    const ParameterHistory &history = operation_.speed_history;
-    if (history.is_constant() || !(operation_.speed > 0))
-      return 1.;
-    return history.find_range(history.is_formula() ? end_time() : history.end()).second;
-  }
-
-  double GearCase::ring_strain() const
-  {
-    const Blank  blank = pair_.completed().pinion.blank;
-    const double speed = operation_.speed * largest_speed_factor() * blank.outer_cone_distance *
-                         std::sin(blank.pitch_angle);
-    double strain = 0;
-    for (const Member &member : members_)
-      strain = std::max(strain,
-                        material(member.material).density * speed * speed /
-                          material(member.material).youngs_modulus);
-    return strain;
-  }
-
-  void GearCase::check_histories(const DynamicsOptions &dynamics) const
-  {
-    if (!operation_.torque_history.is_constant() && dynamics.start == Start::ramp)
-      throw InputError("Operation/torque",
-                       "a torque over time and a ramp at the start contradict each other: leave "
-                       "Dynamics/start at \"static preload\"");
-    if (!(operation_.speed_history.find_range(end_time()).first > 0))
-      throw InputError("Operation/speed",
-                       "falls to zero within the run; it has to be positive to its end");
-  }
-
-  double GearCase::ramp_time() const
-  {
-    const double at_first_speed = operation_.ramp / mesh_frequency();
-    return at_first_speed > 0 ? operation_.speed_history.find_time(at_first_speed) : 0.;
-  }
-
-  void GearCase::check_run(const DynamicsOptions &dynamics) const
-  {
-    if (dynamics.start == Start::undeformed)
-      throw InputError("Dynamics/start",
-                       "a gear pair starts by \"static preload\" or \"ramp\"; \"undeformed\" is "
-                       "for models of the section Model");
-    check_histories(dynamics);
-  }
-
-  // dt = 1/(f s n), n = ceil(1/(f s dt_s)): whole steps from sample to sample, so that samples lie
-  // at the same positions of every tooth mesh. Where the speed changes, its largest value counts.
-  double GearCase::choose_step(const double stable_step, const unsigned int samples) const
-  {
-    const double frequency        = mesh_frequency() * largest_speed_factor();
-    const double steps_per_sample = std::ceil(1. / (frequency * stable_step * samples));
-    return 1. / (frequency * samples * steps_per_sample);
   }
 
   bool GearCase::has_web() const

@@ -28,27 +28,31 @@ namespace vfife
       return message.str();
     }
 
-    /** A sentence, or nothing where all is well. */
-    using ModelCheck = std::string (*)(const GearCase &gear_case, const Model &model);
-    using RunCheck   = std::string (*)(const GearCase &gear_case, const RunPlan &plan);
+    /** A sentence, or nothing where all is well or the study has not what is looked at. */
+    using Check = std::string (*)(const GearCase &gear_case, const RunPlan &plan);
 
-    std::string check_damping(const GearCase &, const RunPlan &plan)
+    std::string check_damping(const GearCase &gear_case, const RunPlan &plan)
     {
-      const double largest = std::max(plan.dynamics.mass_damping(), plan.dynamics.mesh_damping);
-      // Recommended in doc/conventions.md, Damping; DynamicsOptions refuses dampers that are far
-      // stronger.
-      if (!(largest > 2000.))
+      if (plan.dynamics == nullptr)
+        return "";
+      const double largest = std::max(plan.dynamics->mass_damping(), plan.dynamics->mesh_damping),
+                   limit   = GearCase::recommended_damping * gear_case.ring_rate();
+      if (!(largest > limit))
         return "";
       return text("damping of ",
                   largest,
-                  " 1/s is above 2000 1/s: it drags the deformation that stands still in space and "
-                  "changes the compliance");
+                  " 1/s is above ",
+                  limit,
+                  " 1/s, ",
+                  GearCase::recommended_damping,
+                  " of the rate at which a free ring at the pitch circle breathes: it drags the "
+                  "deformation that stands still in space and changes the compliance");
     }
 
     std::string check_damping_rate(const GearCase &, const RunPlan &plan)
     {
-      if (plan.dynamics.damping_rate == DampingRate::momentum ||
-          !(plan.dynamics.mass_damping() > 0))
+      if (plan.dynamics == nullptr || plan.dynamics->damping_rate == DampingRate::momentum ||
+          !(plan.dynamics->mass_damping() > 0))
         return "";
       return "damping relative to the mean speed exerts a torque about the axis; the damping audit "
              "of summary.json states it";
@@ -57,7 +61,7 @@ namespace vfife
     std::string check_ramp(const GearCase &gear_case, const RunPlan &plan)
     {
       const OperationOptions &operation = gear_case.operation();
-      if (plan.dynamics.start != Start::ramp)
+      if (plan.dynamics == nullptr || plan.dynamics->start != Start::ramp)
         return "";
       if (operation.ramp == 0)
         return "start = ramp with ramp = 0 is a step of the torque: the contact force overshoots "
@@ -71,12 +75,14 @@ namespace vfife
       return "";
     }
 
-    std::string check_flank(const GearCase &, const Model &model)
+    std::string check_flank(const GearCase &, const RunPlan &plan)
     {
+      if (plan.model == nullptr)
+        return "";
       // The driver pushes along -n: the moment -a . ((P - c) x n) about the driven axis must have
       // the sense in which the driven member turns.
-      const Transmission &t    = *model.transmission;
-      const Axis         &axis = model.bodies[t.driven].axis;
+      const Transmission &t    = *plan.model->transmission;
+      const Axis         &axis = plan.model->bodies[t.driven].axis;
       const double        arm  = -t.driven_sense *
                          axis.direction.dot((t.contact_point - axis.point).cross(t.contact_normal));
       return arm > 0 ? ""
@@ -84,8 +90,11 @@ namespace vfife
                        "direction: the load torque opens them";
     }
 
-    std::string check_hertz(const GearCase &gear_case, const Model &model)
+    std::string check_hertz(const GearCase &gear_case, const RunPlan &plan)
     {
+      if (plan.model == nullptr)
+        return "";
+      const Model &model = *plan.model;
       // Two smaller semi-axes.
       const double width = 2 * TorquePressure(gear_case.hertz_contact(), model).semi_axes[1];
       const ContactResolution seen(model, model.contacts.front(), width);
@@ -100,14 +109,16 @@ namespace vfife
       return "";
     }
 
-    std::string check_pressure(const GearCase &gear_case, const Model &model)
+    std::string check_pressure(const GearCase &gear_case, const RunPlan &)
     {
-      return TorquePressure(gear_case.hertz_contact(), model)
-        .find_excess(gear_case.operation().pressure_limit);
+      return gear_case.find_excess_of_pressure();
     }
 
-    std::string check_path(const GearCase &gear_case, const Model &)
+    std::string check_path(const GearCase &gear_case, const RunPlan &plan)
     {
+      // Without a mesh it is a tooth contact analysis, which looks at the path itself.
+      if (plan.model == nullptr)
+        return "";
       try
         {
           const GearPair pair = gear_case.make_pair();
@@ -120,7 +131,7 @@ namespace vfife
       return "";
     }
 
-    std::string check_spin(const GearCase &gear_case, const Model &)
+    std::string check_spin(const GearCase &gear_case, const RunPlan &)
     {
       // Of steels 1000 MPa: the strongest gears carry no more, teeth and web on the rim left out.
       constexpr double limit  = 0.005;
@@ -132,7 +143,7 @@ namespace vfife
                   " % at this speed: no gear body carries that");
     }
 
-    std::string check_hub(const GearCase &gear_case, const Model &)
+    std::string check_hub(const GearCase &gear_case, const RunPlan &)
     {
       if (gear_case.has_web() || gear_case.operation().hub != HubKind::free_rotation)
         return "";
@@ -146,7 +157,7 @@ namespace vfife
       // the user can have the time back.
       if (plan.step < 0.7 * plan.stable_step)
         return text("history every = ",
-                    plan.output.history_every,
+                    plan.output->history_every,
                     " samples a tooth mesh makes the step ",
                     plan.step / plan.stable_step,
                     " of the stable one");
@@ -159,8 +170,8 @@ namespace vfife
 
     std::string check_fields(const GearCase &gear_case, const RunPlan &plan)
     {
-      const double every = plan.output.fields_every;
-      // [tooth meshes], as the length of the run.
+      // Fields are those of explicit runs, [tooth meshes] as their length.
+      const double every = plan.step > 0 ? plan.output->fields_every : 0.;
       if (every <= gear_case.run_meshes())
         return "";
       return text("fields every = ",
@@ -172,7 +183,7 @@ namespace vfife
 
     std::string check_checkpoint(const GearCase &, const RunPlan &plan)
     {
-      if (plan.output.checkpoint_every > 0 || plan.expected_time < 3600)
+      if (plan.expected_time < 3600 || plan.output->checkpoint_every > 0)
         return "";
       return "a run of about " + duration_text(plan.expected_time) +
              " without checkpoints (Output/checkpoint every)";
@@ -181,10 +192,10 @@ namespace vfife
     std::string check_samples(const GearCase &, const RunPlan &plan)
     {
       // A tooth pair's share of a mesh and its harmonics need some points.
-      if (plan.output.history_every >= 10)
+      if (plan.output == nullptr || plan.output->history_every >= 10)
         return "";
       return text("history every = ",
-                  plan.output.history_every,
+                  plan.output->history_every,
                   " samples a tooth mesh miss the ripple: means and peaks will be wrong");
     }
 
@@ -199,52 +210,60 @@ namespace vfife
                   "reduced pair");
     }
 
-    const std::vector<ModelCheck> model_checks = {
-      &check_flank, &check_path, &check_hub, &check_spin, &check_hertz, &check_pressure};
-    const std::vector<RunCheck> run_checks = {&check_damping,
-                                              &check_damping_rate,
-                                              &check_ramp,
-                                              &check_step,
-                                              &check_samples,
-                                              &check_fields,
-                                              &check_length,
-                                              &check_checkpoint};
-
-    /** Contradictions are said and not refused: a user may want just that. */
-    template <typename Check, typename Of>
-    void add_sentences(const std::vector<Check> &checks,
-                       const GearCase           &gear_case,
-                       const Of                 &of,
-                       std::vector<std::string> &found)
-    {
-      for (const Check check : checks)
-        {
-          const std::string sentence = check(gear_case, of);
-          if (!sentence.empty())
-            found.push_back(sentence);
-        }
-    }
+    const std::vector<Check> checks = {&check_flank,
+                                       &check_path,
+                                       &check_hub,
+                                       &check_spin,
+                                       &check_hertz,
+                                       &check_pressure,
+                                       &check_damping,
+                                       &check_damping_rate,
+                                       &check_ramp,
+                                       &check_step,
+                                       &check_samples,
+                                       &check_fields,
+                                       &check_length,
+                                       &check_checkpoint};
   } // namespace
 
-  std::vector<std::string> GearCase::find_model_contradictions(const Model &model) const
+  std::vector<std::string> GearCase::report_checks(const RunPlan &plan, Log &log) const
   {
+    if (driven_torque() > 0)
+      {
+        log.line("torque on the pinion ",
+                 1e-3 * torque_on(0),
+                 " N m, on the gear ",
+                 1e-3 * torque_on(1),
+                 " N m, without friction");
+        log.line(torque_pressure().describe());
+      }
+    // Contradictions are said and not refused: a user may want just that.
     std::vector<std::string> found;
-    add_sentences(model_checks, *this, model, found);
+    for (const Check check : checks)
+      {
+        const std::string sentence = check(*this, plan);
+        if (sentence.empty())
+          continue;
+        found.push_back(sentence);
+        log.line("check: ", sentence);
+      }
+    if (found.empty())
+      log.line("check: no contradictions");
     return found;
   }
 
-  std::vector<std::string> GearCase::report_load(const Model &model, Log &log) const
+  TorquePressure GearCase::torque_pressure() const
   {
-    log.line(TorquePressure(hertz_contact(), model).describe());
-    const std::vector<std::string> found = find_model_contradictions(model);
-    log_contradictions(found, log);
-    return found;
+    return {hertz_contact(), driven_torque() / make_transmission(make_pair()).arm};
   }
 
-  std::vector<std::string> GearCase::find_contradictions(const RunPlan &plan) const
+  std::string GearCase::find_excess_of_pressure() const
   {
-    std::vector<std::string> found = find_model_contradictions(plan.model);
-    add_sentences(run_checks, *this, plan, found);
-    return found;
+    return driven_torque() > 0 ? torque_pressure().find_excess(operation_.pressure_limit) : "";
+  }
+
+  std::string GearCase::find_cause() const
+  {
+    return find_excess_of_pressure();
   }
 } // namespace vfife

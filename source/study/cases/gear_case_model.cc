@@ -181,12 +181,12 @@ namespace vfife
     const Body                     &driven   = model.bodies[t.driven];
     const Member                   &member   = members_[t.driven];
     const std::vector<ShaftSection> sections = member.shaft_sections();
-    const double                    torque   = -t.driven_sense * operation_.torque;
+    const double                    torque   = -t.driven_sense * driven_torque();
     t.driven_bore                            = driven.node_set(held_set(t.driven));
     if (!sections.empty())
       {
         member.supports.add_driven(model, t.driven, member.shaft_section(), sections, torque);
-        model.torques.back().history = operation_.torque_history;
+        model.torques.back().history = driven_torque_history();
         return;
       }
     Constraint hub;
@@ -204,7 +204,7 @@ namespace vfife
     // A constant traction on the bore, against the sense in which the driven member turns.
     load.areas   = compute_nodal_areas(driven, t.driven_bore);
     load.value   = torque;
-    load.history = operation_.torque_history;
+    load.history = driven_torque_history();
     model.torques.push_back(load);
   }
 

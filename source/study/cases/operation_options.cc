@@ -34,7 +34,30 @@ namespace vfife
                                "Torque on the driven member (the gear, if nothing else is said), "
                                "against its rotation",
                                Range::not_negative());
-    declare_integer(prm, "tooth meshes", meshes, "Length of the run in tooth meshes", 1, 1000000);
+    declare_quantity_over_time(prm,
+                               "pinion torque",
+                               pinion_torque,
+                               pinion_torque_history,
+                               "N m",
+                               "Torque at the pinion instead of that on the driven member, which "
+                               "has the same work without friction: torque on the gear times "
+                               "pinion teeth over gear teeth; 0: torque holds",
+                               Range::not_negative());
+    declare_number_or_word(
+      prm,
+      "tooth meshes",
+      meshes,
+      "until steady",
+      "Length of the run in tooth meshes, or until the ripple is steady: the "
+      "length that damping asks for, and half as much again as often as needed",
+      1,
+      1000000);
+    declare_integer(prm,
+                    "most tooth meshes",
+                    most_meshes,
+                    "After which a run until steady ends though it is not",
+                    1,
+                    1000000);
     declare_quantity(prm,
                      "end time",
                      end_time,
@@ -67,24 +90,33 @@ namespace vfife
       "4 to 9 with one of 5 mm");
   }
 
-  void OperationOptions::check(const std::string &section) const
+  void OperationOptions::require_speed(const std::string &section) const
   {
     // Zero is allowed when the entry is declared: kinds that stand still have no use for a speed.
     if (!(speed > 0))
       throw InputError(section + "/speed",
                        "the speed of the pinion is missing or zero; a dynamic run needs one");
-    if (!(torque > 0))
+  }
+
+  void OperationOptions::check(const std::string &section) const
+  {
+    if (torque > 0 && pinion_torque > 0)
+      throw InputError(section + "/pinion torque",
+                       "the load is given twice, as torque on the driven member and as pinion "
+                       "torque: leave one of them out");
+    if (!(torque > 0) && !(pinion_torque > 0))
       throw InputError(section + "/torque",
                        "the torque on the driven member is missing or zero; flanks without load do "
-                       "not stay in contact");
+                       "not stay in contact (torque, or pinion torque)");
   }
 
   void OperationOptions::require_constant(const std::string &section,
                                           const std::string &study) const
   {
     using NamedHistory = std::pair<const char *, const ParameterHistory *>;
-    for (const auto &[entry, history] :
-         {NamedHistory("/speed", &speed_history), NamedHistory("/torque", &torque_history)})
+    for (const auto &[entry, history] : {NamedHistory("/speed", &speed_history),
+                                         NamedHistory("/torque", &torque_history),
+                                         NamedHistory("/pinion torque", &pinion_torque_history)})
       if (!history->is_constant())
         throw InputError(section + entry,
                          "the " + study + " takes one value; what changes with time is for runs");

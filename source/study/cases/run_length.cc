@@ -1,11 +1,30 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/model/transmission.h>
+#include <vfife/base/errors.h>
+#include <vfife/base/process/log.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/base/text/table.h>
+#include <vfife/base/types.h>
+#include <vfife/dynamics/dynamics_options.h>
+#include <vfife/model/model.h>
+#include <vfife/output/files/checkpoint.h>
+#include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/table_reader.h>
+#include <vfife/output/measures/steady_part.h>
+#include <vfife/output/output_options.h>
+#include <vfife/study/cases/case.h>
 #include <vfife/study/cases/run_length.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vfife
 {
+  namespace
+  {
+    /** To which vibrations have to fall: the ripple is judged to a tenth. */
+    constexpr double fall = 10;
+  } // namespace
+
   double find_end(const Transmission *pair, const double time, const double sample)
   {
     const double end = sample * std::ceil(time / sample * (1. - 1e-9));
@@ -15,5 +34,100 @@ namespace vfife
   unsigned int count_meshes(const Transmission &pair, const double time)
   {
     return static_cast<unsigned int>(pair.meshes(time) + 1e-6);
+  }
+
+  unsigned int count_steady_meshes(const double           mesh_frequency,
+                                   const double           swing_period,
+                                   const DynamicsOptions &dynamics)
+  {
+    const double elastic = dynamics.mass_damping(), swing = dynamics.mesh_damping;
+    // What is not damped at all does not fall; a damper of one alone is that of the other, through
+    // the part that the swing has of deformation.
+    const double rate =
+      elastic > 0 && swing > 0 ? std::min(elastic, swing) : std::max(elastic, swing);
+    if (!(rate > 0))
+      return 0;
+    const double time   = 2. / rate * std::log(fall);
+    const double meshes = std::ceil(mesh_frequency * time - 1e-9);
+    const double least  = std::max(meshes, 2. * std::ceil(swing_period - 1e-9));
+    return static_cast<unsigned int>(std::min(1e9, meshes + least));
+  }
+
+  void use_work_of_drive(const Table &history, const Model &model, SteadyPart &part)
+  {
+    const Transmission &t      = *model.transmission;
+    const std::string   torque = column::contact_torque_on(model.bodies[t.driven].name());
+    const std::size_t   first = part.first_row, last = part.end_row - 1;
+    const auto          gain = [&](const std::string &name) {
+      const std::vector<double> &values = history.numbers(name);
+      return values[last] - values[first];
+    };
+    if (last <= first)
+      return;
+    // Work [mJ] over the turn [rad]: N mm; the table has N m.
+    const double turn = t.ratio() * degree * gain(column::angle_of(model.bodies[t.driver].name()));
+    const double mean = 1e-3 * (gain("work of the drive") - gain("contact loss")) / turn;
+    double       factor = 1;
+    for (ColumnStatistics &column : part.columns)
+      if (column.name == torque && std::isfinite(mean) && column.mean != 0)
+        {
+          factor      = mean / column.mean;
+          column.mean = mean;
+        }
+    for (ColumnStatistics &column : part.columns)
+      if (column.name == column::contact_force_total)
+        column.mean *= factor;
+  }
+
+  void
+  check_lengths(const Case &run_case, const DynamicsOptions &dynamics, const OutputOptions &output)
+  {
+    if (!run_case.list_lengths(dynamics).empty() && !(output.checkpoint_every > 0))
+      throw InputError("Output/checkpoint every",
+                       "must be positive with Operation/tooth meshes = until steady: the run goes "
+                       "on from the checkpoint at its end");
+  }
+
+  void run_lengths(Case                        &run_case,
+                   const DynamicsOptions       &dynamics,
+                   const OutputFolder          &folder,
+                   std::optional<Checkpoint>   &checkpoint,
+                   const std::function<bool()> &once,
+                   Log                         &log)
+  {
+    const std::vector<unsigned int> lengths = run_case.list_lengths(dynamics);
+    if (lengths.empty())
+      {
+        once();
+        return;
+      }
+    // What is beyond the checkpoint, if anything, belongs to the length in which it was written.
+    double reached = 0;
+    if (checkpoint)
+      reached = read_result_table(folder.file("history.csv")).numbers(column::time).back();
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+      {
+        run_case.set_length(lengths[i]);
+        const bool last = i + 1 == lengths.size();
+        if (!last && run_case.end_time() < reached * (1. - 1e-9))
+          continue;
+        if (once())
+          {
+            log.line("the ripple is steady within ", lengths[i], " tooth meshes");
+            return;
+          }
+        if (last)
+          {
+            log.warning("the ripple is not steady after ",
+                        lengths[i],
+                        " tooth meshes: Operation/most tooth meshes");
+            return;
+          }
+        log.line("the ripple is not steady after ",
+                 lengths[i],
+                 " tooth meshes: goes on to ",
+                 lengths[i + 1]);
+        checkpoint = read_checkpoint(folder.path(), folder.communicator(), log);
+      }
   }
 } // namespace vfife

@@ -8,11 +8,15 @@
 
 namespace vfife
 {
-  TorquePressure::TorquePressure(const HertzContact &hertz, const Model &model)
+  TorquePressure::TorquePressure(const HertzContact &hertz, const double force)
+    : semi_axes(hertz.semi_axes(force))
+    , largest(hertz.largest_pressure(force))
   {
-    const double force = load_torque(model) / model.transmission->arm;
-    semi_axes          = hertz.semi_axes(force);
-    largest            = hertz.largest_pressure(force);
+  }
+
+  TorquePressure::TorquePressure(const HertzContact &hertz, const Model &model)
+    : TorquePressure(hertz, load_torque(model) / model.transmission->arm)
+  {
   }
 
   std::string TorquePressure::describe() const

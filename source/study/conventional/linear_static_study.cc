@@ -310,9 +310,7 @@ namespace vfife
               "reactions.csv",
               list_reactions(solver.discretization(),
                              compute_reactions(solver.discretization(), result)));
-    for (const Log::Warning &warning : log.warnings())
-      summary.warnings.push_back(warning.text);
-    write_summary(folder, summary);
+    write_summary(folder, summary, log);
     if (output_.pictures)
       draw_pictures(folder, log);
   }

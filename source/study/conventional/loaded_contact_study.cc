@@ -9,27 +9,30 @@
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/element/stress.h>
 #include <vfife/fem/fem_options.h>
-#include <vfife/fem/pair/coupled_modes.h>
 #include <vfife/fem/pair/pair_equilibrium.h>
 #include <vfife/fem/statics/static_solver.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/load_torque.h>
-#include <vfife/output/files/mode_writer.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
 #include <vfife/output/files/run_figures.h>
 #include <vfife/output/files/table_writer.h>
+#include <vfife/output/observers/part_stress_watch.h>
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/gear_case.h>
+#include <vfife/study/cases/run_plan.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
 #include <vfife/study/conventional/loaded_fillets.h>
+#include <vfife/study/conventional/loaded_modes.h>
 #include <vfife/study/conventional/loaded_pattern.h>
 #include <vfife/study/conventional/loaded_pressure.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/conventional/loaded_supports.h>
 #include <vfife/study/pressure/pressure_depth.h>
 #include <vfife/study/run/run_penalties.h>
+#include <vfife/study/start_summary.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -40,6 +43,9 @@ namespace vfife
 {
   namespace
   {
+    /** Of this kind, in messages and results. */
+    constexpr char study_word[] = "loaded tooth contact analysis";
+
     class LoadedContactStudy : public StudyKind
     {
     public:
@@ -63,9 +69,9 @@ namespace vfife
 
       void check() const override
       {
-        gear_case_.check();
-        gear_case_.operation().require_driving_pinion("Operation", "loaded tooth contact analysis");
-        gear_case_.operation().require_constant("Operation", "loaded tooth contact analysis");
+        gear_case_.check_at_rest();
+        gear_case_.operation().require_driving_pinion("Operation", study_word);
+        gear_case_.operation().require_constant("Operation", study_word);
         dynamics_.check("Dynamics");
         fem_.check("Fem");
         fillets_.check();
@@ -81,12 +87,18 @@ namespace vfife
                  " N/mm^3; ",
                  options_.positions,
                  " positions");
-        gear_case_.report_load(model, log);
+        gear_case_.report_checks({&model}, log);
       }
 
       void run(OutputFolder &folder, Log &log) override;
 
     private:
+      /** Finds the equilibria and writes all tables. */
+      void analyse(const Model               &model,
+                   const std::vector<double> &penalties,
+                   OutputFolder              &folder,
+                   Log                       &log);
+
       /** Returns the transmission error [rad]. */
       double add_position(const Model                 &model,
                           const Compliance            &compliance,
@@ -101,12 +113,6 @@ namespace vfife
       /** None where it is not asked for. */
       std::unique_ptr<LoadedPressure> make_pressure(const Model &model,
                                                     Compliance  &compliance) const;
-
-      void find_modes(const Model                 &model,
-                      const Compliance            &compliance,
-                      const PairEquilibriumResult &result,
-                      const OutputFolder          &folder,
-                      Log                         &log) const;
 
       GearCase             gear_case_;
       DynamicsOptions      dynamics_;
@@ -139,7 +145,34 @@ namespace vfife
     const Model               model = gear_case_.make_model(log);
     const std::vector<double> penalties =
       find_run_penalties(gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
-    gear_case_.report_load(model, log);
+    RunSummary summary = start_summary(study_word, model, folder);
+    for (unsigned int member = 0; member < model.bodies.size(); ++member)
+      summary.figures.push_back({figure_name::torque_of(model.bodies[member].name()),
+                                 {1e-3 * gear_case_.torque_on(member), "N m"}});
+    summary.contradictions = gear_case_.report_checks({&model}, log);
+    summary.cause          = gear_case_.find_cause();
+    const auto begin       = WallClock::now();
+    try
+      {
+        analyse(model, penalties, folder, log);
+      }
+    catch (const NumericalError &error)
+      {
+        summary.fail(error.what());
+      }
+    summary.run_time = seconds_since(begin);
+    write_summary(folder, summary, log);
+    if (summary.status == "failed")
+      throw NumericalError(summary.failure);
+    if (output_.pictures)
+      draw_pictures(folder, log);
+  }
+
+  void LoadedContactStudy::analyse(const Model               &model,
+                                   const std::vector<double> &penalties,
+                                   OutputFolder              &folder,
+                                   Log                       &log)
+  {
     auto       start = WallClock::now();
     Compliance compliance(model, fem_, options_.centrifugal, folder.communicator());
     log.line("penalty ",
@@ -157,13 +190,13 @@ namespace vfife
     std::vector<double> turns;
     for (unsigned int i = 0; i < options_.positions; ++i)
       turns.push_back((options_.first_mesh + i / double(options_.positions)) * pitch);
-    // One factorization serves all positions: in turning axes the bodies stay as they are, and unit
-    // forces that one position has solved for are kept for the next.
+    // One factorization serves all positions: bodies stay as they are in turning axes.
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
     LoadedProbes    probes(model);
     LoadedSupports  supports(model);
     LoadedPattern   pattern(model);
     LoadedFillets   fillets(model, fillets_);
+    PartStresses    parts(model);
     auto            pressure = make_pressure(model, compliance);
     for (const double turn : turns)
       {
@@ -176,6 +209,7 @@ namespace vfife
         probes.add_position(turn / pitch, stresses);
         supports.add_position(compliance.discretization(), turn / pitch, result);
         pattern.add_position(result);
+        parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
         fillets.add_position(compliance.discretization(), turn / pitch, result);
         log.line("  ",
                  result.iterations,
@@ -190,31 +224,35 @@ namespace vfife
           pressure->add_position(turn / pitch, error, equilibrium, result, log);
         // Modes are those of the pair tied together where it touches in the reference position.
         if (turn == turns.front() && options_.coupled_modes > 0)
-          find_modes(model, compliance, result, folder, log);
+          write_loaded_modes(model,
+                             compliance,
+                             result,
+                             {fem_, options_.centrifugal, options_.coupled_modes},
+                             folder,
+                             log);
       }
     log_largest(model, probes, log);
+    parts.write_to(log);
     write_csv(folder, "loaded_probes.csv", probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
     supports.write(folder);
     write_csv(folder, "pattern.csv", pattern.table());
     NamedFigures figures = list_loaded_figures(positions_, supports.misalignments());
-    for (const auto &figure : judge_teeth(folder, log))
-      figures.push_back(figure);
-    for (const auto &figure : pattern.figures(gear_case_.make_pair(), model.contacts[0].side))
-      figures.push_back(figure);
+    const auto   add     = [&figures](const NamedFigures &more) {
+      figures.insert(figures.end(), more.begin(), more.end());
+    };
+    add(judge_teeth(folder, log));
+    add(pattern.figures(gear_case_.make_pair(), model.contacts[0].side));
+    add(parts.list_figures());
     fillets.write(folder, log);
     if (pressure)
       {
         pressure->write(folder);
-        for (const auto &figure : pressure->list_figures())
-          figures.push_back(figure);
+        add(pressure->list_figures());
       }
-    const NamedFigures roots = fillets.list_figures();
-    figures.insert(figures.end(), roots.begin(), roots.end());
+    add(fillets.list_figures());
     write_own_figures(folder, figures);
     write_tables(folder, "loaded_contact", positions_);
-    if (output_.pictures)
-      draw_pictures(folder, log);
   }
 
   NamedFigures LoadedContactStudy::judge_teeth(const OutputFolder &folder, Log &log) const
@@ -245,59 +283,6 @@ namespace vfife
                                                                   model,
                                                                   gear_case_.hertz_contact()),
                                             options_.pressure_cells);
-  }
-
-  void LoadedContactStudy::find_modes(const Model                 &model,
-                                      const Compliance            &compliance,
-                                      const PairEquilibriumResult &result,
-                                      const OutputFolder          &folder,
-                                      Log                         &log) const
-  {
-    // The points under pressure become springs; shapes are small vibrations about this position.
-    const CoupledModes modes = find_coupled_modes(compliance,
-                                                  fem_,
-                                                  options_.centrifugal,
-                                                  result.ties,
-                                                  result.bearing_tangent,
-                                                  options_.coupled_modes,
-                                                  folder.communicator());
-    log.line("coupled modes: ",
-             modes.n_unknowns,
-             " unknowns, ",
-             modes.counted ? "counted" : "not counted",
-             ", stiffness ",
-             1e-3 * modes.stiffness,
-             " N m/rad");
-    // Only modes that turn the hub are named: 2 % is the limit of the comparison with lines of a
-    // run too.
-    for (const auto *list : {&modes.turning, &modes.standing})
-      for (const CoupledMode &mode : *list)
-        if (mode.share_of_turn > .02)
-          log.line(list == &modes.turning ? "  in turning axes " : "  standing in space ",
-                   mode.frequency,
-                   " Hz: ",
-                   100 * mode.share_of_turn,
-                   " % of the static turn");
-    Table table = make_coupled_mode_table();
-    add_coupled_modes(modes, table);
-    write_tables(folder, "coupled_modes", table);
-    folder.make_subfolder("modes");
-    // Shapes as they stand in space, where the pair turns. Points of a body are in the order of its
-    // nodes.
-    const auto           &list = modes.standing.empty() ? modes.turning : modes.standing;
-    const Discretization &d    = compliance.discretization();
-    for (const Discretization::Part &part : d.parts())
-      {
-        const Body             &body = model.bodies[part.body];
-        std::vector<NamedShape> shapes;
-        for (std::size_t k = 0; k < list.size(); ++k)
-          {
-            const auto first = list[k].shape.begin() + 3 * std::size_t(part.first_point);
-            shapes.push_back(
-              {shape_name(k, list[k].frequency), {first, first + 3 * std::size_t(body.n_nodes())}});
-          }
-        write_shapes(folder, "modes/coupled_" + body.name() + ".vtu", body, shapes);
-      }
   }
 
   double LoadedContactStudy::add_position(const Model                 &model,

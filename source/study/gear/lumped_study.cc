@@ -151,6 +151,7 @@ namespace vfife
       {
         if (has_pair_)
           gear_case_.check_bodies();
+        operation().require_speed("Operation");
         operation().check("Operation");
         operation().require_driving_pinion("Operation", "lumped model");
         operation().require_constant("Operation", "lumped model");
@@ -218,7 +219,11 @@ namespace vfife
       }
     if (filled.in_bearings && bearings.empty())
       throw InputError("Lumped/bearings", "no member of the pair is on a shaft in bearings");
-    LumpedPair pair = filled.make_pair(operation().torque);
+    // The pinion drives.
+    const OperationOptions &given = operation();
+    LumpedPair              pair  = filled.make_pair(
+      given.pinion_torque > 0 ? given.pinion_torque * filled.driven_teeth / filled.driver_teeth
+                              : given.torque);
     pair.supports.insert(pair.supports.end(), bearings.begin(), bearings.end());
     return pair;
   }

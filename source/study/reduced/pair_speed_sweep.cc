@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace vfife
@@ -52,8 +53,9 @@ namespace vfife
                      "highest frequency",
                      highest_frequency,
                      "Hz",
-                     "Of vibrations of force and stress that a sweep looks at: near the cut-off "
-                     "those of reduced bodies are not real. 0: half the cut-off",
+                     "Of vibrations of transmission error, force and stress that a sweep looks "
+                     "at: near the cut-off those of reduced bodies are not real. 0: half the "
+                     "cut-off",
                      Range::not_negative());
   }
 
@@ -80,6 +82,38 @@ namespace vfife
     // Amplitudes fall as exp(-damping t/2).
     const double meshes = options.settling_decay_times * 2. / damping * mesh_frequency;
     return std::max(reduced.settling_meshes, static_cast<unsigned int>(std::ceil(meshes)));
+  }
+
+  double PairSpeedSweepSetup::resonance_width(const unsigned int order,
+                                              const unsigned int driver_teeth) const
+  {
+    // Between half-power points a mode has a width of zeta [rad/s]; a mesh order passes it with
+    // order times teeth times the rate of the driver.
+    return damping / (order * driver_teeth);
+  }
+
+  std::string PairSpeedSweepSetup::find_wide_steps(const unsigned int driver_teeth) const
+  {
+    const double range = speeds.highest_speed - speeds.lowest_speed,
+                 step = range / (speeds.n_speeds - 1), rpm = 30. / pi,
+                 narrowest = resonance_width(judged_orders, driver_teeth);
+    if (step <= narrowest)
+      return "";
+    std::ostringstream text;
+    text.precision(4);
+    text << "speeds lie " << rpm * step << " rpm apart, wider than ";
+    if (!(damping > 0))
+      text << "resonances without damping, which have no width";
+    else
+      {
+        text << "a resonance is between its half-power points: ";
+        for (unsigned int order = 1; order <= judged_orders; ++order)
+          text << (order > 1 ? ", " : "") << rpm * resonance_width(order, driver_teeth)
+               << " rpm with mesh order " << order;
+        text << "; Reduced/speeds = " << std::ceil(range / narrowest) + 1 << " has all of them";
+      }
+    text << ". Between the speeds there may be larger values than the largest ones stated";
+    return text.str();
   }
 
   Table make_wave_response_table()
@@ -115,6 +149,7 @@ namespace vfife
     , setup_(std::move(setup))
     , places_(places)
     , pair_(pair)
+    , near_cutoff_(setup_.cutoff)
     , slow_mesh_(model.transmission->driven_sense * pair.sector_sense(model.transmission->driven))
     , resonance_(make_resonance_response_table())
     , waves_(make_wave_response_table())
@@ -188,6 +223,9 @@ namespace vfife
     std::vector<std::vector<double>> at_rest;
     for (const double speed : speeds)
       at_rest.push_back(find_stresses_at_rest(speed));
+    const std::string wide = setup_.find_wide_steps(model_.transmission->driver_teeth);
+    if (!wide.empty())
+      log.warning(wide);
     set_speed(speeds.front());
     log.line("equilibrium at the lowest speed: ", pair_.start().iterations, " iterations");
 
@@ -253,8 +291,17 @@ namespace vfife
         response.add(take_sample(state));
       }
 
-    const double         rpm   = speed * 30. / pi;
-    const LumpedResponse found = response.response(std::abs(state.measured.energy.error()));
+    const unsigned int n_steps = settling * steps + n_samples * stride;
+    n_steps_ += n_steps;
+    time_ += n_steps / (mesh_frequency_at(speed) * steps);
+
+    const double         rpm    = speed * 30. / pi;
+    const LumpedResponse found  = response.response(std::abs(state.measured.energy.error()));
+    std::vector<double>  errors = response.errors();
+    for (double &error : errors)
+      error /= arcsecond;
+    near_cutoff_.look(
+      errors, steps / stride, mesh_frequency_at(speed), rpm, found.pp_error / arcsecond);
     add_response(direction, speed, model_.transmission->driver_teeth, found, resonance_);
     std::vector<Table::Cell> row = {direction, rpm};
     for (unsigned int n = 1; n <= SpeedResponse::largest_wave; ++n)

@@ -113,12 +113,10 @@ namespace vfife
       summary.time     = state_.time;
       summary.steps    = state_.step;
       summary.energy   = state_.measured.energy;
-      for (const Log::Warning &warning : log_.warnings())
-        summary.warnings.push_back(warning.text);
       for (const auto &observer : observers_.list())
         observer->finish(model_, state_);
       complete();
-      write_summary(folder_, summary);
+      write_summary(folder_, summary, log_);
     };
     try
       {
@@ -152,9 +150,8 @@ namespace vfife
       }
     catch (const NumericalError &error)
       {
-        summary.status  = "failed";
-        summary.failure = "time " + std::to_string(1e3 * state_.time) + " ms, step " +
-                          std::to_string(state_.step) + ": " + error.what();
+        summary.fail("time " + std::to_string(1e3 * state_.time) + " ms, step " +
+                     std::to_string(state_.step) + ": " + error.what());
         finish();
         throw NumericalError(summary.failure);
       }

@@ -3,6 +3,7 @@
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/column_names.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/output/files/checkpoint.h>
@@ -17,12 +18,14 @@
 #include <vfife/reduced/resonance/nearest_wave.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/cases/run_length.h>
+#include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/flank_places.h>
+#include <vfife/study/reduced/near_cutoff.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/reduced/pair_speed_sweep.h>
 #include <vfife/study/reduced/reduced_run.h>
@@ -79,6 +82,8 @@ namespace vfife
                            "a sweep over speeds (Reduced/sweep) has no pressures at instants");
         if (!is_motion())
           check_sweep();
+        else
+          check_lengths(gear_case_, dynamics_, output_);
         if (dynamics_.damping_rate != DampingRate::momentum)
           throw InputError("Dynamics/damping rate",
                            "modes are damped relative to the momentum's rate of the body");
@@ -96,7 +101,7 @@ namespace vfife
                  " Hz, ",
                  n_steps_of_mesh(least_cutoff()),
                  " steps in a tooth mesh");
-        gear_case_.report_load(model, log);
+        report_checks(model, log);
       }
 
       std::size_t resume(const std::string     &folder,
@@ -142,7 +147,9 @@ namespace vfife
       /** That which is asked for [Hz]. */
       double least_cutoff() const
       {
-        return options_.find_cutoff(gear_case_.mesh_frequency() * largest_factor());
+        return options_.find_cutoff(gear_case_.mesh_frequency() * largest_factor(),
+                                    ReducedOptions::rings_of_motions * gear_case_.ring_rate() /
+                                      (2 * pi));
       }
       /** Of a tooth mesh at the largest speed. */
       unsigned int n_steps_of_mesh(const double cutoff) const
@@ -154,6 +161,10 @@ namespace vfife
       std::vector<double> find_penalties(const Communicator &communicator, Log &log) const
       {
         return find_run_penalties(gear_case_, dynamics_, output_.history_every, communicator, log);
+      }
+      std::vector<std::string> report_checks(const Model &model, Log &log) const
+      {
+        return gear_case_.report_checks({&model, &dynamics_, &output_}, log);
       }
       /** A pair and how it moves. */
       struct Motion
@@ -170,7 +181,7 @@ namespace vfife
                           describe_run(gear_case_, model, gear_case_.end_time()));
       }
       Motion make_motion(const std::vector<ReducedBody> &bodies) const;
-      void   move(Model        &model,
+      bool   move(Model        &model,
                   ReducedPair  &pair,
                   const Motion &motion,
                   double        penalty,
@@ -258,11 +269,13 @@ namespace vfife
                                     output_.history_every},
                            places,
                            pair);
-      run_speed_sweep(
-        model, {sweep_options_.allowed_amplification, motion.cutoff}, sweep, folder, log);
+      RunSummary             summary = start_summary("reduced", model, folder);
+      summary.contradictions         = report_checks(model, log);
+      summary.cause                  = gear_case_.find_cause();
+      run_speed_sweep(sweep, summary, folder, log);
     }
 
-    void ReducedStudy::move(Model        &model,
+    bool ReducedStudy::move(Model        &model,
                             ReducedPair  &pair,
                             const Motion &motion,
                             const double  penalty,
@@ -296,7 +309,8 @@ namespace vfife
       summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
       summary.figures.push_back({"steps in a tooth mesh", {double(motion.steps_per_mesh), "-"}});
-      summary.contradictions = gear_case_.report_load(model, log);
+      summary.contradictions = report_checks(model, log);
+      summary.cause          = gear_case_.find_cause();
       say_nearest_wave(model, motion, pair, log, summary);
 
       const auto prepared = [&]() {
@@ -317,12 +331,16 @@ namespace vfife
         const ReducedStart &start = run.start();
         describe_start(start, PairMounting::changes(model), summary);
         if (const double swing = swing_of(start).frequency(); swing > 0 && history.n_rows() > 1)
-          results.find_steady(history, swing, summary, log);
+          {
+            results.find_steady(history, swing, dynamics_, summary, log);
+            tell_near_cutoff(history, *model.transmission, motion.cutoff, summary, log);
+          }
         if (summary.status == "failed")
           return;
         results.add_contact(compute_penalty_lag(start.contact_energy, start.torque),
                             history.n_rows(),
-                            summary);
+                            summary,
+                            log);
         results.write_orders(folder, history);
         results.write_edges(gear_case_, folder, log);
         summary.probes = probes.judge(run.state().time, results.probe_rows());
@@ -336,15 +354,8 @@ namespace vfife
               prepared,
               complete,
               summary);
-      log.line("finished: ",
-               n_steps,
-               " steps in ",
-               duration_text(summary.run_time),
-               ", ",
-               1e3 * summary.run_time / n_steps,
-               " ms a step, ",
-               double(pair.n_iterations()) / n_steps,
-               " iterations a step");
+      log.line("finished: ", n_steps, " steps in ", duration_text(summary.run_time));
+      return summary.steady && summary.steady->has_steady_ripple();
     }
 
     void ReducedStudy::run(OutputFolder &folder, Log &log)
@@ -381,7 +392,13 @@ namespace vfife
                                       : " ns in a tooth mesh at the largest speed");
       ReducedPair pair(model, std::move(bodies), penalties, motion.options);
       if (is_motion())
-        move(model, pair, motion, penalties.front(), folder, log);
+        run_lengths(
+          gear_case_,
+          dynamics_,
+          folder,
+          checkpoint_,
+          [&] { return move(model, pair, motion, penalties.front(), folder, log); },
+          log);
       else
         sweep(model, pair, motion, roots ? &*roots : nullptr, folder, log);
       if (output_.pictures)

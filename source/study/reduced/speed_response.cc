@@ -39,8 +39,8 @@ namespace vfife
 
   void SpeedResponse::add(SpeedSample sample)
   {
-    Eigen::VectorXd all(1 + sample.vibration.size());
-    all << sample.force,
+    Eigen::VectorXd all(2 + sample.vibration.size());
+    all << sample.error, sample.force,
       Eigen::Map<const Eigen::VectorXd>(sample.vibration.data(), sample.vibration.size());
     waiting_.push_back(std::move(sample));
     const std::optional<Eigen::VectorXd> slow = low_pass_.add(std::move(all));
@@ -56,12 +56,13 @@ namespace vfife
   {
     errors_.push_back(sample.error);
     forces_.push_back(sample.force);
-    slow_forces_.push_back(slow[0]);
+    slow_errors_.push_back(slow[0]);
+    slow_forces_.push_back(slow[1]);
     n_coast_ += sample.coast ? 1 : 0;
     for (std::size_t n = 0; n < sample.waves.size(); ++n)
       waves_[n].push_back(sample.waves[n]);
     Eigen::Map<Eigen::VectorXd>(sample.slow_stresses.data(), sample.slow_stresses.size()) +=
-      slow.tail(slow.size() - 1);
+      slow.tail(slow.size() - 2);
     const std::vector<double> largest = find_largest_(sample.slow_stresses);
     largest_stresses_.resize(largest.size(), 0.);
     for (std::size_t p = 0; p < largest.size(); ++p)
@@ -70,7 +71,7 @@ namespace vfife
 
   LumpedResponse SpeedResponse::response(const double energy_error) const
   {
-    const Statistics error(errors_), force(slow_forces_);
+    const Statistics error(slow_errors_), force(slow_forces_);
     LumpedResponse   response;
     response.mean_error    = error.mean;
     response.rms_error     = error.rms;

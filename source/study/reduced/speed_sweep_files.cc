@@ -4,13 +4,16 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/run_signals.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/base/text/column_names.h>
+#include <vfife/base/types.h>
 #include <vfife/output/files/output_folder.h>
+#include <vfife/output/files/result_places.h>
+#include <vfife/output/files/summary.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/study/reduced/pair_speed_sweep.h>
 #include <vfife/study/reduced/speed_ranges.h>
 #include <vfife/study/reduced/speed_sweep_files.h>
-#include <vfife/study/start_summary.h>
 
 namespace vfife
 {
@@ -27,13 +30,44 @@ namespace vfife
                           " speeds, which resonance.csv has; a sweep does not go on, but may "
                           "begin at the next speed");
     }
+
+    NamedFigures list_figures(const PairSpeedSweepSetup &setup, const Table &resonance)
+    {
+      constexpr double rpm = 30. / pi;
+      return {{"cut-off frequency", {setup.cutoff, "Hz"}},
+              {"highest frequency of what is stated", {setup.highest_frequency(), "Hz"}},
+              {"speeds", {double(resonance.n_rows()), "-"}},
+              {figure_name::lowest_speed, {rpm * setup.speeds.lowest_speed, "rpm"}},
+              {figure_name::highest_speed, {rpm * setup.speeds.highest_speed, "rpm"}},
+              {figure_name::counted_meshes, {double(setup.reduced.counted_meshes), "-"}}};
+    }
+
+    /** Warns of speeds whose energies do not balance. */
+    void judge_energy(const Table &resonance, Log &log)
+    {
+      const std::vector<double> &errors = resonance.numbers(column::energy_error);
+      std::size_t                worst = 0, n_above = 0;
+      for (std::size_t i = 0; i < errors.size(); ++i)
+        {
+          n_above += errors[i] > largest_energy_error ? 1 : 0;
+          worst = errors[i] > errors[worst] ? i : worst;
+        }
+      if (n_above > 0)
+        log.warning("the energy error is above ",
+                    1e2 * largest_energy_error,
+                    " % at ",
+                    n_above,
+                    " of ",
+                    errors.size(),
+                    " speeds, most at ",
+                    resonance.numbers(column::speed)[worst],
+                    " rpm: ",
+                    1e2 * errors[worst],
+                    " %; smaller steps: Reduced/steps per mesh, Reduced/steps per mode");
+    }
   } // namespace
 
-  void run_speed_sweep(const Model           &model,
-                       const SpeedSweepFiles &files,
-                       PairSpeedSweep        &sweep,
-                       OutputFolder          &folder,
-                       Log                   &log)
+  void run_speed_sweep(PairSpeedSweep &sweep, RunSummary &summary, OutputFolder &folder, Log &log)
   {
     const auto start = WallClock::now();
     RunSignals signals;
@@ -43,29 +77,32 @@ namespace vfife
       write_csv(folder, "stress_response.csv", sweep.stresses());
       stop_if_asked(signals, sweep, folder.communicator());
     };
-    RunSummary summary = start_summary("reduced", model, folder);
     try
       {
         sweep.run(write, log);
       }
     catch (const NumericalError &error)
       {
-        summary.status  = "failed";
-        summary.failure = error.what();
+        summary.fail(error.what());
       }
-    if (files.allowed_amplification > 0)
+    const PairSpeedSweepSetup &setup = sweep.setup();
+    if (setup.options.allowed_amplification > 0)
       {
         Table exceedances = make_exceedance_table();
         add_exceedances(sweep.resonance(),
                         sweep.stresses(),
-                        files.allowed_amplification,
+                        setup.options.allowed_amplification,
                         exceedances);
         write_csv(folder, "exceedances.csv", exceedances);
       }
     summary.run_time = seconds_since(start);
-    summary.figures  = {{"cut-off frequency", {files.cutoff, "Hz"}},
-                        {"speeds", {double(sweep.resonance().n_rows()), "-"}}};
-    write_summary(folder, summary);
+    summary.time     = sweep.time();
+    summary.steps    = sweep.n_steps();
+    for (const auto &figure : list_figures(setup, sweep.resonance()))
+      summary.figures.push_back(figure);
+    sweep.near_cutoff().tell(summary.figures, log);
+    judge_energy(sweep.resonance(), log);
+    write_summary(folder, summary, log);
     if (summary.status == "failed")
       throw NumericalError(summary.failure);
     log.line(sweep.resonance().n_rows(), " speeds in ", duration_text(summary.run_time));

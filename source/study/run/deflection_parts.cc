@@ -23,6 +23,7 @@ namespace vfife
     : model_(model)
     , communicator_(communicator)
     , supports_of_(model)
+    , rim_bending_of_(model, largest_wave)
   {
   }
 
@@ -108,7 +109,8 @@ namespace vfife
                                          flank_displacement(state, t.driver, drive.slave_surface)) /
                     t.arm;
     fit_rim(state, shape);
-    shape.supports = supports_of_.measure(
+    shape.rim_bending = t.contact_normal.dot(rim_bending_of_.measure(state, communicator_)) / t.arm;
+    shape.supports    = supports_of_.measure(
       [&](const unsigned int, const BodyRing &ring) { return ring.measure(state, communicator_); });
     return shape;
   }
@@ -174,9 +176,10 @@ namespace vfife
     const double driven_hub = loaded.supports.driven_hub - spun_.supports.driven_hub;
     parts.rim_tilt          = t.contact_normal.dot(shift) / t.arm - driven_hub;
     supports_               = SupportLeads::find_parts(spun_.supports, loaded.supports);
+    rim_bending_            = loaded.rim_bending - spun_.rim_bending;
     // The parts add up by definition: what the split cannot tell apart, is here.
     parts.teeth = parts.total - parts.centrifugal - parts.web_windup - parts.rim_tilt -
-                  supports_.bearings - supports_.bending;
+                  rim_bending_ - supports_.bearings - supports_.bending;
     return parts;
   }
 } // namespace vfife

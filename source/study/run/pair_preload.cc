@@ -13,6 +13,7 @@
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_start.h>
 
+#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -62,6 +63,9 @@ namespace vfife
         {error_part::web_windup, {parts.web_windup / arcsecond, "arcsec"}},
         {error_part::rim_tilt_and_shift, {parts.rim_tilt / arcsecond, "arcsec"}},
         {error_part::centrifugal_shift, {parts.centrifugal / arcsecond, "arcsec"}}};
+    if (std::isfinite(preload.rim_bending))
+      summary.transmission_error.push_back(
+        {error_part::rim_bending, {preload.rim_bending / arcsecond, "arcsec"}});
     if (on_shafts)
       {
         summary.transmission_error.push_back(
@@ -132,8 +136,9 @@ namespace vfife
     relax("at 0.9 of the torque", partly);
     probe.take_partly_loaded(state, partly.torque * torque);
     relax("loaded", Relaxation::Loads());
-    preload_.parts    = probe.take_loaded(state);
-    preload_.supports = probe.supports();
+    preload_.parts       = probe.take_loaded(state);
+    preload_.supports    = probe.supports();
+    preload_.rim_bending = probe.rim_bending();
     if (PairMounting::changes(model_))
       preload_.misalignment = PairMounting(model_).measure(state, communicator_);
     // The springs' energy is that of the state just found: to be asked before the next one.
@@ -173,6 +178,11 @@ namespace vfife
       stream.pass(preload_.supports, preload_.misalignment);
   }
 
+  void PreloadedPair::serialize_later(ByteStream &stream)
+  {
+    stream.pass(preload_.rim_bending);
+  }
+
   const PairPreload *PreloadedPair::preload() const
   {
     return &preload_;
@@ -189,6 +199,8 @@ namespace vfife
               parts.web_windup / arcsecond,
               ", rim tilt and shift ",
               parts.rim_tilt / arcsecond,
+              ", rim bending ",
+              preload_.rim_bending / arcsecond,
               ", teeth and rest ",
               parts.teeth / arcsecond,
               "; of the lag ",

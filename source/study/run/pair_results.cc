@@ -3,6 +3,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
 #include <vfife/base/text/table.h>
+#include <vfife/dynamics/dynamics_options.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/output/files/result_places.h>
@@ -17,6 +18,7 @@
 #include <vfife/output/observers/teeth_writer.h>
 #include <vfife/output/output_options.h>
 #include <vfife/study/cases/case.h>
+#include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/run/pair_results.h>
@@ -87,6 +89,18 @@ namespace vfife
         history_steps_, last_mesh(), diameters, *wave_places_, strains_);
   }
 
+  void PairResults::record_parts(const DynamicsOptions &dynamics, RunObservers &observers)
+  {
+    // The deformation stands in space, and bodies turn by a sector in a tooth mesh: a few positions
+    // of it have its largest stresses.
+    constexpr unsigned int looks = 4;
+    const std::uint64_t    every = std::max(1u, output_.history_every / looks);
+    parts_                       = &observers.add<PartStressWatch>(model_,
+                                             every * history_steps_,
+                                             dynamics.stiffness,
+                                             dynamics.frame);
+  }
+
   void PairResults::record_pressures(const InstantOptions &options,
                                      const FemOptions     &elements,
                                      const PairRun        &run,
@@ -112,6 +126,8 @@ namespace vfife
                              {t.driver_rate * 30. / pi, "rpm"}},
                             {figure_name::torque_of(model_.bodies[t.driven].name()) + torque_when,
                              {1e-3 * torque, "N m"}},
+                            {figure_name::torque_of(model_.bodies[t.driver].name()) + torque_when,
+                             {1e-3 * torque * t.driver_teeth / t.driven_teeth, "N m"}},
                             {figure_name::effective_arm, {t.arm, "mm"}},
                             {figure_name::force_on_arm + torque_when, {torque / t.arm, "N"}},
                             {"contact penalty", {penalty, "N/mm^3"}}};
@@ -164,10 +180,11 @@ namespace vfife
     });
   }
 
-  void PairResults::find_steady(const Table &history,
-                                const double swing_frequency,
-                                RunSummary  &summary,
-                                Log         &log) const
+  void PairResults::find_steady(const Table           &history,
+                                const double           swing_frequency,
+                                const DynamicsOptions &dynamics,
+                                RunSummary            &summary,
+                                Log                   &log) const
   {
     if (!model_.transmission->has_constant_rate() || !has_constant_torque())
       {
@@ -181,7 +198,20 @@ namespace vfife
     // torque nothing is steady.
     const double period = model_.transmission->mesh_frequency() / swing_frequency;
     summary.steady      = find_steady_part(history, output_.history_every, period, ramp_end);
+    use_work_of_drive(history, model_, *summary.steady);
     log.line(summary.steady->explain());
+    const unsigned int needed =
+      count_steady_meshes(model_.transmission->mesh_frequency(), period, dynamics);
+    if (needed > 0)
+      {
+        summary.figures.push_back({figure_name::steady_meshes, {double(needed), "-"}});
+        log.line("a steady ripple needs ",
+                 needed,
+                 " tooth meshes or more: in the first half vibrations fall to a tenth, the second "
+                 "half is judged");
+      }
+    else
+      log.line("vibrations do not fall: without damping and mesh damping no ripple is steady");
     for (const char *name : {column::contact_force_total, column::dte, column::rim_dte})
       {
         const ColumnStatistics &c = summary.steady->column(name);
@@ -203,8 +233,15 @@ namespace vfife
 
   void PairResults::add_contact(const double      penalty_lag,
                                 const std::size_t n_samples,
-                                RunSummary       &summary) const
+                                RunSummary       &summary,
+                                Log              &log) const
   {
+    if (parts_ != nullptr)
+      {
+        parts_->stresses().write_to(log);
+        for (const auto &figure : parts_->stresses().list_figures())
+          summary.figures.push_back(figure);
+      }
     // The springs let the gear lag: negative, as the part in which it is contained.
     summary.transmission_error.push_back(
       {"penalty springs, in teeth and rest", {-penalty_lag / arcsecond, "arcsec"}});

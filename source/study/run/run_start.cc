@@ -7,6 +7,10 @@ namespace vfife
   {
   }
 
+  void RunStart::serialize_later(ByteStream &)
+  {
+  }
+
   const PairPreload *RunStart::preload() const
   {
     return nullptr;

@@ -18,7 +18,6 @@
 #include <vfife/study/cases/damping_figures.h>
 #include <vfife/study/cases/run_length.h>
 #include <vfife/study/cases/run_plan.h>
-#include <vfife/study/cases/torque_pressure.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/pressure/instant_options.h>
@@ -60,12 +59,13 @@ namespace vfife
 
     /** Adds what follows from the equilibrium and the history of a run that has ended, or failed.
      */
-    void complete_pair(const PairResults &pair,
-                       const PairPreload &preload,
-                       const Table       &history,
-                       const bool         on_shafts,
-                       RunSummary        &summary,
-                       Log               &log)
+    void complete_pair(const PairResults     &pair,
+                       const PairPreload     &preload,
+                       const Table           &history,
+                       const bool             on_shafts,
+                       const DynamicsOptions &dynamics,
+                       RunSummary            &summary,
+                       Log                   &log)
     {
       // Zero where the run has failed before its equilibrium was found.
       const double swing = preload.swing.frequency();
@@ -73,10 +73,10 @@ namespace vfife
         {
           add_preload(preload, on_shafts, summary);
           if (history.n_rows() > 1)
-            pair.find_steady(history, swing, summary, log);
+            pair.find_steady(history, swing, dynamics, summary, log);
         }
       if (summary.status != "failed")
-        pair.add_contact(preload.penalty_lag, history.n_rows(), summary);
+        pair.add_contact(preload.penalty_lag, history.n_rows(), summary, log);
     }
 
     void log_early_end(const double end_time, const double whole_time, Log &log)
@@ -140,6 +140,7 @@ namespace vfife
         if (!case_->has_teeth())
           output_.refuse_stress_waves("Output");
         instants_.check();
+        check_lengths(*case_, dynamics_, output_);
       }
 
       void        inspect(Communicator &communicator, Log &log) override;
@@ -154,9 +155,18 @@ namespace vfife
         return checkpoint_->log_size;
       }
 
-      void run(OutputFolder &folder, Log &log) override;
+      void run(OutputFolder &folder, Log &log) override
+      {
+        log.set_verbosity(output_.verbosity);
+        run_lengths(
+          *case_, dynamics_, folder, checkpoint_, [&] { return run_once(folder, log); }, log);
+        if (output_.pictures)
+          draw_pictures(folder, log);
+      }
 
     private:
+      /** From the checkpoint, if there is one; returns whether the ripple is steady. */
+      bool  run_once(OutputFolder &folder, Log &log);
       Model make_model(Log &log) const;
       /** Adds the writers of root stresses and pressures that are asked for. */
       void                     record_stresses(const Model        &model,
@@ -208,6 +218,7 @@ namespace vfife
                                  PairResults        &pair) const
   {
     pair.record_fillets(fillets_, measure_places(model, communicator), observers);
+    pair.record_parts(dynamics_, observers);
     pair.record_pressures(instants_,
                           make_fem_options(dynamics_),
                           describe_run(*case_, model, end_time),
@@ -228,15 +239,12 @@ namespace vfife
   {
     // The steps that elements, contact and samples allow, one after the other: checks tell by which
     // of them a run is slow.
-    RunPlan plan{dynamics_, output_, model};
-    plan.element_step                    = dynamics_.safety * stepped.solver.element_step();
-    plan.stable_step                     = stepped.solver.stable_step();
-    plan.step                            = stepped.dt;
-    plan.expected_time                   = run_time;
-    const std::vector<std::string> found = case_->find_contradictions(plan);
-    if (model.transmission)
-      log_contradictions(found, log);
-    return found;
+    RunPlan plan{&model, &dynamics_, &output_};
+    plan.element_step  = dynamics_.safety * stepped.solver.element_step();
+    plan.stable_step   = stepped.solver.stable_step();
+    plan.step          = stepped.dt;
+    plan.expected_time = run_time;
+    return case_->report_checks(plan, log);
   }
 
   void RunStudy::foresee(const Model        &model,
@@ -287,9 +295,8 @@ namespace vfife
     report_contradictions(model, stepped, run_time, log);
   }
 
-  void RunStudy::run(OutputFolder &folder, Log &log)
+  bool RunStudy::run_once(OutputFolder &folder, Log &log)
   {
-    log.set_verbosity(output_.verbosity);
     const Communicator &communicator = folder.communicator();
     Model               model        = make_model(log);
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
@@ -297,8 +304,8 @@ namespace vfife
     });
     stepped.log_step(model, log);
 
-    // Observers of any model, those of a gear pair, fields: in the order in which checkpoints hold
-    // their data. A run that is ended early still states the time of the whole one.
+    // Observers in the order in which checkpoints hold their data. A run that is ended early still
+    // states the time of the whole one.
     const double        dt            = stepped.dt;
     const Transmission *transmission  = transmission_of(model);
     const std::uint64_t history_steps = output_.compute_history_steps(transmission, dt);
@@ -327,7 +334,6 @@ namespace vfife
           pair->list_figures(stepped.solver.contact().penalties().front(), case_->arm_range());
         summary.figures.push_back(
           {"stable step without contact", {1e9 * stepped.solver.element_step(), "ns"}});
-        log.line(TorquePressure(case_->hertz_contact(), model).describe());
       }
     else if (!model.contacts.empty())
       observers.add<ContactWidthWatch>(model, history_steps, log);
@@ -341,6 +347,7 @@ namespace vfife
     const double run_time = stepped.expect_run_time(stepping.state(), end_time / dt);
     foresee(model, stepped, run_time, communicator, log, summary);
 
+    summary.cause = case_->find_cause();
     // The steps; what has been found is put together when they have ended, well or not.
     const auto start    = make_start(model, dynamics_, stepped.solver, communicator, log);
     const auto prepared = [&] {
@@ -353,7 +360,7 @@ namespace vfife
     const auto complete = [&] {
       if (pair && start->preload() != nullptr)
         complete_pair(
-          *pair, *start->preload(), history, PairMounting::changes(model), summary, log);
+          *pair, *start->preload(), history, PairMounting::changes(model), dynamics_, summary, log);
       if (pair)
         pair->write_orders(folder, history);
       if (summary.status == "failed")
@@ -367,8 +374,7 @@ namespace vfife
     };
     stepping.run(
       checkpoint_ ? &*checkpoint_ : nullptr, end_time, whole_time, *start, prepared, complete);
-    if (output_.pictures)
-      draw_pictures(folder, log);
+    return summary.steady && summary.steady->has_steady_ripple();
   }
 
   std::unique_ptr<StudyKind> make_run_study()

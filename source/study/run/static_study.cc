@@ -119,9 +119,7 @@ namespace vfife
       summary.run_time = seconds_since(start);
       summary.steps    = n_relaxation_steps;
       summary.energy   = state.measured.energy;
-      for (const Log::Warning &warning : log.warnings())
-        summary.warnings.push_back(warning.text);
-      write_summary(folder, summary);
+      write_summary(folder, summary, log);
     };
     try
       {

@@ -111,6 +111,7 @@ namespace vfife
     common.pass_required_part("solver",
                               [&](ByteStream &part) { solver_.serialize(part, own, state_); });
     common.pass_part("start", [&](ByteStream &part) { start_->serialize(part); });
+    common.pass_part("start, later", [&](ByteStream &part) { start_->serialize_later(part); });
   }
 
   void Stepping::before_step(RunSignals &signals, const std::uint64_t last_step)
@@ -130,11 +131,9 @@ namespace vfife
     summary_.energy         = state_.measured.energy;
     summary_.damping        = solver_.damping_audit();
     summary_.contact_losses = solver_.contact_losses();
-    for (const Log::Warning &warning : log_.warnings())
-      summary_.warnings.push_back(warning.text);
     // The study adds its figures last, when all others stand.
     complete();
-    write_summary(folder_, summary_);
+    write_summary(folder_, summary_, log_);
   }
 
   void Stepping::run(const Checkpoint            *checkpoint,
@@ -174,10 +173,9 @@ namespace vfife
     // passes by, as its checkpoint is all that it leaves.
     catch (const NumericalError &error)
       {
-        summary_.status  = "failed";
-        summary_.failure = error.what();
+        summary_.fail(error.what());
         finish(complete);
-        throw;
+        throw NumericalError(summary_.failure);
       }
     finish(complete);
     log_.line("finished: ",

@@ -21,6 +21,7 @@
 #include <vfife/study/case_runner.h>
 #include <vfife/study/cases/gear_case.h>
 #include <vfife/study/nearest_wave_summary.h>
+#include <vfife/study/cases/run_plan.h>
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/run/run_penalties.h>
@@ -96,6 +97,7 @@ namespace vfife
                  " with modes below ",
                  least_cutoff(),
                  " Hz");
+        gear_case_.report_checks({&model, &dynamics_, &output_}, log);
         if (drives_runs())
           log.line("each line: ",
                    options_.offsets.size(),
@@ -132,7 +134,9 @@ namespace vfife
       /** That which is asked for [Hz]. */
       double least_cutoff() const
       {
-        return reduced_.find_cutoff(mesh_frequency(options_.highest_speed));
+        return reduced_.find_cutoff(mesh_frequency(options_.highest_speed),
+                                    ReducedOptions::rings_of_waves * gear_case_.ring_rate() /
+                                      (2 * pi));
       }
       /** At the highest speed: what lies below is between it and rest. */
       std::vector<ReducedBody> reduce(const Model        &model,
@@ -318,6 +322,8 @@ namespace vfife
       const StressWavePlaces         places(model, looked_at);
       ReducedPair                    pair(model, bodies, penalties, pair_options());
       RunSummary                     summary = start_summary("waves", model, folder);
+      summary.contradictions = gear_case_.report_checks({&model, &dynamics_, &output_}, log);
+      summary.cause          = gear_case_.find_cause();
 
       require_waves(bodies[model.transmission->driven]);
       std::vector<WaveLine>      lines;
@@ -346,8 +352,7 @@ namespace vfife
         }
       catch (const NumericalError &error)
         {
-          summary.status  = "failed";
-          summary.failure = error.what();
+          summary.fail(error.what());
         }
       Table table = make_wave_line_table();
       for (const WaveLine &line : lines)
@@ -360,7 +365,7 @@ namespace vfife
                           {"lines", {double(lines.size()), "-"}}};
       if (nearest)
         report_nearest_wave(*nearest, log, summary);
-      write_summary(folder, summary);
+      write_summary(folder, summary, log);
       if (summary.status == "failed")
         throw NumericalError(summary.failure);
       log.line(lines.size(), " lines in ", duration_text(summary.run_time));

@@ -64,7 +64,22 @@ namespace vfife
     constexpr char effective_arm[]   = "effective arm"; ///< of the unloaded mean contact
     constexpr char least_arm[]       = "least arm on the path of contact";
     constexpr char largest_arm[]     = "largest arm on the path of contact";
-    constexpr char force_on_arm[]    = "torque over effective arm"; ///< of the contact
+    /** That the ripple needs to be steady. */
+    constexpr char steady_meshes[] = "tooth meshes that a steady ripple needs";
+    constexpr char force_on_arm[]  = "torque over effective arm"; ///< of the contact
+
+    /** Of a reduced pair: the strongest mesh order above half the cut-off, and its peak to peak
+     * value in the transmission error, where this is a noticeable part. */
+    constexpr char order_near_cutoff[] = "mesh order near the cut-off";
+    constexpr char error_near_cutoff[] = "transmission error near the cut-off";
+
+    // Of a sweep over speeds.
+    constexpr char lowest_speed[]   = "lowest speed";
+    constexpr char highest_speed[]  = "highest speed";
+    constexpr char counted_meshes[] = "tooth meshes counted at each speed";
+
+    /** Behind the name of a part of a gear body. */
+    constexpr char stress_of_part[] = ", largest von Mises stress";
 
     constexpr char nearest_wave_speed[] = "speed of the nearest wave";
     constexpr char nearest_wave_distance[] =
@@ -86,6 +101,7 @@ namespace vfife
     constexpr char teeth_and_rest[]     = "teeth and rest";
     constexpr char web_windup[]         = "web windup";
     constexpr char rim_tilt_and_shift[] = "rim tilt and shift";
+    constexpr char rim_bending[]        = "rim bending"; ///< of two and more nodal diameters
     constexpr char centrifugal_shift[]  = "centrifugal shift";
     constexpr char bearings[]           = "bearings";      ///< of pairs on shafts
     constexpr char shaft_bending[]      = "shaft bending"; ///< of pairs on shafts

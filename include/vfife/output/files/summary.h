@@ -14,6 +14,7 @@
 
 namespace vfife
 {
+  class Log;
   class OutputFolder;
 
   /** One body, internal units. */
@@ -60,6 +61,11 @@ namespace vfife
     std::vector<std::string> contradictions; ///< checks of figures against each other that failed
     std::vector<std::string> warnings;
     std::string              nearest_wave; ///< to the speed of operation, in words; or empty
+    /** What the load alone tells of the cause of a failure (Case::find_cause()); not written. */
+    std::string cause;
+
+    /** Sets status and failure, the cause before the @p message, and returns that text. */
+    std::string fail(const std::string &message);
 
     /** Elements of all bodies times steps over the run time [1/s]; 0 without a run time. */
     double element_steps_per_second() const;
@@ -70,6 +76,9 @@ namespace vfife
 
   /** Writes summary.json; only the writing rank does. */
   void write_summary(const OutputFolder &folder, const RunSummary &summary);
+
+  /** The same with the warnings of @p log: to be called when all has been said. */
+  void write_summary(const OutputFolder &folder, RunSummary summary, const Log &log);
 } // namespace vfife
 
 #endif

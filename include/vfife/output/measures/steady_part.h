@@ -51,6 +51,12 @@ namespace vfife
     const ColumnStatistics &column(const std::string &name) const;
     bool                    has_column(const std::string &name) const;
 
+    /** Whether means and ripple are steady. */
+    bool has_steady_ripple() const
+    {
+      return found && ripple.steady;
+    }
+
     /** One sentence for screen and report. */
     std::string explain() const;
   };

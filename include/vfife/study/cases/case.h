@@ -61,6 +61,13 @@ namespace vfife
     /** Time at which a run ends [s]. */
     virtual double end_time() const = 0;
 
+    /** Tooth meshes, growing, after each of which a run is looked at and goes on where its ripple
+     * is not steady; none where its length is given. */
+    virtual std::vector<unsigned int> list_lengths(const DynamicsOptions &dynamics) const;
+
+    /** Makes it a run of so many tooth meshes. */
+    virtual void set_length(unsigned int meshes);
+
     /** Whether a run that goes on may end later than it was begun for: its samples do not depend
      * on its end. */
     virtual bool may_be_made_longer() const;
@@ -90,12 +97,14 @@ namespace vfife
     virtual std::optional<EdgesUnderLoad> edges_under_load() const;
 
     /** Sentences about entries that contradict each other or will not give what the user expects,
-     * although each of them is allowed; empty when nothing is found. */
-    virtual std::vector<std::string> find_contradictions(const RunPlan &plan) const;
-  };
+     * although each of them is allowed: logged as lines `check:`, and returned for the summary. All
+     * kinds of studies look at a case by this function alone. */
+    virtual std::vector<std::string> report_checks(const RunPlan &plan, Log &log) const;
 
-  /** A line for each contradiction that was found, or one that says that there are none. */
-  void log_contradictions(const std::vector<std::string> &found, Log &log);
+    /** Where a computation has failed: what the load alone tells of the cause; empty for nothing.
+     */
+    virtual std::string find_cause() const;
+  };
 } // namespace vfife
 
 #endif

@@ -7,6 +7,7 @@
 #include <vfife/study/cases/case.h>
 #include <vfife/study/cases/operation_options.h>
 #include <vfife/study/cases/shaft_supports.h>
+#include <vfife/study/cases/torque_pressure.h>
 
 #include <array>
 #include <string>
@@ -22,28 +23,29 @@ namespace vfife
   public:
     GearCase();
 
-    void         declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
-    void         check() const override;
-    void         check_bodies() const override;
-    Model        make_model(Log &log) const override;
-    void         check_run(const DynamicsOptions &dynamics) const override;
-    double       end_time() const override;
-    bool         may_be_made_longer() const override;
-    double       ramp_time() const override;
-    double       choose_step(double stable_step, unsigned int samples) const override;
-    bool         has_teeth() const override;
-    HertzContact hertz_contact() const override;
+    void   declare(dealii::ParameterHandler &prm, const ParameterFile &file) override;
+    void   check() const override;
+    void   check_bodies() const override;
+    Model  make_model(Log &log) const override;
+    void   check_run(const DynamicsOptions &dynamics) const override;
+    double end_time() const override;
+    bool   may_be_made_longer() const override;
+    std::vector<unsigned int> list_lengths(const DynamicsOptions &dynamics) const override;
+    void                      set_length(unsigned int meshes) override;
+    double                    ramp_time() const override;
+    double                    choose_step(double stable_step, unsigned int samples) const override;
+    bool                      has_teeth() const override;
+    HertzContact              hertz_contact() const override;
     std::optional<std::array<BlankOutline, 2>> outlines() const override;
     std::optional<Vector2>                     arm_range() const override;
     std::optional<EdgesUnderLoad>              edges_under_load() const override;
-    std::vector<std::string> find_contradictions(const RunPlan &plan) const override;
 
-    /** Those of them that have nothing to do with steps: of all kinds that load the pair. */
-    std::vector<std::string> find_model_contradictions(const Model &model) const;
+    /** Logs both torques and Hertz's contact besides, where there is a torque. */
+    std::vector<std::string> report_checks(const RunPlan &plan, Log &log) const override;
+    std::string              find_cause() const override;
 
-    /** Logs Hertz's contact under the torque and find_model_contradictions(), which are returned.
-     */
-    std::vector<std::string> report_load(const Model &model, Log &log) const;
+    /** Throws InputError as check(), but for a pair at rest, which a static analysis may have. */
+    void check_at_rest() const;
 
     /** The pair with everything derived. */
     GearPair make_pair() const;
@@ -63,6 +65,24 @@ namespace vfife
     /** Strain of a free ring at the pitch circles at the largest speed of a run, rho v^2 / E; the
      * larger of both members. */
     double ring_strain() const;
+
+    /** Rate sqrt(E/rho)/r at which a free ring at the pitch circle of the gear breathes [rad/s]:
+     * rates of a pair are large or small against it, whatever its size is. */
+    double ring_rate() const;
+
+    /** Damping over ring_rate() up to which the compliance stays (doc/conventions.md, Damping). */
+    static constexpr double recommended_damping = 0.05;
+
+    /** Torque on the driven member at time zero, given there or at the pinion [N mm], and its
+     * change with time. */
+    double                  driven_torque() const;
+    const ParameterHistory &driven_torque_history() const;
+
+    /** Torque on a member (0 pinion, 1 gear) that balances the load without friction [N mm]. */
+    double torque_on(unsigned int member) const;
+
+    /** What is wrong with Hertz's pressure under the torque; empty where it is allowed. */
+    std::string find_excess_of_pressure() const;
 
     /** Tooth meshes of a run. */
     double run_meshes() const;
@@ -93,6 +113,11 @@ namespace vfife
       GearBodyOptions with_levels(const BlankOutline &blank) const;
     };
     void check_histories(const DynamicsOptions &dynamics) const;
+    void check_dampers(const DynamicsOptions &dynamics) const;
+    /** Throws InputError for a load, speeds and contact that do not go together. */
+    void check_operation() const;
+    /** Hertz's contact of one tooth pair under all the torque. */
+    TorquePressure torque_pressure() const;
     /** Throws InputError for shafts that do not go with their bodies or with what holds them. */
     void            check_shafts() const;
     const Material &material(const std::string &name) const;

@@ -2,8 +2,20 @@
 #ifndef vfife_study_cases_run_length_h
 #define vfife_study_cases_run_length_h
 
+#include <functional>
+#include <optional>
+
 namespace vfife
 {
+  class Case;
+  class Log;
+  class OutputFolder;
+  class Table;
+  struct Checkpoint;
+  struct DynamicsOptions;
+  struct Model;
+  struct OutputOptions;
+  struct SteadyPart;
   struct Transmission;
 
   /** The end of a run that is to last for @p time, with samples in intervals of @p sample [s]: of
@@ -12,6 +24,42 @@ namespace vfife
 
   /** Whole tooth meshes up to a time. */
   unsigned int count_meshes(const Transmission &pair, double time);
+
+  /**
+   * Tooth meshes that a run needs before its ripple can be steady; 0 where vibrations do not fall.
+   * Elastic vibrations fall as exp(-zeta t/2), the swing as exp(-zeta_k t/2): the slower of both to
+   * a tenth, within which the ripple is judged (Ripple). The steady part is at least the second
+   * half of the record, and two swing periods, @p swing_period tooth meshes each.
+   */
+  unsigned int
+  count_steady_meshes(double mesh_frequency, double swing_period, const DynamicsOptions &dynamics);
+
+  /**
+   * Sets the means of contact torque and contact force of a steady part to those of all steps.
+   * Samples lie at the same places of every tooth mesh, so orders that are multiples of their
+   * number in a mesh fall on the mean of the samples. The contact torque has the work of the drive,
+   * less what the contact loses, over the turn of the driven member; the force has in each instant
+   * nearly the ratio of the torque, so its mean is corrected by the same factor.
+   */
+  void use_work_of_drive(const Table &history, const Model &model, SteadyPart &part);
+
+  /** Throws InputError where a case has lengths (Case::list_lengths()) and its run no checkpoints.
+   */
+  void
+  check_lengths(const Case &run_case, const DynamicsOptions &dynamics, const OutputOptions &output);
+
+  /**
+   * Does a run by @p once, which goes on from @p checkpoint where there is one and returns whether
+   * its ripple is steady. Where the case has lengths (Case::list_lengths()), one after the other
+   * until it is, each from the checkpoint at the end of the one before; a run that goes on does so
+   * with the length that it was stopped in. Collective.
+   */
+  void run_lengths(Case                        &run_case,
+                   const DynamicsOptions       &dynamics,
+                   const OutputFolder          &folder,
+                   std::optional<Checkpoint>   &checkpoint,
+                   const std::function<bool()> &once,
+                   Log                         &log);
 } // namespace vfife
 
 #endif

@@ -14,6 +14,8 @@ namespace vfife
   /** Hertz's contact of one tooth pair that carries all the torque at the mean contact. */
   struct TorquePressure
   {
+    /** @p force: torque over arm [N]. */
+    TorquePressure(const HertzContact &hertz, double force);
     TorquePressure(const HertzContact &hertz, const Model &model);
 
     /** One line for the log. */

@@ -5,8 +5,10 @@
 #include <vfife/base/text/table.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/reduced/reduced_options.h>
+#include <vfife/study/reduced/near_cutoff.h>
 #include <vfife/study/reduced/slow_mesh.h>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -52,6 +54,15 @@ namespace vfife
     unsigned int find_stride(double mesh_frequency, unsigned int steps) const;
     /** Tooth meshes of a frequency [Hz] in which a speed settles. */
     unsigned int find_settling_meshes(double mesh_frequency) const;
+    /** Width of a resonance with an order of the tooth mesh between its half-power points, in the
+     * speed of the driver [rad/s]. */
+    double resonance_width(unsigned int order, unsigned int driver_teeth) const;
+    /** What is wrong with speeds farther apart than a resonance with one of the judged orders is
+     * wide; empty where they are near enough. */
+    std::string find_wide_steps(unsigned int driver_teeth) const;
+
+    /** Mesh orders whose resonances a sweep has to meet. */
+    static constexpr unsigned int judged_orders = 3;
   };
 
   /** Columns of wave_response.csv. */
@@ -93,6 +104,24 @@ namespace vfife
       return stresses_;
     }
 
+    const NearCutoff &near_cutoff() const
+    {
+      return near_cutoff_;
+    }
+    const PairSpeedSweepSetup &setup() const
+    {
+      return setup_;
+    }
+    /** Of all speeds so far, settling included. */
+    std::uint64_t n_steps() const
+    {
+      return n_steps_;
+    }
+    double time() const ///< [s]
+    {
+      return time_;
+    }
+
   private:
     double mesh_frequency_at(double speed) const;
     /** Returns the steps in a tooth mesh. */
@@ -114,6 +143,9 @@ namespace vfife
     PairSpeedSweepSetup     setup_;
     const StressWavePlaces &places_;
     ReducedPair            &pair_;
+    NearCutoff              near_cutoff_;
+    std::uint64_t           n_steps_ = 0;
+    double                  time_    = 0; ///< [s]
     SlowMesh                slow_mesh_;
     Table                   resonance_, waves_, stresses_;
   };

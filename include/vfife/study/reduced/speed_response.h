@@ -30,9 +30,9 @@ namespace vfife
   };
 
   /**
-   * What a pair does at one speed, from equal samples of whole tooth meshes. Forces and vibrations
-   * of stresses are those below a frequency: modes near the cut-off of reduced bodies are not the
-   * bodies' own.
+   * What a pair does at one speed, from equal samples of whole tooth meshes. Transmission errors,
+   * forces and vibrations of stresses are those below a frequency: modes near the cut-off of
+   * reduced bodies are not the bodies' own.
    */
   class SpeedResponse
   {
@@ -54,20 +54,26 @@ namespace vfife
     void add(SpeedSample sample);
 
     LumpedResponse response(double energy_error) const;
+    /** Transmission errors of the samples that count, with all their vibrations [rad]. */
+    const std::vector<double> &errors() const
+    {
+      return errors_;
+    }
     /** Of a wave: what stands in space, and the largest distance from it [um]. */
     std::pair<double, double> wave(unsigned int n) const;
     /** Of a place the largest stress of all samples [MPa]. */
     double largest_stress(std::size_t place) const;
 
   private:
-    /** Counts a sample whose force and vibration of stresses, one after the other, are @p slow. */
+    /** Counts a sample whose transmission error, force and vibration of stresses, one after the
+     * other, are @p slow. */
     void count(SpeedSample sample, const Eigen::VectorXd &slow);
 
-    LowPass                                                     low_pass_;
-    FindLargest                                                 find_largest_;
-    std::deque<SpeedSample>                                     waiting_; ///< for those after them
-    std::vector<double>                                         errors_, forces_, slow_forces_;
-    std::size_t                                                 n_coast_ = 0;
+    LowPass                 low_pass_;
+    FindLargest             find_largest_;
+    std::deque<SpeedSample> waiting_; ///< for those after them
+    std::vector<double>     errors_, slow_errors_, forces_, slow_forces_;
+    std::size_t             n_coast_ = 0;
     std::array<std::vector<std::complex<double>>, largest_wave> waves_;
     std::vector<double>                                         largest_stresses_; ///< by place
   };

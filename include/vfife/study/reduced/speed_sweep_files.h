@@ -7,24 +7,17 @@ namespace vfife
   class Log;
   class OutputFolder;
   class PairSpeedSweep;
-  struct Model;
+  struct RunSummary;
 
-  /** What the files of a sweep over speed say beside its tables. */
-  struct SpeedSweepFiles
-  {
-    double allowed_amplification = 0; ///< for exceedances.csv; 0: none is written
-    double cutoff                = 0; ///< of the bodies [Hz]
-  };
+  /** Energy error of a speed above which it is told, as of a run (doc/verification.md) [-]. */
+  constexpr double largest_energy_error = 0.005;
 
   /**
-   * Does the sweep and writes its tables after each speed, exceedances.csv and summary.json at the
-   * end. Throws NumericalError after that, and Interrupted where a signal has come. Collective.
+   * Does the sweep and writes its tables after each speed, exceedances.csv and @p summary at the
+   * end, which has what was known before. Throws NumericalError after that, and Interrupted where a
+   * signal has come. Collective.
    */
-  void run_speed_sweep(const Model           &model,
-                       const SpeedSweepFiles &files,
-                       PairSpeedSweep        &sweep,
-                       OutputFolder          &folder,
-                       Log                   &log);
+  void run_speed_sweep(PairSpeedSweep &sweep, RunSummary &summary, OutputFolder &folder, Log &log);
 } // namespace vfife
 
 #endif

@@ -6,6 +6,8 @@
 #include <vfife/model/state.h>
 #include <vfife/output/measures/support_leads.h>
 
+#include <vector>
+
 namespace vfife
 {
   class Communicator;
@@ -23,7 +25,7 @@ namespace vfife
     double centrifugal = 0; ///< displacement of both flanks by spinning alone
     double web_windup  = 0; ///< rotation of the rim against the hub under load
     double rim_tilt = 0; ///< of the rim's rigid motion under load tilt and shift, from the hub on
-    double teeth    = 0; ///< what remains: bending of teeth and rim, contact, pinion body
+    double teeth    = 0; ///< what remains: bending of teeth, contact, pinion body
   };
 
   /** The lowest oscillation of a loaded pair whose driver is held. */
@@ -34,6 +36,35 @@ namespace vfife
 
     /** [Hz]; 0 where nothing is known. */
     double frequency() const;
+  };
+
+  /**
+   * Displacement of the driven rim by its waves of two and more nodal diameters, at the mean
+   * contact of a gear pair.
+   *
+   * Each sector of the rim has a rigid motion of its own, fitted by least squares over its masses.
+   * Taken to the contact point of the sector's own tooth, and turned back onto the first one, these
+   * displacements d_k are a periodic function of the sector k. With z sectors, alpha = 2 pi/z and
+   *   d^_n = 1/z sum_k d_k exp(-i n k alpha)
+   * the waves 2 to N have at the contact, in sector c, the displacement
+   *   2 Re sum_n d^_n exp(i n c alpha).
+   * Waves 0 and 1 hold the rim's rigid motion.
+   */
+  class RimBending
+  {
+  public:
+    /** Waves up to @p largest; fewer where there are not twice as many teeth. The model, which has
+     * a gear pair, must outlive the object. */
+    RimBending(const Model &model, unsigned int largest);
+
+    /** [mm], fixed frame at rest; zero for a driven body that is not made of equal sectors.
+     * Collective. */
+    Vector3 measure(const State &state, const Communicator &communicator) const;
+
+  private:
+    const Model              &model_;
+    unsigned int              n_sectors_ = 0, largest_, contact_sector_ = 0;
+    std::vector<unsigned int> sectors_; ///< of the rim's nodes
   };
 
   /** Displacements of a pair at rest in its turning frames, for DeflectionParts. */
@@ -50,6 +81,16 @@ namespace vfife
 
     /** With the state under the full torque. Collective. */
     DeflectionParts take_loaded(State &state);
+
+    /** What the loaded rim's bending with two and more nodal diameters adds, up to largest_wave:
+     * its flank is elsewhere than the rim's rigid motion takes it [rad]. It is not in `teeth`. */
+    double rim_bending() const
+    {
+      return rim_bending_;
+    }
+
+    /** Bending with more nodal diameters is as short as a few teeth: it belongs to these. */
+    static constexpr unsigned int largest_wave = 8;
 
     /** Of the loaded state; zero for bodies without bearings. */
     const SupportParts &supports() const
@@ -74,6 +115,8 @@ namespace vfife
       Vector3 rim_shift =
         Vector3::Zero(); ///< rigid motion of the rim: u = shift + tilt x (x - axis point)
       Vector3 rim_turn = Vector3::Zero();
+      /** (n . u)/p of the rim's bending at the contact, RimBending. */
+      double rim_bending = 0;
 
       SupportLeads::Leads supports; ///< of contact, what shafts make
     };
@@ -85,10 +128,11 @@ namespace vfife
     const Model        &model_;
     const Communicator &communicator_;
     SupportLeads        supports_of_;
+    RimBending          rim_bending_of_;
     Shape               spun_;
     SupportParts        supports_;
     double              partial_torque_ = 0, partial_turn_ = 0; ///< [N mm], [rad]
-    double              loaded_turn_ = 0;                       ///< [rad]
+    double              loaded_turn_ = 0, rim_bending_ = 0;     ///< [rad]
     NodeField           partial_position_;                      ///< [mm]
   };
 } // namespace vfife

@@ -23,6 +23,9 @@ namespace vfife
     Mounting        misalignment; ///< of these, under load
     Swing           swing;
     double          penalty_lag = 0; ///< [rad], compute_penalty_lag()
+    /** DeflectionProbe::rim_bending() [rad]; NaN of runs that were begun by a version without it,
+     * whose `teeth` contain it. */
+    double rim_bending = not_known;
   };
 
   /**
@@ -57,6 +60,7 @@ namespace vfife
 
     void               prepare(State &state) override;
     void               serialize(ByteStream &stream) override;
+    void               serialize_later(ByteStream &stream) override;
     const PairPreload *preload() const override;
 
   private:

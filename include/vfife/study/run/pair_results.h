@@ -6,6 +6,7 @@
 #include <vfife/output/files/summary.h>
 #include <vfife/output/measures/body_ring.h>
 #include <vfife/output/observers/fillet_writers.h>
+#include <vfife/output/observers/part_stress_watch.h>
 #include <vfife/output/observers/rim_writer.h>
 #include <vfife/study/pressure/pressure_writer.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
@@ -20,6 +21,7 @@ namespace vfife
   class OutputFolder;
   class RunObservers;
   class Table;
+  struct DynamicsOptions;
   struct InstantOptions;
   struct Model;
   struct OutputOptions;
@@ -52,6 +54,10 @@ namespace vfife
      * fillets that are recorded. Throws InputError for diameters that the sectors cannot show. */
     void record_stress_waves(ProbeMeasure measure, RunObservers &observers);
 
+    /** Looks at the largest stresses of web, rim and hub over the run, a few times in a tooth mesh;
+     * of runs with positions of all nodes. */
+    void record_parts(const DynamicsOptions &dynamics, RunObservers &observers);
+
     /** Adds the writer of pressures on grids of their own at the instants that @p options ask for,
      * if any; as PressureWriter. */
     void record_pressures(const InstantOptions &options,
@@ -64,12 +70,19 @@ namespace vfife
     /** What is known before the first step: speeds, torque, penalty, Case::arm_range(). */
     NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
 
-    /** Adds the steady part of the @p history to the summary; @p swing_frequency [Hz]. */
-    void
-    find_steady(const Table &history, double swing_frequency, RunSummary &summary, Log &log) const;
+    /** Adds the steady part of the @p history to the summary; @p swing_frequency [Hz]. Its mean
+     * torque and force are those of all steps (use_work_of_drive()). Says how many tooth meshes a
+     * steady part needs (count_steady_meshes()). */
+    void find_steady(const Table           &history,
+                     double                 swing_frequency,
+                     const DynamicsOptions &dynamics,
+                     RunSummary            &summary,
+                     Log                   &log) const;
 
-    /** Adds figures of the contact to the summary of a run that has ended; @p penalty_lag [rad]. */
-    void add_contact(double penalty_lag, std::size_t n_samples, RunSummary &summary) const;
+    /** Adds figures of contact and stresses to the summary of a run that has ended; @p penalty_lag
+     * [rad]. */
+    void
+    add_contact(double penalty_lag, std::size_t n_samples, RunSummary &summary, Log &log) const;
 
     /** Says whether edges of the teeth of @p pair_case have carried: write_edge_contact(). */
     void write_edges(const Case &pair_case, const OutputFolder &folder, Log &log) const;
@@ -102,6 +115,7 @@ namespace vfife
     const Table                    *probes_    = nullptr;
     const Table                    *rim_       = nullptr; ///< rows of rim.csv
     const PressureWriter           *pressures_ = nullptr;
+    const PartStressWatch          *parts_     = nullptr;
   };
 } // namespace vfife
 

@@ -21,6 +21,9 @@ namespace vfife
     /** For checkpoints: passes what prepare() has found out. */
     virtual void serialize(ByteStream &stream);
 
+    /** The same of what later versions have added; not called where a checkpoint has none of it. */
+    virtual void serialize_later(ByteStream &stream);
+
     /** What the equilibrium of a gear pair has told; nullptr for starts without one. */
     virtual const PairPreload *preload() const;
   };

@@ -4,19 +4,26 @@
 _OF_STEPS = {"Operation/tooth meshes", "Dynamics/start", "Dynamics/end time", "Dynamics/damping", "Dynamics/damping ratio",
              "Dynamics/damping frequency", "Dynamics/mesh damping"}
 _OF_ELEMENTS = {"Dynamics/frame", "Dynamics/stiffness"}
-_OF_LOAD = {"Operation/torque", "Contact/discretization", "Contact/surface", "Contact/friction coefficient"}
+_OF_TORQUE = {"Operation/torque", "Operation/pinion torque"}
+_OF_LOAD = _OF_TORQUE | {"Contact/discretization", "Contact/surface", "Contact/friction coefficient"}
 _OF_SPEED = {"Operation/speed"}
 _BY_KIND = {"loaded tooth contact analysis": _OF_STEPS | _OF_ELEMENTS,
             "mesh": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD | _OF_SPEED | {"Operation/hub"},
             "modal": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD | _OF_SPEED,
             "linear static": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD,
             "static": _OF_STEPS,
-            "lumped": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD - {"Operation/torque"} | {"Operation/hub"},
+            "lumped": _OF_STEPS | _OF_ELEMENTS | _OF_LOAD - _OF_TORQUE | {"Operation/hub"},
             "reduced": _OF_ELEMENTS,
             "waves": _OF_ELEMENTS | {"Operation/tooth meshes", "Dynamics/start"}}
 _OF_PAIRS = {"Operation/tooth meshes", "Operation/hub", "Dynamics/mesh damping"}
 
 
+def sweeps_speeds(parameters):
+    """Whether a reduced pair turns at many speeds, between those of the section Reduced."""
+    return parameters.get("Study/kind") == "reduced" and parameters.get("Reduced/sweep", "none") != "none"
+
+
 def list_unused_entries(parameters, has_pair):
     """Paths of those that the study of these parameters leaves unused, by its kind and whether it is of a gear pair."""
-    return _BY_KIND.get(parameters.get("Study/kind"), set()) | (set() if has_pair else _OF_PAIRS)
+    of_sweep = _OF_SPEED | {"Operation/tooth meshes"} if sweeps_speeds(parameters) else set()
+    return _BY_KIND.get(parameters.get("Study/kind"), set()) | of_sweep | (set() if has_pair else _OF_PAIRS)

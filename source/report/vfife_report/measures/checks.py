@@ -3,6 +3,8 @@
 import numpy as np
 
 from ..data.naming import describe_pair, name_driven
+from ..data.table import read_table
+from ..data.unused import sweeps_speeds
 from .pressures import find_allowed_pressure, find_largest_pressure
 
 LARGEST_ENERGY_ERROR = 0.5  # [%], doc/verification.md
@@ -35,6 +37,7 @@ def list_checks(run):
                f"{error[rows].max():.3g} %", f"below {LARGEST_ENERGY_ERROR} %",
                judge(error[rows].max() < LARGEST_ENERGY_ERROR))
         yield "largest energy error on the way", f"{error.max():.3g} %", "", "not judged"
+    yield from check_speeds(run)
     yield from check_torque(run)
     pressure, allowed = find_largest_pressure(run), find_allowed_pressure(run)
     if pressure is not None and allowed:
@@ -59,6 +62,18 @@ def read_early_end(run):
     """Steps after which Dynamics/largest number of steps has ended the run; 0 where it came to its end."""
     steps = int(run.parameters.get("Dynamics/largest number of steps", "0").split()[0])
     return steps if steps and run.summary.get("run", {}).get("steps") == steps else 0
+
+
+def check_speeds(run):
+    """Of a sweep over speeds each speed has an energy error of its own."""
+    table = read_table(run.path / "resonance.csv") if sweeps_speeds(run.parameters) else None
+    if table is None or "energy error" not in table:
+        return
+    error = 100 * np.abs(table["energy error"])
+    above = error >= LARGEST_ENERGY_ERROR
+    value = f"{error.max():.3g} % at {table['speed'][np.argmax(error)]:.5g} rpm"
+    yield ("largest energy error of a speed", value + (f", {above.sum()} of {error.size} above" if above.any() else ""),
+           f"below {LARGEST_ENERGY_ERROR} %", judge(not above.any()))
 
 
 def check_torque(run):

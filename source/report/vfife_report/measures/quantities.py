@@ -16,7 +16,13 @@ OF_THE_RIPPLE = ("peak to peak", "standard deviation")
 
 def remark(run, name):
     """What has to be known of a quantity of that name: figures of a ripple that is not steady are those of the record."""
-    return "ripple not steady" if name.endswith(OF_THE_RIPPLE) and run.is_ripple_steady() is False else ""
+    if not name.endswith(OF_THE_RIPPLE):
+        return ""
+    remarks = ["ripple not steady"] if run.is_ripple_steady() is False else []
+    share = run.value("transmission error near the cut-off")
+    if share and name.startswith(TRANSMISSION_ERROR):
+        remarks.append(f"{share:.3g} arcsec of mesh order {run.value('mesh order near the cut-off'):.0f}, above half the cut-off")
+    return "; ".join(remarks)
 
 
 def list_history_quantities(run):
@@ -54,6 +60,9 @@ def list_tooth_quantities(run):
 
 
 def list_probe_quantities(run):
+    for name, one in run.summary.get("figures", {}).items():
+        if "largest von Mises stress" in name:
+            yield name, one["value"], one["unit"]
     for name, passage in find_passages(run):
         yield f"{name}, peak von Mises stress", passage.peak, "MPa"
         yield f"{name}, least von Mises stress", passage.least, "MPa"

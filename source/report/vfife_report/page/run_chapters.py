@@ -45,7 +45,7 @@ def tell_quantities(run, plots):
     nearest = run.summary.get("nearest wave")
     if nearest:
         yield Paragraph(f"Nearest wave in contact to the speed of operation, mesh orders 1 to 3: {nearest}.")
-    if marked:
+    if run.is_ripple_steady() is False:
         yield Paragraph("The ripple is not steady: its figures are those of this record, and half of it gives others.", "alarm")
     yield Cells(["quantity", "value", "unit"] + ["remark"] * marked, [row if marked else row[:-1] for row in rows],
                 "Definitions in doc/report.md." if run.history is None or run.is_equilibrium() else

@@ -37,9 +37,21 @@ def tell_variants(study, plots):
     edges = [v.name for v in study.variants if v.run.edge_contact and v.run.edge_contact["edges carry"]]
     if edges:
         yield Paragraph(f"Edges of the teeth carry: {'; '.join(edges)}. Their own reports say how much.", "alarm")
+    yield from tell_findings(study)
     made = all((run.path / "report.html").is_file() for run in runs)
     yield Paragraph("Each variant's own report: report.html in its folder." if made else
                     "A variant's own report is made by make_report.py with its folder.", "soft")
+
+
+def tell_findings(study):
+    """Contradictions and warnings of all variants, each with those that have it."""
+    for kind in ("contradictions", "warnings"):
+        found = {}
+        for variant in study.variants:
+            for text in variant.run.summary.get(kind, []):
+                found.setdefault(text, []).append(variant.name)
+        yield Cells([kind[:-1], "variants"], [[text, "all" if len(names) == len(study.variants) else "; ".join(names)]
+                                              for text, names in found.items()])
 
 
 def split_geometry(study):

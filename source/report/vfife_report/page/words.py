@@ -2,6 +2,7 @@
 """A case in words: titles, sentences and rows made from the parameters in force."""
 from ..data.naming import GEAR, PINION, describe_pair, describe_web, list_unused, name_driven, normalize
 from ..data.parameters import read_given
+from ..data.unused import sweeps_speeds
 
 # As given: nothing where they are proposed.
 BLANK_ROWS = (
@@ -12,6 +13,7 @@ BLANK_ROWS = (
     ("backlash", "Gear pair/Mounting/backlash"))
 ROWS = (("speed of the pinion in operation", "Operation/speed"),
         ("torque on the {driven}", "Operation/torque"),
+        ("torque on the pinion", "Operation/pinion torque"),
         ("tooth meshes", "Operation/tooth meshes"),
         ("start", "Dynamics/start"),
         ("bore of the {driven}", "Operation/hub"),
@@ -37,19 +39,30 @@ def describe_damping(parameters):
     return f"{ratio} at {frequency}"
 
 
+def describe_torque(parameters):
+    """As it is given: on the driven member or on the pinion."""
+    on_pinion = parameters.get("Operation/pinion torque", "0")
+    return f"{parameters['Operation/torque']} on the {name_driven(parameters)}" if is_zero(on_pinion) else f"{on_pinion} on the pinion"
+
+
+def describe_speeds(parameters):
+    """Lowest and highest speed of studies that meet any speed between two, else None."""
+    section = {"waves": "Waves", "reduced": "Reduced"}.get(parameters.get("Study/kind"))
+    between = [parameters.get(f"{section}/{end} speed") for end in ("lowest", "highest")]
+    return between if all(between) and (section == "Waves" or sweeps_speeds(parameters)) else None
+
+
 def make_title(run):
     """What a run or study is, in one line; the folder's name where it is no gear pair."""
     parameters = run.parameters
     kind = parameters.get("Study/kind", "run")
     parts = [describe_pair(parameters), describe_web(parameters)]
     unused = list_unused(parameters)
-    if "Operation/speed" in parameters and "Operation/speed" not in unused:
-        # Waves are met at any speed between two.
-        between = [parameters.get(f"Waves/{end} speed") for end in ("lowest", "highest")]
-        parts.append(f"pinion from {between[0]} to {between[1]}" if kind == "waves" and all(between)
-                     else f"pinion at {parameters['Operation/speed']}")
+    between = describe_speeds(parameters)
+    if between or ("Operation/speed" in parameters and "Operation/speed" not in unused):
+        parts.append(f"pinion from {between[0]} to {between[1]}" if between else f"pinion at {parameters['Operation/speed']}")
         if "Operation/torque" not in unused:
-            parts.append(f"{parameters['Operation/torque']} on the {name_driven(parameters)}")
+            parts.append(describe_torque(parameters))
     title = ", ".join(part for part in parts if part) or parameters.get("Compare/title") or run.path.resolve().name
     return title if kind == "run" else f"{title}: {kind}"
 
@@ -65,6 +78,7 @@ def list_case_rows(run):
                   for key in keys if key in parameters]
         if not all(is_zero(value) for value in values) and not unused.issuperset(keys):
             yield name.format(driven=name_driven(parameters)), ", ".join(values)
+    yield from list_sweep_rows(parameters)
     yield from list_error_rows(run)
     web = describe_web(parameters)
     if web.startswith("web"):
@@ -81,6 +95,17 @@ def list_case_rows(run):
     for body in run.bodies():
         yield body["name"], (f"{body['cells']} elements, {body['nodes']} nodes, "
                              f"{body['mass']['value']:.4g} {body['mass']['unit']}")
+
+
+def list_sweep_rows(parameters):
+    """Of a reduced pair at many speeds, in place of its speed and its tooth meshes."""
+    if not sweeps_speeds(parameters):
+        return
+    between = describe_speeds(parameters)
+    yield "speeds of the pinion", f"{parameters['Reduced/speeds']} from {between[0]} to {between[1]}, {parameters['Reduced/sweep']}"
+    decay = parameters.get("Reduced/settling decay times", "0")
+    least = "" if is_zero(decay) else f" and {decay} decay times at least"
+    yield "tooth meshes at each speed", f"{parameters['Reduced/settling meshes']}{least} to settle, {parameters['Reduced/counted meshes']} counted"
 
 
 def list_error_rows(run):
@@ -122,10 +147,14 @@ def list_sentences(run):
     pair = describe_pair(parameters)
     if pair and frequency:
         time = summary["run"]["time"]["value"]
-        yield (f"The {pair[0].lower()}{pair[1:]} turns at {parameters['Operation/speed']} of the pinion, the "
-               f"{name_driven(parameters)} resists with {parameters['Operation/torque']}. Teeth mesh at {frequency:.0f} Hz; "
+        yield (f"The {pair[0].lower()}{pair[1:]} turns at {parameters['Operation/speed']} of the pinion, the load is "
+               f"{describe_torques(run)}. Teeth mesh at {frequency:.0f} Hz; "
                f"the run covers {time * frequency:.3g} tooth meshes ({1e3 * time:.4g} ms) from "
                f"{describe_start(parameters)}.")
+    elif pair and sweeps_speeds(parameters) and run.value("speeds"):
+        yield (f"The {pair[0].lower()}{pair[1:]} turns at {run.value('speeds'):.0f} speeds from {run.value('lowest speed'):.5g} to "
+               f"{run.value('highest speed'):.5g} rpm of the pinion, each from the motion at the one before; the load is "
+               f"{describe_torques(run)}.")
     elif pair and run.changes_speed():
         speed, time = run.history["speed"], summary["run"]["time"]["value"]
         yield (f"The speed of the {pair[0].lower()}{pair[1:]} changes from {speed[0]:.0f} to {speed[-1]:.0f} "
@@ -134,6 +163,14 @@ def list_sentences(run):
     if "steady part" in summary:
         text = summary["steady part"]["explanation"]
         yield text[0].upper() + text[1:] + "."
+
+
+def describe_torques(run):
+    """Torques of both members, the given one alone in files of versions that do not state both."""
+    torques = [(run.value(f"{member} torque"), member) for member in ("pinion", "gear")]
+    if any(torque is None for torque, _ in torques):
+        return describe_torque(run.parameters)
+    return " and ".join(f"{torque:.4g} N m on the {member}" for torque, member in torques)
 
 
 def describe_start(parameters):
