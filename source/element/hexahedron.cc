@@ -117,6 +117,15 @@ namespace vfife
   }
 
 
+  double compute_least_gauss_jacobian(const HexahedronNodes &nodes)
+  {
+    double least = compute_jacobian(nodes, gauss_point(0)).determinant();
+    for (unsigned int q = 1; q < 8; ++q)
+      least = std::min(least, compute_jacobian(nodes, gauss_point(q)).determinant());
+    return least;
+  }
+
+
   Vector3 compute_centroid(const HexahedronNodes &nodes)
   {
     // X = sum_a N_a X_a, so int X dV = sum_a X_a int N_a dV: the lumped masses of density 1.

@@ -31,13 +31,15 @@ namespace vfife
 
   MeshLaw MeshLaw::from_table(const Table &table, const std::string &path, const LoadLaw law)
   {
-    check_positions(find_column(table, path, column::position), path);
-    const std::vector<double> &unloaded =
-      find_column(table, path, column::unloaded_transmission_error);
-    const std::vector<double> &loaded = find_column(table, path, column::transmission_error);
-    const std::vector<double> &torque = find_column(table, path, column::contact_torque_on("gear"));
-    const std::vector<double> &tangent = find_column(table, path, column::tangent_stiffness);
-    MeshLaw                    result;
+    check_positions(find_column(table, path, column::position, "tooth meshes"), path);
+    const auto find = [&](const std::string_view name, const std::string &unit) {
+      return find_column(table, path, name, unit);
+    };
+    const std::vector<double> unloaded = find(column::unloaded_transmission_error, "arcsec");
+    const std::vector<double> loaded   = find(column::transmission_error, "arcsec");
+    const std::vector<double> torque   = find(column::contact_torque_on("gear"), "N m");
+    const std::vector<double> tangent  = find(column::tangent_stiffness, "N m/rad");
+    MeshLaw                   result;
     result.reference_torque = 1e3 * std::abs(torque.front());
     const double        T0  = result.reference_torque;
     std::vector<double> stiffness, exponent, error;

@@ -4,10 +4,37 @@
 
 #include <deal.II/grid/tria_description.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <algorithm>
 #include <cstdint>
 
 namespace vfife
 {
+  std::string BodyMesh::find_spelling(const std::string &name) const
+  {
+    if (!names_without_case || node_sets.count(name) != 0)
+      return name;
+    for (const auto &set : node_sets)
+      if (boost::iequals(set.first, name, std::locale::classic()))
+        return set.first;
+    return name;
+  }
+
+  FaceSet faces_of(const FacetSurface &surface)
+  {
+    FaceSet faces;
+    for (const auto &facet : surface.facets)
+      {
+        std::array<unsigned int, 4> nodes;
+        for (unsigned int i = 0; i < 4; ++i)
+          nodes[i] = surface.nodes[facet[i]];
+        std::sort(nodes.begin(), nodes.end());
+        faces.insert(nodes);
+      }
+    return faces;
+  }
+
   void create_triangulation(BodyMesh                        &mesh,
                             const std::vector<Vector3>      &nodes,
                             const std::vector<CellNodes>    &hexahedra,
@@ -42,6 +69,29 @@ namespace vfife
         if (cell->vertex_index(v) != hexahedra[cell->active_cell_index()][v])
           throw NumericalError("mesh " + mesh.name + ": deal.II renumbered element " +
                                std::to_string(cell->active_cell_index()));
+  }
+
+  void name_surface_faces(BodyMesh &mesh, const std::vector<std::string> &names)
+  {
+    std::map<std::array<unsigned int, 4>, unsigned int> ids;
+    for (unsigned int i = 0; i < names.size(); ++i)
+      {
+        mesh.boundaries[i + 1] = names[i];
+        for (const auto &nodes : faces_of(mesh.surfaces.at(names[i])))
+          ids.emplace(nodes, i + 1);
+      }
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        {
+          if (!face->at_boundary())
+            continue;
+          std::array<unsigned int, 4> nodes;
+          for (unsigned int v = 0; v < 4; ++v)
+            nodes[v] = face->vertex_index(v);
+          std::sort(nodes.begin(), nodes.end());
+          const auto found = ids.find(nodes);
+          face->set_boundary_id(found == ids.end() ? 0 : found->second);
+        }
   }
 
   void name_boundaries(BodyMesh &mesh, const std::vector<std::string> &names)

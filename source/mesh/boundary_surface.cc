@@ -104,6 +104,20 @@ namespace vfife
       });
   }
 
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
+                                   const std::string              &name,
+                                   const FaceSet                  &faces)
+  {
+    return collect_facets(triangulation,
+                          name,
+                          [&faces](dealii::types::boundary_id,
+                                   FaceNodes face,
+                                   const std::array<Vector3, 4> &) {
+                            std::sort(face.begin(), face.end());
+                            return faces.count(face) != 0;
+                          });
+  }
+
   FacetSurface surface_of_boundary(const dealii::Triangulation<3>  &triangulation,
                                    const std::string               &name,
                                    const dealii::types::boundary_id boundary)

@@ -35,6 +35,14 @@ namespace vfife
       return J;
     }
 
+    Vector3 centre_of(const Corners &x)
+    {
+      Vector3 centre = Vector3::Zero();
+      for (const Vector3 &corner : x)
+        centre += corner / 8.;
+      return centre;
+    }
+
     /** Largest area of the six faces, each as half the cross product of its diagonals. */
     double largest_face(const Corners &x)
     {
@@ -79,12 +87,13 @@ namespace vfife
   MeshQuality compute_mesh_quality(const dealii::Triangulation<3> &triangulation)
   {
     MeshQuality quality;
-    quality.cells                 = triangulation.n_active_cells();
-    quality.nodes                 = triangulation.n_used_vertices();
-    quality.least_scaled_jacobian = std::numeric_limits<double>::max();
-    quality.least_determinant     = std::numeric_limits<double>::max();
-    quality.least_edge            = std::numeric_limits<double>::max();
-    quality.least_height          = std::numeric_limits<double>::max();
+    quality.cells                   = triangulation.n_active_cells();
+    quality.nodes                   = triangulation.n_used_vertices();
+    quality.least_scaled_jacobian   = std::numeric_limits<double>::max();
+    quality.least_determinant       = std::numeric_limits<double>::max();
+    quality.least_gauss_determinant = std::numeric_limits<double>::max();
+    quality.least_edge              = std::numeric_limits<double>::max();
+    quality.least_height            = std::numeric_limits<double>::max();
 
     //     6-----7     Corner v by its bits x, y, z. The scaled Jacobian of a cell is the least over
     //    /|    /|     its corners of det(e1, e2, e3) over the lengths of the three edges that leave
@@ -107,10 +116,11 @@ namespace vfife
           {
             quality.least_scaled_jacobian = scaled;
             quality.worst_cell            = cell->active_cell_index();
-            quality.worst_cell_centre     = Vector3::Zero();
-            for (const Vector3 &corner : x)
-              quality.worst_cell_centre += corner / 8.;
+            quality.worst_cell_centre     = centre_of(x);
           }
+
+        if (!(scaled > 0.))
+          ++quality.inverted_corners;
 
         // inside: least determinant, volume, and volume over the largest face
         double volume = 0.;
@@ -119,6 +129,11 @@ namespace vfife
             const auto  &xi           = gauss.point(q);
             const double determinant  = jacobian(x, {xi[0], xi[1], xi[2]}).determinant();
             quality.least_determinant = std::min(quality.least_determinant, determinant);
+            if (determinant < quality.least_gauss_determinant)
+              {
+                quality.least_gauss_determinant = determinant;
+                quality.worst_gauss_centre      = centre_of(x);
+              }
             volume += gauss.weight(q) * determinant;
           }
         quality.volume += volume;

@@ -31,9 +31,9 @@ namespace vfife
     for (unsigned int e = 0; e < n_elements(); ++e)
       {
         const HexahedronNodes nodes = element_nodes(e);
-        // Refused here, where element and place can be named, rather than by a kernel in the
-        // middle of a run.
-        if (!(compute_least_jacobian(nodes) > 0))
+        // At the Gauss points, where masses and stiffness are made. Refused here, where element and
+        // place can be named, rather than by a kernel in the middle of a run.
+        if (!(compute_least_gauss_jacobian(nodes) > 0))
           {
             const Vector3 c = nodes.rowwise().mean();
             throw InputError("body \"" + name_ + "\": element " + std::to_string(e) + " at (" +
@@ -120,12 +120,12 @@ namespace vfife
 
   bool Body::has_node_set(const std::string &set) const
   {
-    return mesh_->node_sets.count(set) != 0;
+    return mesh_->node_sets.count(mesh_->find_spelling(set)) != 0;
   }
 
   const std::vector<unsigned int> &Body::node_set(const std::string &set) const
   {
-    const auto found = mesh_->node_sets.find(set);
+    const auto found = mesh_->node_sets.find(mesh_->find_spelling(set));
     if (found != mesh_->node_sets.end())
       return found->second;
 

@@ -19,15 +19,18 @@ namespace vfife
           masses.push_back(body.node_masses()[node]);
         return masses;
       }
-    if (load.kind == LoadKind::pressure && find_boundary_faces(body, load.nodes).empty())
+    if (load.kind == LoadKind::pressure &&
+        find_boundary_faces(body, load.nodes, load.faces).empty())
       throw InputError("load \"" + load.name + "\": its nodes carry no face of body \"" +
                        body.name() + "\" that the pressure could act on");
-    return compute_area_shares(body, load.nodes);
+    return compute_area_shares(body, load.nodes, load.faces);
   }
 
-  std::vector<double> compute_area_shares(const Body &body, const std::vector<unsigned int> &nodes)
+  std::vector<double> compute_area_shares(const Body                      &body,
+                                          const std::vector<unsigned int> &nodes,
+                                          const SelectedFaces             &selected)
   {
-    std::vector<double> shares = compute_nodal_areas(body, nodes);
+    std::vector<double> shares = compute_nodal_areas(body, nodes, selected);
     double              sum    = std::accumulate(shares.begin(), shares.end(), 0.);
     // Single nodes or lines of nodes have no area.
     if (!(sum > 0))
@@ -71,7 +74,8 @@ namespace vfife
   }
 
   std::vector<BoundaryFace> find_boundary_faces(const Body                      &body,
-                                                const std::vector<unsigned int> &nodes)
+                                                const std::vector<unsigned int> &nodes,
+                                                const SelectedFaces             &of)
   {
     std::vector<BoundaryFace> faces;
     std::vector<std::uint8_t> selected(body.n_nodes(), 0);
@@ -103,7 +107,7 @@ namespace vfife
                 face.nodes[i] = corner_nodes[corners[i]];
                 inside        = inside && selected[face.nodes[i]] != 0;
               }
-            if (inside)
+            if (inside && is_one_of(of, face.nodes))
               faces.push_back(face);
           }
       }

@@ -2,6 +2,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace vfife
@@ -25,7 +26,17 @@ namespace vfife
     return bodies.empty() ? 0 : bodies.back().first_element + bodies.back().n_elements();
   }
 
-  std::vector<double> compute_nodal_areas(const Body &body, const std::vector<unsigned int> &nodes)
+  bool is_one_of(const SelectedFaces &faces, std::array<unsigned int, 4> nodes)
+  {
+    if (!faces)
+      return true;
+    std::sort(nodes.begin(), nodes.end());
+    return faces->count(nodes) != 0;
+  }
+
+  std::vector<double> compute_nodal_areas(const Body                      &body,
+                                          const std::vector<unsigned int> &nodes,
+                                          const SelectedFaces             &faces)
   {
     // Place of a node in the set.
     std::unordered_map<unsigned int, unsigned int> row;
@@ -52,7 +63,7 @@ namespace vfife
                 v[i]   = cell->face(f)->vertex_index(i);
                 inside = inside && row.count(v[i]) != 0;
               }
-            if (!inside)
+            if (!inside || !is_one_of(faces, v))
               continue;
             // A face's vertices are lexicographic: 0 and 3 are opposite. Half the cross product of
             // the diagonals is its area.

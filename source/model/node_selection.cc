@@ -3,9 +3,11 @@
 #include <vfife/base/parameters/expression.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/mesh/body_mesh.h>
+#include <vfife/model/load_shares.h>
 #include <vfife/model/node_selection.h>
 
-#include <numeric>
+#include <algorithm>
 #include <set>
 
 namespace vfife
@@ -79,5 +81,54 @@ namespace vfife
                        "no node of body \"" + selected_body.name() + "\" is selected");
     // Each node once, in ascending order.
     return {nodes.begin(), nodes.end()};
+  }
+
+  SelectedFaces NodeSelection::find_faces(const Body                      &selected_body,
+                                          const std::vector<unsigned int> &nodes,
+                                          const std::string               &section) const
+  {
+    // 1. Facets of the surfaces, and the nodes of what is none.
+    const BodyMesh        &mesh = selected_body.mesh();
+    FaceSet                faces;
+    std::set<unsigned int> of_sets;
+    bool                   has_surface = false;
+    for (const std::string &set : sets)
+      {
+        if (set == "all")
+          return {};
+        const std::string name     = mesh.find_spelling(set);
+        const auto        unusable = mesh.unusable_surfaces.find(name);
+        if (unusable != mesh.unusable_surfaces.end())
+          throw InputError(section + "/nodes", unusable->second);
+        const auto surface = mesh.surfaces.find(name);
+        if (surface != mesh.surfaces.end())
+          {
+            has_surface = true;
+            faces.merge(faces_of(surface->second));
+          }
+        else
+          {
+            const auto &members = selected_body.node_set(name);
+            of_sets.insert(members.begin(), members.end());
+          }
+      }
+    if (!has_surface)
+      return {};
+    for (const BoundaryFace &face :
+         find_boundary_faces(selected_body, {of_sets.begin(), of_sets.end()}))
+      {
+        auto corners = face.nodes;
+        std::sort(corners.begin(), corners.end());
+        faces.insert(corners);
+      }
+    // 2. Without those that "where" leaves out, at one corner at least.
+    for (auto face = faces.begin(); face != faces.end();)
+      {
+        const bool selected = std::all_of(face->begin(), face->end(), [&](const unsigned int node) {
+          return std::binary_search(nodes.begin(), nodes.end(), node);
+        });
+        face                = selected ? std::next(face) : faces.erase(face);
+      }
+    return faces;
   }
 } // namespace vfife

@@ -78,13 +78,13 @@ namespace vfife
         rings.push_back(make_ring(body,
                                   ring::of_bearing(bearing.name),
                                   bearing.nodes,
-                                  compute_area_shares(body, bearing.nodes)));
+                                  compute_area_shares(body, bearing.nodes, bearing.faces)));
     for (const Coupling &coupling : model.couplings)
       if (coupling.body == b)
         rings.push_back(make_ring(body,
                                   ring::of_coupling(coupling.name),
                                   coupling.nodes,
-                                  compute_area_shares(body, coupling.nodes)));
+                                  compute_area_shares(body, coupling.nodes, coupling.faces)));
     if (model.transmission)
       if (const auto &bore = b == model.transmission->driven ? model.transmission->driven_bore
                                                              : model.transmission->driver_bore;

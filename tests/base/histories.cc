@@ -55,6 +55,49 @@ namespace
     check_close("table without heading: factor", plain.factor.value(4e-3), 2.5, 1e-14);
   }
 
+  /** The table of plain.txt in other spellings. */
+  void spellings()
+  {
+    const auto same = [](const std::string &name, const std::string &text) {
+      std::ofstream("spelling.csv", std::ios::binary) << text;
+      std::string found;
+      const auto  refusal = message_of([&] {
+        const QuantityOverTime speed = history_of("spelling.csv", "rpm");
+        found                        = std::abs(speed.start / (1000 * rpm) - 1) < 1e-12 &&
+                    std::abs(speed.factor.value(4e-3) - 2.5) < 1e-12 &&
+                    std::abs(speed.factor.value(2.5e-3) - 2) < 1e-12 && speed.factor.end() == 5e-3
+                                          ? ""
+                                          : "other numbers";
+      });
+      check("spelling: " + name, found + refusal == "");
+    };
+    const std::string rows = "2e-3,1000\n3e-3,3000\n5e-3,2000\n", mark = "\xEF\xBB\xBF";
+    same("byte order mark, no heading, CR LF", mark + "2e-3,1000\r\n3e-3,3000\r\n5e-3,2000\r\n");
+    same("byte order mark and heading", mark + "time [ms],speed [rpm]\n2,1000\n3,3000\n5,2000\n");
+    same("CR", "2e-3,1000\r3e-3,3000\r5e-3,2000\r");
+    same("exponents with D", "2D-3,1.0d+03\n3.D-3,3000\n0.5D-2,2D3\n");
+    same("empty columns behind, quotes", "\"2e-3\",\"1000\",\n3e-3,3000,\n5e-3,2000,,\n");
+    same("semicolons", "time;speed\n2e-3;1000\n3e-3;3000\n5e-3;2000\n");
+    same("title, comments, units that stay",
+         "Run of today\n# by hand\ntime [ms],speed\n-,-\n"
+         "2,1000\n# later\n3,3000\n5,2000\n");
+    same("units in round brackets", "Time (ms),Speed (rpm)\n2,1000\n3,3000\n5,2000\n");
+    same("units in a line of their own", "t,n\nms,rpm\n2,1000\n3,3000\n5,2000\n");
+    same("units between blanks", "time [ms] speed [rpm]\n2 1000\n3 3000\n5 2000\n");
+    same("a heading in a comment", "# time [ms],speed\n2,1000\n3,3000\n5,2000\n");
+    same("rows alone", rows);
+    for (const std::string wrong : {"O.0,0\n1e-3,1\n",
+                                    "0,,1\n1e-3,1,1\n",
+                                    "0,\n1e-3,1\n",
+                                    "0;0,5\n1;1,5\n",
+                                    "time [ms],speed [kN]\n0,1\n",
+                                    "0,1,2\n"})
+      {
+        std::ofstream("wrong.csv") << wrong;
+        print_refusal([] { history_of("wrong.csv", "rpm"); });
+      }
+  }
+
   void formulas()
   {
     const QuantityOverTime speed = history_of("2000 + 1e5*t + 500*(1 - cos(2*pi*40*t))", "rpm");
@@ -113,6 +156,7 @@ int main()
 {
   constants();
   tables();
+  spellings();
   formulas();
   refusals();
   return 0;

@@ -72,7 +72,18 @@ void check_csv_text()
           text.rows[0].cells == std::vector<std::string>({"0", "x, y", "3"}) &&
           text.rows[1].cells == std::vector<std::string>({"1", "", ""}) &&
           text.rows[1].place == "the table, line 4");
-  for (const char *wrong : {"", "a,b\n1,2\n3\n"})
+  std::istringstream other("\xEF\xBB\xBF"
+                           "a [s],b\r1,2\r");
+  const CsvText      same = read_csv(other, "the table");
+  check("byte order mark, lines that end by CR",
+        same.headings[0].name == "a" && same.headings[0].unit == "s" && same.rows.size() == 1 &&
+          same.rows[0].place == "the table, line 2");
+  for (const char *wrong : {"",
+                            "a,b\n1,2\n3\n",
+                            "0,1\n1,2\n",
+                            "a,b,a\n1,2,3\n",
+                            "\xFF\xFE"
+                            "a\n"})
     print_refusal([&] {
       std::istringstream in(wrong);
       read_csv(in, "the table");

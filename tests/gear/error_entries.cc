@@ -69,6 +69,11 @@ namespace
     check_pitch("table of single deviations",
                 read("set pitch table = single.csv").read_pitch("E", 4),
                 {0., 2., -2., -1.});
+    write("millimetres.csv",
+          "tooth,single pitch deviation [mm]\n2,-4e-3\n0,1e-3\n1,2e-3\n3,1e-3\n");
+    check_pitch("table in another unit",
+                read("set pitch table = millimetres.csv").read_pitch("E", 4),
+                {0., 2., -2., -1.});
     write("cumulative.csv", "tooth,cumulative pitch deviation [um]\n0,0\n1,2\n2,-2\n3,7.5\n");
     check_pitch("table of cumulative ones, and a cosine",
                 read(

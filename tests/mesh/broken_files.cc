@@ -76,6 +76,8 @@ namespace
     read("msh", format + nodes + elements(2, lower + "2 5 2 1 1 5 7 6 8 9 10 11 12\n"));
     // Groups of faces that are none of the body's.
     read("msh", format + nodes + elements(2, lower + "2 3 2 7 7 1 3 6 8\n"));
+    read("msh", format + "$Nodse\n0\n$EndNodse\n");
+    read("msh", format + "$PartitionedEntities\n1\n$EndPartitionedEntities\n");
     // Format 4.1: what the first line of a section states and what follows must agree.
     const std::string four = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     read("msh", four + "$Nodes\n1 3 1 3\n3 1 0 2\n1\n2\n0 0 0\n1 0 0\n$EndNodes\n");
@@ -96,6 +98,32 @@ namespace
     read("inp", corners + cube + "1, 1,2,3,4,5,6,7,8\n");
     read("inp", corners + "8,0,1,1\n" + cube);
     read("inp", corners + cube + "*SURFACE, NAME=A\n\x80, S1\n");
+    // What changes a mesh is read or refused by its name.
+    for (const char *more :
+         {"*NSET, NSET=A\n1, 9\n",
+          "*NSET, NSET=A\nB\n",
+          "*NSTE, NSET=A\n1\n",
+          "*NSET, NSET=A, EXCEPT=1\n2\n",
+          "*NSET\n2\n",
+          "*NMAP, NSET=A\n0, 0, 0\n",
+          "*TIE, NAME=T\nA, B\n",
+          "*SPRINGS\n",
+          "*MATERIAL, NAME=M\n*ELASTIC\n2e5, 0.3\n*NODES\n9, 0, 0, 0\n",
+          "*SURFACE, NAME=A\n1, S7\n",
+          "*SURFACE, NAME=A, TYPE=CUTTING SURFACE\n",
+          "*ELEMENT, TYPE=S4, ELSET=A\n2, 1, 3, 6, 8\n",
+          "*ELEMENT, TYPE=S4, ELSET=A\n2, 1, 2, 3, 4\n*SHELL SECTION, ELSET=A\n1.\n",
+          "*ELEMENT, TYPE=S3\n2, 1, 2, 3\n",
+          "*ELEMENT, TYPE=C3D20\n",
+          "*ELEMENT\n",
+          "*SYSTEM\n0, 0, 0, 1, 0, 0\n2, 0, 0\n",
+          "*NODE, SYSTEM=S\n9, 0, 0, 0\n",
+          "*NGEN\n1, 8, 3\n",
+          "*ELGEN\n1, 2, 8, 1\n",
+          "*INSTANCE, NAME=A, PART=B\n",
+          "*PART, NAME=A\n"})
+      read("inp", corners + cube + more);
+    read("inp", "\xFF\xFE*\n");
 
     const std::string head = "# vtk DataFile Version 3.0\ncube\nASCII\nDATASET UNSTRUCTURED_GRID\n";
     const std::string points = "POINTS 8 float\n0 0 0 1 0 0 1 1 0 0 1 0\n0 0 1 1 0 1 1 1 1 0 1 1\n";
@@ -106,6 +134,12 @@ namespace
     read("vtk", head + points + "CELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n10\n");
     read("vtk", head + points + "CELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n12\n");
     read("vtk", "# vtk DataFile Version 3.0\ncube\nBINARY\n");
+    const std::string cells = "CELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n";
+    read("vtk", head + points + "CELLS 1 8\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n");
+    read("vtk", head + points + "CELLS 2 8\nOFFSETS vtktypeint64\n0 7\n");
+    read("vtk", head + points + cells + "CELL_DATA 1\nSCALARS mat_id int\nLOOKUP_TABLE d\n1.5\n");
+    read("vtk", head + points + cells + "CELL_DATA 1\nVECTOR a float\n1 2 3\n");
+    read("vtk", head + points + cells + "POINT_DATA 9\n");
 
     const std::string ucd = "8 1 0 0 0\n1 0 0 0\n2 1 0 0\n3 1 0 1\n4 0 0 1\n5 0 1 0\n6 1 1 0\n"
                             "7 1 1 1\n8 0 1 1\n";
@@ -113,6 +147,7 @@ namespace
     read("ucd", ucd + "1 1 prism 1 2 3 4 5 6\n");
     read("ucd", ucd + "1 1 hex 1 2 3 4 5 6 7 0\n");
     read("ucd", "8 1 0\n");
+    read("ucd", ucd + "1 1 hex 1 2 3 4 5 6 7 8\n2 1 hex 1 2 3 4 5 6 7 8\n");
   }
 } // namespace
 

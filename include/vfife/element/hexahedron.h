@@ -57,6 +57,9 @@ namespace vfife
   /** Least det(dX/dxi) over the 8 corners and the 8 Gauss points [mm^3]; <= 0: folded element. */
   double compute_least_jacobian(const HexahedronNodes &nodes);
 
+  /** The same over the Gauss points alone: <= 0: masses and stiffness make no sense. */
+  double compute_least_gauss_jacobian(const HexahedronNodes &nodes);
+
   /** Centroid of the volume, (1/V) int X dV [mm]. */
   Vector3 compute_centroid(const HexahedronNodes &nodes);
 } // namespace vfife

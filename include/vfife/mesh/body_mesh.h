@@ -8,6 +8,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,23 @@ namespace vfife
     std::map<std::string, std::vector<unsigned int>> node_sets;
     /** e.g. "concave", "convex" (flanks with true normals and offsets, one group a tooth). */
     std::map<std::string, FacetSurface> surfaces;
+
+    // Of a body that was read from a file:
+    /** Names that the file gives to surfaces on which nothing can act, and why. */
+    std::map<std::string, std::string> unusable_surfaces;
+    bool                               names_without_case = false; ///< "Top" and "TOP" are one name
+    std::vector<std::string>           warnings, notes;            ///< on the file, for the log
+
+    /** The node set or surface that @p name means, as it is spelt here; @p name where there is
+     * none. */
+    std::string find_spelling(const std::string &name) const;
   };
+
+  /** Faces of a mesh, each by its four nodes in ascending order. */
+  using FaceSet = std::set<std::array<unsigned int, 4>>;
+
+  /** The facets of a surface by nodes of the mesh. */
+  FaceSet faces_of(const FacetSurface &surface);
 
   /** Eight nodes of a hexahedron in deal.II's lexicographic order. */
   using CellNodes = std::array<unsigned int, 8>;
@@ -51,6 +68,10 @@ namespace vfife
                             const std::vector<unsigned int> &regions = {});
 
   constexpr unsigned int most_boundaries = 32;
+
+  /** Gives the faces of @p mesh.surfaces the boundary ids 1, 2, ... in the order of @p names; a
+   * face of several surfaces has the first one's. */
+  void name_surface_faces(BodyMesh &mesh, const std::vector<std::string> &names);
 
   /**
    * Gives boundary faces the boundary ids 1, 2, ... in the order of @p names: a face belongs to the

@@ -29,6 +29,11 @@ namespace vfife
                                    const std::string               &name,
                                    const std::vector<unsigned int> &nodes);
 
+  /** The same for the boundary faces in @p faces. */
+  FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
+                                   const std::string              &name,
+                                   const FaceSet                  &faces);
+
   /** The same for the active boundary faces of a boundary id. */
   FacetSurface surface_of_boundary(const dealii::Triangulation<3> &triangulation,
                                    const std::string              &name,

@@ -25,8 +25,13 @@ namespace vfife
     /** Least determinant of dX/dxi on the unit cube, at corners and 2 x 2 x 2 Gauss points [mm^3].
      */
     double least_determinant = 0;
-    double least_edge        = 0; ///< [mm]
-    double largest_edge      = 0; ///< [mm]
+    /** The same at the Gauss points alone, and where that is. */
+    double       least_gauss_determinant = 0;
+    Vector3      worst_gauss_centre      = Vector3::Zero();
+    unsigned int inverted_corners        = 0; ///< cells with a corner where it is not positive
+
+    double least_edge   = 0; ///< [mm]
+    double largest_edge = 0; ///< [mm]
     double least_height = 0; ///< volume over the largest face area: governs the stable step [mm]
     double largest_aspect_ratio = 0; ///< longest over shortest edge of a cell
     double volume               = 0; ///< of the trilinear cells, exact [mm^3]

@@ -7,13 +7,20 @@
 #include <vfife/contact/law/friction_options.h>
 #include <vfife/contact/law/penalty_options.h>
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace vfife
 {
   class BearingLaw;
+
+  /** The faces that belong to a set of nodes, each by its four nodes in ascending order: of the
+   * surfaces that were named. Without: all faces of the boundary whose nodes are in the set. */
+  using SelectedFaces = std::optional<std::set<std::array<unsigned int, 4>>>;
 
   enum class LoadKind
   {
@@ -44,6 +51,7 @@ namespace vfife
     Vector3                   vector   = Vector3::Zero();
     double                    pressure = 0; ///< [MPa], + into the body
     ParameterHistory          history;      ///< factor
+    SelectedFaces             faces = {};
   };
 
   /** Holds the mean motion of a ring of a body's nodes (ShaftSeat) elastically. */
@@ -55,6 +63,7 @@ namespace vfife
     /** Columns x, y, z in the fixed frame, z along the body's axis. */
     Matrix3                           axes = Matrix3::Identity();
     std::shared_ptr<const BearingLaw> law;
+    SelectedFaces                     faces = {};
   };
 
   /** A torsional spring and damper between the mean twist of a ring of a body's nodes and the turn
@@ -66,6 +75,7 @@ namespace vfife
     std::vector<unsigned int> nodes;         ///< of the body
     double                    stiffness = 0; ///< [N mm/rad]
     double                    damping   = 0; ///< [N mm s/rad]
+    SelectedFaces             faces     = {};
   };
 
   /**
@@ -82,6 +92,7 @@ namespace vfife
     Vector3                   normal = Vector3::UnitX(); ///< unit, out of the wall
     PenaltyOptions            penalty{1};
     FrictionOptions           friction;
+    SelectedFaces             faces = {};
   };
 } // namespace vfife
 

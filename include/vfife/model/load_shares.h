@@ -18,8 +18,10 @@ namespace vfife
   std::vector<double> compute_load_shares(const Load &load, const Body &body);
 
   /** Shares of one by the area that belongs to each node, equal ones where the nodes carry no whole
-   * face. */
-  std::vector<double> compute_area_shares(const Body &body, const std::vector<unsigned int> &nodes);
+   * face. Faces as for compute_nodal_areas(). */
+  std::vector<double> compute_area_shares(const Body                      &body,
+                                          const std::vector<unsigned int> &nodes,
+                                          const SelectedFaces             &faces = {});
 
   /** Where nodes of a body are in the fixed frame at time zero [mm]. */
   std::vector<Vector3> find_undeformed_places(const Body                      &body,
@@ -41,9 +43,11 @@ namespace vfife
     std::array<unsigned int, 4> nodes;   ///< of the body, seen from outside counter-clockwise
   };
 
-  /** The faces on the body's boundary whose nodes all are among @p nodes. */
+  /** The faces on the body's boundary whose nodes all are among @p nodes, of @p faces where these
+   * are given. */
   std::vector<BoundaryFace> find_boundary_faces(const Body                      &body,
-                                                const std::vector<unsigned int> &nodes);
+                                                const std::vector<unsigned int> &nodes,
+                                                const SelectedFaces             &faces = {});
 
   /** Vector area of the bilinear face through four places in turn [mm^2]. */
   Vector3

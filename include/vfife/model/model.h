@@ -104,11 +104,17 @@ namespace vfife
     unsigned int n_elements() const;
   };
 
+  /** Whether a face is selected, its @p nodes in any order. */
+  bool is_one_of(const SelectedFaces &faces, std::array<unsigned int, 4> nodes);
+
   /**
    * Area of the mesh's boundary faces that belongs to each of @p nodes (a quarter of every face
-   * whose four nodes are all in the set) [mm^2].
+   * whose four nodes are all in the set, and which is one of @p faces where these are given)
+   * [mm^2].
    */
-  std::vector<double> compute_nodal_areas(const Body &body, const std::vector<unsigned int> &nodes);
+  std::vector<double> compute_nodal_areas(const Body                      &body,
+                                          const std::vector<unsigned int> &nodes,
+                                          const SelectedFaces             &faces = {});
 } // namespace vfife
 
 #endif

@@ -3,6 +3,7 @@
 #define vfife_model_node_selection_h
 
 #include <vfife/model/body.h>
+#include <vfife/model/load.h>
 
 #include <string>
 #include <vector>
@@ -31,6 +32,16 @@ namespace vfife
 
     /** The nodes, sorted; throws InputError where there are none. */
     std::vector<unsigned int> find_nodes(const Body &body, const std::string &section) const;
+
+    /**
+     * The faces on which something acts at the selected @p nodes: of sets that are surfaces their
+     * facets, of those that are not the faces of the boundary between their nodes; "where" must
+     * hold at all nodes of a face. Nothing where no set is a surface. Throws InputError for a
+     * surface of a file that is none of the boundary.
+     */
+    SelectedFaces find_faces(const Body                      &body,
+                             const std::vector<unsigned int> &nodes,
+                             const std::string               &section) const;
   };
 } // namespace vfife
 

@@ -4,6 +4,7 @@
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/shown_text.h>
+#include <vfife/base/text/text_lines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +21,17 @@ namespace vfife
       return "row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1);
     }
 
-    std::vector<std::string> cells_of(const std::string &line)
+    std::vector<std::string>
+    cells_of(const std::string &line, const std::string &name, const unsigned int number)
     {
-      const char *const        dividers = ",;\t";
-      std::vector<std::string> cells;
-      for (std::size_t begin = 0; begin <= line.size();)
+      try
         {
-          const std::size_t end = std::min(line.find_first_of(dividers, begin), line.size());
-          cells.push_back(trimmed(line.substr(begin, end - begin)));
-          begin = end + 1;
+          return split_row(line);
         }
-      return cells;
+      catch (const InputError &error)
+        {
+          throw InputError(name + ", line " + std::to_string(number) + ": " + error.what());
+        }
     }
 
     double number_of(const std::string &cell, const std::string &name, const std::string &place)
@@ -62,14 +63,16 @@ namespace vfife
     }
   } // namespace
 
-  Eigen::MatrixXd
-  arrange_on_grid(const Table &table, const std::string &path, const std::string &name)
+  Eigen::MatrixXd arrange_on_grid(const Table       &table,
+                                  const std::string &path,
+                                  const std::string &name,
+                                  const std::string &unit)
   {
-    const std::string          file    = "the table \"" + path + "\"";
-    const std::vector<double> &rows    = find_column(table, path, "row");
-    const std::vector<double> &columns = find_column(table, path, "column");
-    const std::vector<double> &numbers = find_column(table, path, name);
-    std::size_t                n_rows = 0, n_columns = 0;
+    const std::string         file    = "the table \"" + path + "\"";
+    const std::vector<double> rows    = find_column(table, path, "row", "-");
+    const std::vector<double> columns = find_column(table, path, "column", "-");
+    const std::vector<double> numbers = find_column(table, path, name, unit);
+    std::size_t               n_rows = 0, n_columns = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i)
       {
         n_rows    = std::max(n_rows, index_of(rows[i], "row", file) + 1);
@@ -96,36 +99,37 @@ namespace vfife
   bool has_headings(const std::string &path)
   {
     std::ifstream stream(path);
+    TextLines     lines(stream);
     std::string   line;
-    std::getline(stream, line);
-    for (const std::string &cell : cells_of(line))
+    lines.next(line);
+    for (const std::string &cell : split_row(line))
       if (cell.substr(0, cell.find(" [")) == "row" || cell.substr(0, cell.find(" [")) == "x")
         return true;
     return false;
   }
 
-  Eigen::MatrixXd read_parameter_grid(const std::string &path, const std::string &name)
+  Eigen::MatrixXd
+  read_parameter_grid(const std::string &path, const std::string &name, const std::string &unit)
   {
     const std::string file = "the grid \"" + path + "\"";
     if (has_headings(path))
-      return arrange_on_grid(read_parameter_table(path), path, name);
+      return arrange_on_grid(read_parameter_table(path), path, name, unit);
     std::ifstream stream(path);
     if (!stream)
       throw InputError(file + " cannot be read");
     std::vector<std::vector<double>> rows;
     std::vector<std::size_t>         lines; // of the file, in which each row stands
-    std::size_t                      n_lines = 0;
+    TextLines                        text(stream);
     const auto place_in = [&lines](const std::size_t row, const std::size_t i) {
       return place_of(row, i) + " (line " + std::to_string(lines[row]) + ")";
     };
-    for (std::string line; std::getline(stream, line);)
+    for (std::string line; text.next(line);)
       {
-        ++n_lines;
         if (trimmed(line).empty() || trimmed(line)[0] == '#')
           continue;
-        const std::vector<std::string> cells = cells_of(line);
         rows.emplace_back();
-        lines.push_back(n_lines);
+        lines.push_back(text.number());
+        const std::vector<std::string> cells = cells_of(line, file, text.number());
         for (std::size_t i = 0; i < cells.size(); ++i)
           rows.back().push_back(number_of(cells[i], file, place_in(rows.size() - 1, i)));
         // A short row has a hole at its end, and so has the first one where another is longer.

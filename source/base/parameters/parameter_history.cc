@@ -5,99 +5,23 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
-#include <vfife/base/text/shown_text.h>
+
+#include "parameter_time_table.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <functional>
-#include <sstream>
 #include <tuple>
 
 namespace vfife
 {
   namespace
   {
-    /** Whether a word begins as numbers do, and no heading. */
-    bool begins_number(const std::string &word)
-    {
-      return std::string("+-.0123456789").find(word[0]) != std::string::npos;
-    }
-
-    /** The words of a line; columns may be divided by commas, blanks or tabs. */
-    std::vector<std::string> split(std::string line)
-    {
-      std::replace(line.begin(), line.end(), ',', ' ');
-      std::istringstream       stream(line);
-      std::vector<std::string> words;
-      for (std::string word; stream >> word;)
-        words.push_back(word);
-      return words;
-    }
-
-    /** Internal units of one of what the heading of a column has in brackets, as @p unit is meant
-     * where it has none. */
-    std::array<double, 2> read_factors(const std::string &heading, const std::string &unit)
-    {
-      std::array<double, 2> factors = {{1., parse_quantity("1", unit)}};
-      std::size_t           begin   = 0;
-      for (unsigned int column = 0; column < 2; ++column)
-        {
-          const std::size_t end  = std::min(heading.find(',', begin), heading.size());
-          const std::size_t open = heading.find('[', begin), close = heading.find(']', begin);
-          if (open < close && close < end)
-            factors[column] = parse_quantity("1 " + heading.substr(open + 1, close - open - 1),
-                                             column == 0 ? "s" : unit);
-          begin = std::min(end + 1, heading.size());
-        }
-      return factors;
-    }
-
-    /** Time [s] and value [internal units] of each row, times increasing. */
-    std::vector<std::pair<double, double>> read_rows(const std::string &path,
-                                                     const std::string &unit)
-    {
-      std::ifstream file(path);
-      if (!file)
-        throw InputError("the table \"" + path + "\" cannot be read");
-      std::vector<std::pair<double, double>> rows;
-      std::array<double, 2>                  factors = read_factors("", unit);
-      unsigned int                           n_lines = 0;
-      for (std::string line; std::getline(file, line);)
-        {
-          const std::string place =
-            "the table \"" + path + "\", line " + std::to_string(++n_lines) + ": ";
-          const std::vector<std::string> words = split(line);
-          // Headings come before the numbers.
-          if (words.empty() || (rows.empty() && !begins_number(words[0])))
-            {
-              factors = words.empty() ? factors : read_factors(line, unit);
-              continue;
-            }
-          if (words.size() != 2)
-            throw InputError(place + "a time and a factor are needed, not " +
-                             std::to_string(words.size()) + " numbers");
-          std::string                     rest[2];
-          const std::pair<double, double> row = {factors[0] * read_number(words[0], rest[0]),
-                                                 factors[1] * read_number(words[1], rest[1])};
-          if (!rest[0].empty() || !rest[1].empty())
-            throw InputError(place + "\"" + shown(rest[0].empty() ? words[1] : words[0]) +
-                             "\" is no number");
-          if (!rows.empty() && row.first <= rows.back().first)
-            throw InputError("times in the table \"" + path + "\" must increase");
-          rows.push_back(row);
-        }
-      if (rows.empty())
-        throw InputError("the table \"" + path + "\" has no rows of two numbers");
-      return rows;
-    }
-
     /** Whether a text speaks of time: t stands in it as a word. */
     bool is_formula_of_time(const std::string &text)
     {
@@ -168,7 +92,7 @@ namespace vfife
         formula_.emplace(text);
         return;
       }
-    rows_ = read_rows(text, unit);
+    rows_ = read_time_table(text, unit);
     areas_.push_back(0.);
     for (std::size_t i = 1; i < rows_.size(); ++i)
       areas_.push_back(areas_.back() + 0.5 * (rows_[i].first - rows_[i - 1].first) *

@@ -2,7 +2,10 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameter_matrix.h>
 #include <vfife/base/text/number_text.h>
+#include <vfife/base/text/text_lines.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -22,17 +25,20 @@ namespace vfife
       explicit MatrixFile(const std::string &path)
         : name_("the matrix \"" + path + "\"")
         , file_(path)
+        , lines_(file_)
       {
         if (!file_)
           throw InputError(name_ + " cannot be opened");
       }
 
-      /** The first line, in words. */
+      /** The first line, in words of lower case: its letters may have any. */
       std::vector<std::string> header()
       {
         std::string line;
-        std::getline(file_, line);
-        ++number_;
+        next_line(line);
+        std::transform(line.begin(), line.end(), line.begin(), [](const unsigned char c) {
+          return static_cast<char>(std::tolower(c));
+        });
         std::vector<std::string> words;
         std::istringstream       stream(line);
         for (std::string word; stream >> word;)
@@ -43,9 +49,8 @@ namespace vfife
       std::vector<double> next(const std::size_t n)
       {
         std::vector<double> numbers;
-        for (std::string line; numbers.empty() && std::getline(file_, line);)
+        for (std::string line; numbers.empty() && next_line(line);)
           {
-            ++number_;
             if (!line.empty() && line[0] == '%')
               continue;
             std::istringstream stream(line);
@@ -66,25 +71,33 @@ namespace vfife
 
       bool has_more()
       {
-        for (std::string line; std::getline(file_, line);)
-          {
-            ++number_;
-            if (line.empty() || line[0] != '%')
-              if (!trimmed(line).empty())
-                return true;
-          }
+        for (std::string line; next_line(line);)
+          if (!trimmed(line).empty() && line[0] != '%')
+            return true;
         return false;
       }
 
       [[noreturn]] void refuse(const std::string &what) const
       {
-        throw InputError(name_ + ", line " + std::to_string(number_) + ": " + what);
+        throw InputError(name_ + ", line " + std::to_string(lines_.number()) + ": " + what);
       }
 
     private:
+      bool next_line(std::string &line)
+      {
+        try
+          {
+            return lines_.next(line);
+          }
+        catch (const InputError &error)
+          {
+            refuse(error.what());
+          }
+      }
+
       std::string   name_;
       std::ifstream file_;
-      unsigned int  number_ = 0;
+      TextLines     lines_;
     };
 
     /** A number of rows, columns or entries, or the place of one. */
@@ -101,7 +114,7 @@ namespace vfife
   {
     MatrixFile file(path);
     const auto words = file.header();
-    const bool known = words.size() == 5 && words[0] == "%%MatrixMarket" && words[1] == "matrix" &&
+    const bool known = words.size() == 5 && words[0] == "%%matrixmarket" && words[1] == "matrix" &&
                        (words[2] == "coordinate" || words[2] == "array") &&
                        (words[3] == "real" || words[3] == "integer") &&
                        (words[4] == "general" || words[4] == "symmetric");

@@ -4,11 +4,37 @@
 #include <vfife/base/text/csv_text.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>
+#include <vfife/base/text/quantity.h>
 
 #include <fstream>
 
 namespace vfife
 {
+  namespace
+  {
+    /** The numbers of a column, whose heading may state another unit. */
+    std::vector<double>
+    in_unit_of_reader(const Table::Column &column, const std::string &path, const std::string &unit)
+    {
+      std::vector<double> numbers = column.numbers;
+      if (column.unit == "-" || column.unit == unit)
+        return numbers;
+      try
+        {
+          // Some columns have units that no entry has ("tooth meshes").
+          const double factor = in_unit(parse_quantity("1 " + column.unit, unit), unit);
+          for (double &number : numbers)
+            number *= factor;
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("the table \"" + path + "\", column \"" + column.name +
+                           "\": " + error.what());
+        }
+      return numbers;
+    }
+  } // namespace
+
   Table read_parameter_table(const std::string &path)
   {
     // Strict, since a user has written it: a cell that is no number is named with its line. Results
@@ -36,14 +62,16 @@ namespace vfife
     return table;
   }
 
-  const std::vector<double> &
-  find_column(const Table &table, const std::string &path, const std::string_view name)
+  std::vector<double> find_column(const Table           &table,
+                                  const std::string     &path,
+                                  const std::string_view name,
+                                  const std::string     &unit)
   {
     std::vector<std::string> names;
     for (const Table::Column &column : table.columns())
       {
         if (column.name == name)
-          return column.numbers;
+          return in_unit_of_reader(column, path, unit);
         names.push_back(column.name);
       }
     throw InputError("the table \"" + path + "\" has no column \"" + std::string(name) +

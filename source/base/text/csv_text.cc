@@ -2,8 +2,11 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/csv_text.h>
 #include <vfife/base/text/number_text.h>
+#include <vfife/base/text/shown_text.h>
+#include <vfife/base/text/text_lines.h>
 
 #include <istream>
+#include <set>
 
 namespace vfife
 {
@@ -41,23 +44,47 @@ namespace vfife
         return {text, {}};
       return {text.substr(0, open), text.substr(open + 2, text.size() - open - 3)};
     }
+
+    bool next_line(TextLines &lines, const std::string &name, std::string &line)
+    {
+      try
+        {
+          return lines.next(line);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(name + ": " + error.what());
+        }
+    }
   } // namespace
 
   CsvText read_csv(std::istream &in, const std::string &name)
   {
     // The first line has the headings; places count from 1, as editors do.
     CsvText     text;
+    TextLines   lines(in);
     std::string line;
-    if (!in || !std::getline(in, line))
+    if (!in || !next_line(lines, name, line))
       throw InputError(name + " cannot be read");
+    std::set<std::string> names;
+    bool                  are_numbers = true;
     for (const std::string &heading : split(line))
-      text.headings.push_back(make_heading(heading));
-    for (unsigned int number = 2; std::getline(in, line); ++number)
+      {
+        text.headings.push_back(make_heading(heading));
+        are_numbers = are_numbers && plain_number(heading);
+        if (!names.insert(text.headings.back().name).second)
+          throw InputError(name + " has two columns \"" + shown(text.headings.back().name) + "\"");
+      }
+    if (are_numbers)
+      throw InputError(
+        name + ", line 1: headings \"name [unit]\" of the columns are expected, and numbers "
+               "stand there. Put a line of headings before them");
+    while (next_line(lines, name, line))
       {
         // An empty line at the end is no row of one empty cell.
         if (trimmed(line).empty())
           continue;
-        CsvText::Row row{name + ", line " + std::to_string(number), split(line)};
+        CsvText::Row row{name + ", line " + std::to_string(lines.number()), split(line)};
         if (row.cells.size() != text.headings.size())
           throw InputError(row.place + " has " + std::to_string(row.cells.size()) +
                            " cells; the header has " + std::to_string(text.headings.size()));

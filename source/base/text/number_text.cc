@@ -7,6 +7,23 @@
 
 namespace vfife
 {
+  namespace
+  {
+    /** "1.5D-3" of Fortran as "1.5e-3". */
+    std::string with_usual_exponent(std::string number)
+    {
+      const std::size_t letter = number.find_first_not_of("+-.0123456789");
+      if (letter == 0 || letter >= number.size() ||
+          (number[letter] != 'd' && number[letter] != 'D'))
+        return number;
+      const bool        has_sign = number.find_first_of("+-", letter) == letter + 1;
+      const std::size_t digit    = letter + (has_sign ? 2 : 1);
+      if (digit < number.size() && number[digit] >= '0' && number[digit] <= '9')
+        number[letter] = 'e';
+      return number;
+    }
+  } // namespace
+
   std::string trimmed(const std::string &text)
   {
     const char *const blanks = " \t\r\n\v\f";
@@ -27,9 +44,10 @@ namespace vfife
   double read_number(const std::string &text, std::string &rest)
   {
     // Text behind the number, such as a unit, is left to the caller.
-    const std::string number = trimmed(text);
-    const char       *begin  = number.data();
-    const char *const end    = begin + number.size();
+    const std::string number   = trimmed(text);
+    const std::string readable = with_usual_exponent(number);
+    const char       *begin    = readable.data();
+    const char *const end      = begin + readable.size();
 
     // from_chars knows no plus sign
     if (number.size() > 1 && number[0] == '+' && number[1] != '-')

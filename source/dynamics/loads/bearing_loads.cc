@@ -39,6 +39,7 @@ namespace vfife
         seats_.emplace_back(partition,
                             model.bodies[bearing.body],
                             bearing.nodes,
+                            bearing.faces,
                             bearing.axes,
                             "bearing \"" + bearing.name + "\"");
         seats_.back().bearing = &bearing;
@@ -49,6 +50,7 @@ namespace vfife
         seats_.emplace_back(partition,
                             body,
                             coupling.nodes,
+                            coupling.faces,
                             axes_along(body.axis.direction),
                             "coupling \"" + coupling.name + "\"");
         seats_.back().coupling = &coupling;
@@ -77,11 +79,14 @@ namespace vfife
   BearingLoads::Seat::Seat(const Partition                 &partition,
                            const Body                      &of_body,
                            const std::vector<unsigned int> &of_nodes,
+                           const SelectedFaces             &faces,
                            const Matrix3                   &axes,
                            const std::string               &owner)
     : body(&of_body)
     , seat(axes)
-    , set(compute_area_shares(of_body, of_nodes), find_undeformed_places(of_body, of_nodes), owner)
+    , set(compute_area_shares(of_body, of_nodes, faces),
+          find_undeformed_places(of_body, of_nodes),
+          owner)
     , all_nodes(of_nodes)
   {
     for (std::size_t i = 0; i < of_nodes.size(); ++i)

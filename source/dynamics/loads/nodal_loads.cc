@@ -79,7 +79,7 @@ namespace vfife
     const Body      &body      = model_.bodies[load.body];
     const Partition &partition = operator_.partition();
     // Each face belongs to one element, hence to one rank: sums over ranks count it once.
-    for (const BoundaryFace &boundary : find_boundary_faces(body, load.nodes))
+    for (const BoundaryFace &boundary : find_boundary_faces(body, load.nodes, load.faces))
       if (std::binary_search(partition.elements.begin(),
                              partition.elements.end(),
                              body.first_element + boundary.element))

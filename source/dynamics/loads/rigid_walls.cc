@@ -30,7 +30,7 @@ namespace vfife
         // the set; the lightest node for its area bounds penalty and step. All nodes of the model
         // are looked at, those of other ranks too, so that ranks agree.
         const Body &body  = model.bodies[definition.body];
-        const auto  areas = compute_nodal_areas(body, definition.nodes);
+        const auto  areas = compute_nodal_areas(body, definition.nodes, definition.faces);
         Wall        wall(definition);
         double      largest_area = 0;
         for (std::size_t i = 0; i < areas.size(); ++i)

@@ -37,9 +37,14 @@ namespace vfife
       for (unsigned int i = 0; i < 8; ++i)
         x.col(i) = state.node_position(
           state.partition->local_node[body.first_node + body.elements()[element][i]]);
+      // Of an element that is inverted at a corner from the start the Gauss points tell.
+      const HexahedronNodes undeformed = body.element_nodes(element);
+      const double          at_start   = compute_least_jacobian(undeformed);
       return {b,
               element,
-              compute_least_jacobian(x) / compute_least_jacobian(body.element_nodes(element))};
+              at_start > 0
+                ? compute_least_jacobian(x) / at_start
+                : compute_least_gauss_jacobian(x) / compute_least_gauss_jacobian(undeformed)};
     }
 
     /** Of this rank. */

@@ -56,6 +56,7 @@ namespace vfife
 
   BearingRing BearingRings::make_ring(const unsigned int               b,
                                       const std::vector<unsigned int> &nodes,
+                                      const SelectedFaces             &faces,
                                       const std::string               &owner) const
   {
     const Discretization::Part &part = *discretization_.find_part(b);
@@ -64,12 +65,12 @@ namespace vfife
     ring.body = b;
     if (discretization_.sector_angle() > 0)
       {
-        take_sector(body, nodes, owner, ring);
+        take_sector(body, nodes, faces, owner, ring);
         return ring;
       }
     std::vector<double>  shares;
     std::vector<Vector3> places;
-    for (const auto &share : point_area_shares(body, nodes, discretization_, part))
+    for (const auto &share : point_area_shares(body, nodes, faces, discretization_, part))
       {
         ring.points.push_back(share.first);
         shares.push_back(share.second);
@@ -86,11 +87,12 @@ namespace vfife
 
   void BearingRings::take_sector(const Body                      &body,
                                  const std::vector<unsigned int> &nodes,
+                                 const SelectedFaces             &faces,
                                  const std::string               &owner,
                                  BearingRing                     &ring) const
   {
     require_all_copies(body, nodes, owner);
-    const MeanMotion         set(compute_area_shares(body, nodes),
+    const MeanMotion         set(compute_area_shares(body, nodes, faces),
                          find_undeformed_places(body, nodes),
                          owner);
     const MeanMotion::Motion at_rest = set.at_rest();
@@ -142,8 +144,8 @@ namespace vfife
       if (const Bearing &bearing = model.bearings[b];
           discretization_.find_part(bearing.body) != nullptr)
         {
-          rings_.push_back(
-            make_ring(bearing.body, bearing.nodes, "bearing \"" + bearing.name + "\""));
+          rings_.push_back(make_ring(
+            bearing.body, bearing.nodes, bearing.faces, "bearing \"" + bearing.name + "\""));
           rings_.back().support = first + b;
           seats.push_back(b);
         }
@@ -172,8 +174,8 @@ namespace vfife
         if (discretization_.find_part(coupling.body) == nullptr)
           continue;
         const auto row = static_cast<Eigen::Index>(6 * rings_.size());
-        rings_.push_back(
-          make_ring(coupling.body, coupling.nodes, "coupling \"" + coupling.name + "\""));
+        rings_.push_back(make_ring(
+          coupling.body, coupling.nodes, coupling.faces, "coupling \"" + coupling.name + "\""));
         rings_.back().support = first + c;
         stiffness_.conservativeResizeLike(Eigen::MatrixXd::Zero(row + 6, row + 6));
         preload_.conservativeResizeLike(Eigen::VectorXd::Zero(row + 6));

@@ -59,7 +59,7 @@ namespace vfife
       // A pressure needs no shares, but is refused without a face.
       const Body &body = discretization.model().bodies[load.body];
       if (load.kind != LoadKind::acceleration && load.kind != LoadKind::pressure)
-        return point_area_shares(body, load.nodes, discretization, part);
+        return point_area_shares(body, load.nodes, load.faces, discretization, part);
       const std::vector<double> nodal = compute_load_shares(load, body);
       PointShares               shares;
       for (std::size_t i = 0; i < load.nodes.size(); ++i)
@@ -70,16 +70,17 @@ namespace vfife
 
   PointShares point_area_shares(const Body                      &body,
                                 const std::vector<unsigned int> &nodes,
+                                const SelectedFaces             &selected,
                                 const Discretization            &discretization,
                                 const Discretization::Part      &part)
   {
     std::vector<BoundaryFace> faces;
     if (discretization.element() == FemElement::quadratic)
-      faces = find_boundary_faces(body, nodes);
+      faces = find_boundary_faces(body, nodes, selected);
     PointShares shares;
     if (faces.empty())
       {
-        const std::vector<double> nodal = compute_area_shares(body, nodes);
+        const std::vector<double> nodal = compute_area_shares(body, nodes, selected);
         for (std::size_t i = 0; i < nodes.size(); ++i)
           shares.emplace_back(part.first_point + nodes[i], nodal[i]);
         return shares;
@@ -133,7 +134,7 @@ namespace vfife
         }
       case LoadKind::pressure:
         for (const BoundaryFace &face :
-             find_boundary_faces(discretization.model().bodies[load.body], load.nodes))
+             find_boundary_faces(discretization.model().bodies[load.body], load.nodes, load.faces))
           {
             // Small displacements: the pressure keeps the direction of the undeformed face.
             const Vector3 area = vector_area(face, discretization, part);

@@ -100,7 +100,7 @@ namespace vfife
             }))
           return;
         // Along the columns growing, or down the rows falling.
-        const Eigen::MatrixXd places = arrange_on_grid(table, path, name);
+        const Eigen::MatrixXd places = arrange_on_grid(table, path, name, "mm");
         for (Eigen::Index i = along ? 0 : 1; i < places.rows(); ++i)
           for (Eigen::Index j = along ? 1 : 0; j < places.cols(); ++j)
             if (along ? !(places(i, j) > places(i, j - 1)) : !(places(i, j) < places(i - 1, j)))
@@ -118,9 +118,9 @@ namespace vfife
       bool        single = false;
       for (const Table::Column &column : table.columns())
         single = single || column.name == "single pitch deviation";
-      const std::vector<double> &tooth = find_column(table, path, "tooth");
-      const std::vector<double> &value =
-        find_column(table, path, single ? "single pitch deviation" : "cumulative pitch deviation");
+      const std::vector<double> tooth = find_column(table, path, "tooth", "-");
+      const std::vector<double> value = find_column(
+        table, path, single ? "single pitch deviation" : "cumulative pitch deviation", "um");
       if (value.size() != teeth)
         refuse_number(value.size(), teeth);
       std::vector<double> of_tooth(teeth, std::nan(""));
@@ -221,7 +221,7 @@ namespace vfife
     // protocols have the tip above
     return read_entry(section + "/topography", [&]() -> Eigen::MatrixXd {
       check_places(topography);
-      return micrometre * read_parameter_grid(topography, "deviation").colwise().reverse();
+      return micrometre * read_parameter_grid(topography, "deviation", "um").colwise().reverse();
     });
   }
 

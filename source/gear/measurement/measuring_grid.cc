@@ -82,15 +82,16 @@ namespace vfife
         const Table table = read_parameter_table(path);
         if (has_positions(table))
           {
-            const auto &x = find_column(table, path, "x"), &y = find_column(table, path, "y"),
-                       &z = find_column(table, path, "z");
+            const std::vector<double> x = find_column(table, path, "x", "mm"),
+                                      y = find_column(table, path, "y", "mm"),
+                                      z = find_column(table, path, "z", "mm");
             for (std::size_t i = 0; i < x.size(); ++i)
               points.emplace_back(x[i], y[i], z[i]);
             return points;
           }
       }
     // 2. Deviations from the flank as it is designed.
-    const Eigen::MatrixXd deviations  = read_parameter_grid(path, "deviation");
+    const Eigen::MatrixXd deviations  = read_parameter_grid(path, "deviation", "um");
     MeasuringGrid         own         = grid;
     own.rows                          = deviations.rows();
     own.columns                       = deviations.cols();

@@ -1,275 +1,334 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/errors.h>
-#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/shown_text.h>
 #include <vfife/mesh/hexahedron_corners.h>
 
-#include "file_mesh.h"
+#include "abaqus_part.h"
 
-#include <cctype>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <unordered_map>
+#include <algorithm>
+#include <set>
 
+// Input files of Abaqus ("Input Syntax Rules", "Defining an Assembly") and CalculiX.
 namespace vfife
 {
   namespace
   {
-    std::string upper(std::string text)
-    {
-      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) {
-        return static_cast<char>(std::toupper(c));
-      });
-      return text;
-    }
+    using Part = AbaqusPart;
 
-    /** The words between commas, without blanks around them. */
-    std::vector<std::string> split(const std::string &line)
-    {
-      std::vector<std::string> words;
-      std::istringstream       in(line);
-      std::string              word;
-      while (std::getline(in, word, ','))
-        words.push_back(trimmed(word));
-      while (!words.empty() && words.back().empty())
-        words.pop_back();
-      return words;
-    }
-
-    /** Reads the keywords of the mesh; all others are skipped with their data. */
     class AbaqusReader
     {
     public:
       explicit AbaqusReader(const std::string &path)
         : path_(path)
+        , text_(path)
+        , whole_(text_)
+        , place_(&whole_)
       {
+        mesh_.names_without_case = true;
       }
 
       FileMesh read()
       {
-        std::ifstream in(path_);
-        std::string   line;
-        // keywords choose what the data lines that follow mean; ** is a comment
-        while (std::getline(in, line))
-          {
-            ++line_;
-            if (line.find_first_not_of(" \t\r") == std::string::npos || line.rfind("**", 0) == 0)
-              continue;
-            if (line[0] == '*')
-              read_keyword(split(line));
-            else if (data_ != nullptr)
-              (this->*data_)(split(line));
-          }
-        check_element_is_whole();
+        for (AbaqusKeyword keyword; text_.next_keyword(keyword);)
+          read_keyword(keyword);
+        if (part_ != nullptr || instance_ != nullptr)
+          text_.refuse("a *PART or *INSTANCE is not ended");
+        add_elements();
         if (mesh_.elements.empty())
-          refuse("there are no hexahedra (C3D8 elements)");
-        mesh_.finish(node_sets_, surfaces_, element_sets_);
+          text_.refuse("there are no hexahedra (C3D8 elements)");
+        for (const auto &[keyword, set] : sections_)
+          check_section(keyword, set);
+        name_sets();
+        note_left_out();
+        mesh_.finish(path_, node_sets_, surfaces_, regions_);
         return std::move(mesh_);
       }
 
     private:
-      using Members = FileMesh::Members;
-
-      [[noreturn]] void refuse(const std::string &message) const
+      void read_keyword(const AbaqusKeyword &keyword)
       {
-        throw InputError(path_ + ":" + std::to_string(line_) + ": " + message);
-      }
-
-      unsigned long label(const std::string &word) const
-      {
-        if (word.empty() || word.find_first_not_of("0123456789") != std::string::npos ||
-            word.size() > 18)
-          refuse("\"" + shown(word) + "\" is no number of a node or element");
-        return std::stoul(word);
-      }
-
-      double number(const std::string &word) const
-      {
-        std::istringstream in(word);
-        double             value;
-        if (!(in >> value) || !in.eof())
-          refuse("\"" + shown(word) + "\" is no number");
-        return value;
-      }
-
-      unsigned int node(const std::string &word) const
-      {
-        const auto found = node_index_.find(label(word));
-        if (found == node_index_.end())
-          refuse("there is no node " + word);
-        return found->second;
-      }
-
-      /** *KEYWORD, OPTION=VALUE, ...: says which function takes the data lines that follow. */
-      void read_keyword(const std::vector<std::string> &words)
-      {
-        options_.clear();
-        for (std::size_t i = 1; i < words.size(); ++i)
+        const std::string &name = keyword.name;
+        const bool in_step = in_step_ && name != "NSET" && name != "ELSET" && name != "SURFACE";
+        if (name == "PART")
           {
-            // OPTION or OPTION = VALUE; the option in any case of letters, the value as it is
-            // written.
-            const auto equals = words[i].find('=');
-            const auto key    = upper(trimmed(words[i].substr(0, equals)));
-            options_[key] = equals == std::string::npos ? "" : trimmed(words[i].substr(equals + 1));
+            text_.check_options(keyword, {"NAME"});
+            parts_.emplace_back(std::make_unique<Part>(text_));
+            part_                                            = parts_.back().get();
+            place_                                           = part_;
+            part_of_name_[abaqus_key(keyword.value("NAME"))] = part_;
           }
-        check_element_is_whole();
-        const std::string keyword = upper(words[0]);
-        data_                     = nullptr;
-        if (keyword == "*NODE")
-          data_ = &AbaqusReader::read_node;
-        else if (keyword == "*ELEMENT")
-          start_elements();
-        else if (keyword == "*NSET" || keyword == "*ELSET")
+        else if (name == "ENDPART")
           {
-            set_ = &(keyword == "*NSET" ? node_sets_[options_["NSET"]]
-                                        : element_sets_[options_["ELSET"]]);
-            data_ =
-              keyword == "*NSET" ? &AbaqusReader::read_node_set : &AbaqusReader::read_element_set;
+            part_  = nullptr;
+            place_ = &whole_;
           }
-        else if (keyword == "*SURFACE" &&
-                 (options_.count("TYPE") == 0 || upper(options_["TYPE"]) == "ELEMENT"))
-          data_ = &AbaqusReader::read_surface;
-        else if (keyword == "*INCLUDE")
-          refuse("*INCLUDE is not followed: put the mesh into one file");
-      }
-
-      /** Hexahedra are elements, 4-node shells surfaces; other volume elements are refused, others
-       * passed over. */
-      void start_elements()
-      {
-        const std::string type = upper(options_["TYPE"]);
-        if (type == "C3D8" || type == "C3D8R" || type == "C3D8I")
-          data_ = &AbaqusReader::read_hexahedron;
-        else if (type.rfind("C3D", 0) == 0)
-          refuse("elements of type " + shown(type) + " are no 8-node hexahedra (C3D8)");
-        else if (type.find('4') != std::string::npos && type[0] != 'T' && type[0] != 'B')
-          data_ = &AbaqusReader::read_shell;
-      }
-
-      void read_node(const std::vector<std::string> &words)
-      {
-        if (words.size() < 4)
-          refuse("a node needs a number and three coordinates");
-        if (!node_index_.emplace(label(words[0]), mesh_.nodes.size()).second)
-          refuse("there is a second node " + words[0]);
-        if (!options_["NSET"].empty())
-          node_sets_[options_["NSET"]].push_back(mesh_.nodes.size());
-        mesh_.nodes.emplace_back(number(words[1]), number(words[2]), number(words[3]));
-      }
-
-      void read_hexahedron(const std::vector<std::string> &words)
-      {
-        // Its number and eight nodes, which may be divided over lines.
-        pending_.insert(pending_.end(), words.begin(), words.end());
-        if (pending_.size() < 9)
-          return; // goes on in the next line
-        if (pending_.size() > 9)
-          refuse("an element needs its number and eight nodes, not more");
-        CellNodes nodes;
-        for (unsigned int k = 0; k < 8; ++k)
-          nodes[corner_of_files[k]] = node(pending_[k + 1]);
-        if (!element_index_.emplace(label(pending_[0]), mesh_.elements.size()).second)
-          refuse("there is a second element " + pending_[0]);
-        element_sets_[options_["ELSET"]].push_back(mesh_.elements.size());
-        mesh_.elements.push_back(nodes);
-        mesh_.element_lines.push_back(line_);
-        pending_.clear();
-      }
-
-      /** An element may be cut by the next keyword or the end of the file. */
-      void check_element_is_whole() const
-      {
-        if (!pending_.empty())
-          refuse("the element before has fewer than eight nodes");
-      }
-
-      void read_shell(const std::vector<std::string> &words)
-      {
-        if (words.size() != 5)
-          refuse("a 4-node element needs its number and four nodes");
-        for (unsigned int k = 1; k < 5; ++k)
-          surfaces_[options_["ELSET"]].push_back(node(words[k]));
-      }
-
-      void read_node_set(const std::vector<std::string> &words)
-      {
-        read_set(words, node_sets_, node_index_);
-      }
-
-      void read_element_set(const std::vector<std::string> &words)
-      {
-        read_set(words, element_sets_, element_index_);
-      }
-
-      /** Members of the present set: a range, or numbers and names of sets read before. */
-      void read_set(const std::vector<std::string>                        &words,
-                    const Members                                         &sets,
-                    const std::unordered_map<unsigned long, unsigned int> &index)
-      {
-        const auto add = [&](const unsigned long member) {
-          const auto found = index.find(member);
-          if (found != index.end()) // sets may also hold what is no part of the solid
-            set_->push_back(found->second);
-        };
-        if (options_.count("GENERATE") != 0)
-          {
-            if (words.size() < 2)
-              refuse("GENERATE needs first and last number");
-            const unsigned long step = words.size() > 2 ? label(words[2]) : 1;
-            if (step == 0)
-              refuse("the step of GENERATE must not be 0");
-            // Not from the first number to the last: they may be far from each other.
-            const unsigned long first = label(words[0]), last = label(words[1]);
-            for (const auto &[number, place] : index)
-              if (number >= first && number <= last && (number - first) % step == 0)
-                set_->push_back(place);
-            return;
-          }
-        for (const std::string &word : words)
-          {
-            const auto other = sets.find(word);
-            if (other != sets.end() && &other->second != set_)
-              set_->insert(set_->end(), other->second.begin(), other->second.end());
-            else if (!word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) != 0)
-              add(label(word));
-          }
-      }
-
-      void read_surface(const std::vector<std::string> &words)
-      {
-        // corners of the faces S1 ... S6 in lexicographic numbers
-        constexpr unsigned int corners[6][4] = {
-          {0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 4, 5}, {1, 3, 5, 7}, {2, 3, 6, 7}, {0, 2, 4, 6}};
-        if (words.size() < 2 || words[1].size() != 2 || upper(words[1])[0] != 'S' ||
-            words[1][1] < '1' || words[1][1] > '6')
-          refuse("a line of *SURFACE must be an element or ELSET, and a face S1 to S6");
-        // the elements of a set, or one by its number
-        std::vector<unsigned int> elements;
-        const auto                set = element_sets_.find(words[0]);
-        if (set != element_sets_.end())
-          elements = set->second;
+        else if (name == "ASSEMBLY" || name == "ENDASSEMBLY")
+          return;
+        else if (name == "INSTANCE")
+          begin_instance(keyword);
+        else if (name == "ENDINSTANCE")
+          end_instance();
+        else if (name == "STEP" || name == "ENDSTEP")
+          in_step_ = name == "STEP";
+        else if (!in_step && place_->read(keyword))
+          in_material_ = false;
         else
-          {
-            const auto found = element_index_.find(label(words[0]));
-            if (found == element_index_.end())
-              refuse("there is no element " + shown(words[0]));
-            elements = {found->second};
-          }
-        for (const unsigned int element : elements)
-          for (const unsigned int corner : corners[words[1][1] - '1'])
-            surfaces_[options_["NAME"]].push_back(mesh_.elements[element][corner]);
+          read_other(keyword);
       }
 
-      const std::string &path_;
-      unsigned int       line_ = 0;
-      FileMesh           mesh_;
-      void (AbaqusReader::*data_)(const std::vector<std::string> &) = nullptr;
-      std::map<std::string, std::string>              options_; ///< of the present keyword
-      std::vector<std::string>                        pending_; ///< of an element over two lines
-      std::vector<unsigned int>                      *set_ = nullptr;
-      std::unordered_map<unsigned long, unsigned int> node_index_, element_index_;
-      Members                                         node_sets_, element_sets_, surfaces_;
+      /** What is no mesh: said to be left out where it cannot change one, else refused. */
+      void read_other(const AbaqusKeyword &keyword)
+      {
+        const std::string refusal = find_abaqus_refusal(keyword.name, in_material_ || in_step_);
+        if (!refusal.empty())
+          text_.refuse(keyword.shown + " " + refusal, keyword.line);
+        if (keyword.name == "MATERIAL")
+          in_material_ = true;
+        else if (is_abaqus_model_keyword(keyword.name))
+          in_material_ = false;
+        if (keyword.name == "SOLIDSECTION" || keyword.name == "SHELLSECTION")
+          {
+            sections_.emplace_back(keyword, find_set(keyword));
+            if (keyword.has("COMPOSITE"))
+              text_.refuse(keyword.shown + " of layers (COMPOSITE) is not read", keyword.line);
+          }
+        if (!is_abaqus_output(keyword.name) &&
+            std::find(left_out_.begin(), left_out_.end(), keyword.shown) == left_out_.end())
+          left_out_.push_back(keyword.shown);
+      }
+
+      /** The set of a section as it is known where that stands. */
+      const Part::Set *find_set(const AbaqusKeyword &keyword) const
+      {
+        const auto found = place_->element_sets.find(abaqus_key(keyword.value("ELSET")));
+        if (found == place_->element_sets.end())
+          text_.refuse(keyword.shown + ": there is no element set \"" +
+                         shown(keyword.value("ELSET")) + "\"",
+                       keyword.line);
+        section_parts_[&found->second] = place_;
+        return &found->second;
+      }
+
+      /** A section makes elements a structure: shells and trusses are none that is read. */
+      void check_section(const AbaqusKeyword &keyword, const Part::Set *set) const
+      {
+        for (const unsigned int element : set->members)
+          if (section_parts_.at(set)->elements[element].kind != Part::ElementKind::hexahedron)
+            text_.refuse(keyword.shown +
+                           " gives stiffness to elements that are no hexahedra, in \"" +
+                           shown(set->name) + "\": they are not read",
+                         keyword.line);
+      }
+
+      void begin_instance(const AbaqusKeyword &keyword)
+      {
+        text_.check_options(keyword, {"NAME", "PART"});
+        const auto found = part_of_name_.find(abaqus_key(keyword.value("PART")));
+        if (found == part_of_name_.end())
+          text_.refuse("there is no part \"" + shown(keyword.value("PART")) + "\"");
+        // What the instance adds is added to a copy of the part.
+        parts_.push_back(std::make_unique<Part>(*found->second));
+        instance_      = parts_.back().get();
+        n_part_nodes_  = instance_->nodes.size();
+        instance_name_ = keyword.value("NAME");
+        placement_     = read_placement();
+        place_         = instance_;
+      }
+
+      /** First a translation, then a turn about the line from a to b by an angle in degrees. */
+      RigidMotion read_placement()
+      {
+        RigidMotion placement;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            std::vector<std::string> words;
+            if (!text_.next_row(words))
+              break;
+            if (i == 2 || words.size() > (i == 0 ? 3 : 7))
+              text_.refuse(
+                "an instance is placed by a translation and, in a second line, two points "
+                "of an axis and an angle");
+            words.resize(7);
+            double numbers[7];
+            for (unsigned int c = 0; c < 7; ++c)
+              numbers[c] = text_.number(words[c]);
+            const Vector3 a(numbers[0], numbers[1], numbers[2]);
+            if (i == 0)
+              {
+                placement.translation = a;
+                continue;
+              }
+            const Vector3 axis = Vector3(numbers[3], numbers[4], numbers[5]) - a;
+            if (!(axis.norm() > 0))
+              text_.refuse("the two points of the axis are one");
+            placement.rotation    = rotation_about(axis.normalized(), numbers[6] * degree);
+            placement.translation = a + placement.rotation * (placement.translation - a);
+          }
+        return placement;
+      }
+
+      void end_instance()
+      {
+        if (instance_ == nullptr)
+          text_.refuse("*END INSTANCE without *INSTANCE");
+        const bool is_placed =
+          !placement_.translation.isZero(0.) || !placement_.rotation.isIdentity(0.);
+        if (is_placed && instance_->nodes.size() != n_part_nodes_)
+          text_.refuse("nodes within an *INSTANCE that is placed are not read: define them in the "
+                       "part");
+        whole_.add_instance(instance_name_, *instance_, placement_);
+        instance_ = nullptr;
+        place_    = &whole_;
+      }
+
+      void add_elements()
+      {
+        for (const Vector3 &x : whole_.nodes)
+          mesh_.nodes.push_back(x);
+        for (const Part::Element &element : whole_.elements)
+          {
+            hexahedra_.push_back(mesh_.elements.size());
+            if (element.kind != Part::ElementKind::hexahedron)
+              continue;
+            CellNodes corners;
+            for (unsigned int k = 0; k < 8; ++k)
+              corners[corner_of_files[k]] = element.nodes[k];
+            mesh_.elements.push_back(corners);
+            mesh_.element_lines.push_back(element.line);
+          }
+      }
+
+      /** Sets of the assembly, or of a file without, by their names; those of an instance by theirs
+       * where no other has it, else as INSTANCE.NAME. An instance is a region. */
+      void name_sets()
+      {
+        std::multiset<std::string> names;
+        const auto                 count = [&names](const Part &part) {
+          std::set<std::string> own;
+          for (const auto *sets : {&part.node_sets, &part.element_sets})
+            for (const auto &set : *sets)
+              own.insert(set.first);
+          for (const auto &surface : part.surfaces)
+            own.insert(surface.first);
+          names.insert(own.begin(), own.end());
+        };
+        count(whole_);
+        for (const auto &instance : whole_.instances)
+          count(*instance.second.part);
+        for (const auto &[key, instance] : whole_.instances)
+          {
+            const std::string prefix = instance.name + ".";
+            add_sets(*instance.part,
+                     instance.first_node,
+                     instance.first_element,
+                     [&](const auto &set) {
+                       return names.count(abaqus_key(set.name)) == 1 ? set.name : prefix + set.name;
+                     });
+            for (unsigned int e = 0; e < instance.part->elements.size(); ++e)
+              add_to_region(instance.name, instance.first_element + e);
+          }
+        add_sets(whole_, 0, 0, [](const auto &set) { return set.name; });
+      }
+
+      template <typename NameOf>
+      void add_sets(const Part        &part,
+                    const unsigned int first_node,
+                    const unsigned int first_element,
+                    const NameOf      &name_of)
+      {
+        for (const auto &[key, set] : part.node_sets)
+          if (!set.is_internal)
+            for (const unsigned int member : set.members)
+              node_sets_[name_of(set)].push_back(first_node + member);
+        for (const auto &[key, set] : part.element_sets)
+          if (!set.is_internal)
+            for (const unsigned int member : set.members)
+              add_to_region(name_of(set), first_element + member);
+        for (const auto &[key, surface] : part.surfaces)
+          add_surface(part, surface, first_node, name_of(surface));
+      }
+
+      /** A hexahedron is one of a region, a 4-node element a face of a surface. */
+      void add_to_region(const std::string &name, const unsigned int element)
+      {
+        const Part::Element &of = whole_.elements[element];
+        if (of.kind == Part::ElementKind::hexahedron)
+          regions_[name].push_back(hexahedra_[element]);
+        else if (of.kind == Part::ElementKind::face)
+          surfaces_[name].push_back(
+            {{{of.nodes[0], of.nodes[1], of.nodes[2], of.nodes[3]}}, of.line});
+      }
+
+      void add_surface(const Part          &part,
+                       const Part::Surface &surface,
+                       const unsigned int   first_node,
+                       const std::string   &name)
+      {
+        auto &faces = surfaces_[name];
+        for (FileMesh::Face face : surface.faces)
+          {
+            for (unsigned int &node : face.nodes)
+              node += first_node;
+            faces.push_back(face);
+          }
+        if (surface.free_elements.empty())
+          return;
+        if (free_faces_.empty())
+          free_faces_ = mesh_.find_boundary();
+        for (const auto &[element, line] : surface.free_elements)
+          for (const auto &corners : outward_faces)
+            {
+              FileMesh::Face face{{}, line};
+              for (unsigned int i = 0; i < 4; ++i)
+                face.nodes[i] =
+                  first_node + part.elements[element].nodes[place_of_corner(corners[i])];
+              auto nodes = face.nodes;
+              std::sort(nodes.begin(), nodes.end());
+              if (free_faces_.count(nodes) != 0)
+                faces.push_back(face);
+            }
+      }
+
+      /** In the file's order. */
+      static unsigned int place_of_corner(const unsigned int corner)
+      {
+        return std::find(corner_of_files, corner_of_files + 8, corner) - corner_of_files;
+      }
+
+      void note_left_out()
+      {
+        mesh_.warnings.insert(mesh_.warnings.end(), whole_.warnings.begin(), whole_.warnings.end());
+        for (const auto &part : part_of_name_)
+          for (const std::string &warning : part.second->warnings)
+            if (std::find(mesh_.warnings.begin(), mesh_.warnings.end(), warning) ==
+                mesh_.warnings.end())
+              mesh_.warnings.push_back(warning);
+        if (!left_out_.empty())
+          mesh_.notes.push_back("left out: " + list_of(left_out_) +
+                                " (materials, supports and loads are those of the parameter file)");
+      }
+
+      const std::string                                       &path_;
+      AbaqusText                                               text_;
+      Part                                                     whole_; ///< file or assembly
+      Part                                                    *place_; ///< what is read now
+      std::vector<std::unique_ptr<Part>>                       parts_;
+      std::map<std::string, Part *>                            part_of_name_;
+      Part                                                    *part_     = nullptr;
+      Part                                                    *instance_ = nullptr;
+      std::string                                              instance_name_;
+      RigidMotion                                              placement_;
+      std::size_t                                              n_part_nodes_ = 0;
+      bool                                                     in_material_  = false;
+      bool                                                     in_step_      = false;
+      std::vector<std::pair<AbaqusKeyword, const Part::Set *>> sections_;
+      mutable std::map<const Part::Set *, const Part *>        section_parts_;
+      std::vector<std::string>                                 left_out_;
+      std::vector<unsigned int>                                hexahedra_; ///< of elements
+      FileMesh                                                 mesh_;
+      FileMesh::Members                                        node_sets_, regions_;
+      FileMesh::Surfaces                                       surfaces_;
+      FaceSet                                                  free_faces_;
     };
   } // namespace
 

@@ -8,6 +8,8 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -17,26 +19,26 @@ namespace vfife
   namespace
   {
     /** A face seen from one of its elements. */
-    struct Face
+    struct ElementFace
     {
       std::array<unsigned int, 4> nodes;    ///< sorted
       unsigned int                opposite; ///< the node opposite to the first one of these
       unsigned int                element;
 
-      bool operator<(const Face &other) const
+      bool operator<(const ElementFace &other) const
       {
         return std::tie(nodes, element) < std::tie(other.nodes, other.element);
       }
     };
 
-    std::vector<Face> collect_faces(const std::vector<CellNodes> &elements)
+    std::vector<ElementFace> collect_faces(const std::vector<CellNodes> &elements)
     {
-      std::vector<Face> faces;
+      std::vector<ElementFace> faces;
       faces.reserve(6 * elements.size());
       for (unsigned int e = 0; e < elements.size(); ++e)
         for (const auto &corners : outward_faces)
           {
-            Face face;
+            ElementFace face;
             for (unsigned int v = 0; v < 4; ++v)
               face.nodes[v] = elements[e][corners[v]];
             const auto first = std::min_element(face.nodes.begin(), face.nodes.end());
@@ -64,36 +66,55 @@ namespace vfife
       return dealii::GridTools::cell_measure<3>(points, corners);
     }
     /** Whether the face at place @p i of the sorted list is that of one element only. */
-    bool is_boundary(const std::vector<Face> &faces, const std::size_t i)
+    bool is_boundary(const std::vector<ElementFace> &faces, const std::size_t i)
     {
       return (i == 0 || faces[i - 1].nodes != faces[i].nodes) &&
              (i + 1 == faces.size() || faces[i + 1].nodes != faces[i].nodes);
     }
 
-    /** Of each group the nodes of the boundary faces that are in it as a whole. */
-    FileMesh::Members collect_whole_faces(const std::vector<FileMesh::Group> &groups,
-                                          const std::vector<CellNodes>       &elements,
-                                          const std::size_t                   n_nodes)
+    std::array<unsigned int, 4> in_order(std::array<unsigned int, 4> nodes)
     {
-      const std::vector<Face> faces = collect_faces(elements);
-      FileMesh::Members       whole;
-      for (const FileMesh::Group &group : groups)
-        {
-          std::vector<bool> is_in(n_nodes, false);
-          for (const unsigned int node : group.members)
-            is_in[node] = true;
-          for (std::size_t i = 0; i < faces.size(); ++i)
-            if (const auto &nodes = faces[i].nodes;
-                is_boundary(faces, i) &&
-                std::all_of(nodes.begin(), nodes.end(), [&](auto node) { return is_in[node]; }))
-              whole[group.name].insert(whole[group.name].end(), nodes.begin(), nodes.end());
-        }
-      return whole;
+      std::sort(nodes.begin(), nodes.end());
+      return nodes;
+    }
+
+    /** Throws unless all are faces of elements. */
+    void check_faces(const std::string            &path,
+                     const std::vector<CellNodes> &elements,
+                     const FileMesh::Surfaces     &surfaces)
+    {
+      const std::vector<ElementFace> faces = collect_faces(elements);
+      const auto is_before = [](const ElementFace &face, const std::array<unsigned int, 4> &nodes) {
+        return face.nodes < nodes;
+      };
+      for (const auto &[name, list] : surfaces)
+        for (const FileMesh::Face &face : list)
+          {
+            const auto nodes = in_order(face.nodes);
+            const auto found = std::lower_bound(faces.begin(), faces.end(), nodes, is_before);
+            if (found == faces.end() || found->nodes != nodes)
+              throw InputError(path + ":" + std::to_string(face.line) + ": a face of surface \"" +
+                               shown(name) + "\" is no face of a hexahedron");
+          }
+    }
+
+    /** Each face once. */
+    void remove_copies(std::vector<FileMesh::Face> &faces)
+    {
+      FaceSet known;
+      faces.erase(std::remove_if(faces.begin(),
+                                 faces.end(),
+                                 [&known](const FileMesh::Face &face) {
+                                   return !known.insert(in_order(face.nodes)).second;
+                                 }),
+                  faces.end());
     }
   } // namespace
 
-  void FileMesh::finish(Members sets, Members of_surfaces, Members of_elements)
+  void
+  FileMesh::finish(const std::string &path, Members sets, Surfaces of_surfaces, Members of_elements)
   {
+    check_faces(path, elements, of_surfaces);
     // nodes in the order in which elements use them
     const unsigned int        none = -1;
     std::vector<unsigned int> index(nodes.size(), none);
@@ -110,15 +131,23 @@ namespace vfife
         }
     nodes = used;
     // sets and surfaces in the new numbers, without what belongs to no hexahedron
-    for (Members *members : {&sets, &of_surfaces})
-      for (auto &group : *members)
-        {
-          std::vector<unsigned int> kept;
-          for (const unsigned int member : group.second)
-            if (index[member] != none)
-              kept.push_back(index[member]);
-          group.second = kept;
-        }
+    for (auto &group : sets)
+      {
+        std::vector<unsigned int> kept;
+        for (const unsigned int member : group.second)
+          if (index[member] != none)
+            kept.push_back(index[member]);
+        group.second = kept;
+      }
+    for (auto &[name, faces] : of_surfaces)
+      {
+        remove_copies(faces);
+        for (Face &face : faces)
+          for (unsigned int &node : face.nodes)
+            node = index[node];
+        if (!name.empty() && !faces.empty())
+          surfaces.push_back({name, faces});
+      }
     const auto hand_over = [](Members &members, std::vector<Group> &groups) {
       for (auto &group : members)
         {
@@ -130,7 +159,6 @@ namespace vfife
         }
     };
     hand_over(sets, node_sets);
-    hand_over(of_surfaces, surfaces);
     hand_over(of_elements, regions);
   }
 
@@ -153,7 +181,8 @@ namespace vfife
     // A name goes before a number: a region may be called "2".
     const auto find = [this](const std::string &name) {
       return std::find_if(regions.begin(), regions.end(), [&](const Group &region) {
-        return region.name == name;
+        return names_without_case ? boost::iequals(region.name, name, std::locale::classic())
+                                  : region.name == name;
       });
     };
     auto found = find(wanted);
@@ -170,6 +199,16 @@ namespace vfife
                            did_you_mean(wanted, names));
       }
     return *found;
+  }
+
+  FaceSet FileMesh::find_boundary() const
+  {
+    const std::vector<ElementFace> faces = collect_faces(elements);
+    FaceSet                        boundary;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (is_boundary(faces, i))
+        boundary.insert(faces[i].nodes);
+    return boundary;
   }
 
   void FileMesh::keep_regions(const std::string &path, const std::vector<std::string> &wanted)
@@ -191,12 +230,18 @@ namespace vfife
     elements.resize(n);
     element_lines.resize(n);
 
-    // 2. The groups with what is left of them. Of a surface of the neighbour the region may have
-    // some nodes: only whole faces are its own.
-    Members sets, of_elements;
+    // 2. The groups with what is left of them: of surfaces the faces of these elements.
+    Members  sets, of_elements;
+    Surfaces of_surfaces;
     for (const Group &group : node_sets)
       sets[group.name] = group.members;
-    const Members of_surfaces = collect_whole_faces(surfaces, elements, nodes.size());
+    FaceSet kept;
+    for (const ElementFace &face : collect_faces(elements))
+      kept.insert(face.nodes);
+    for (const Surface &surface : surfaces)
+      for (const Face &face : surface.faces)
+        if (kept.count(in_order(face.nodes)) != 0)
+          of_surfaces[surface.name].push_back(face);
     for (const Group &group : regions)
       for (const unsigned int element : group.members)
         if (index[element] != none)
@@ -204,7 +249,7 @@ namespace vfife
     node_sets.clear();
     surfaces.clear();
     regions.clear();
-    finish(sets, of_surfaces, of_elements);
+    finish(path, sets, of_surfaces, of_elements);
   }
 
   void turn_inside_out(FileMesh &mesh)
@@ -251,10 +296,10 @@ namespace vfife
     for (std::size_t i = 1; i < copies.size(); ++i)
       if (copies[i - 1].first == copies[i].first)
         refuse(copies[i].second, "has the same nodes as " + line_of(copies[i - 1].second));
-    const std::vector<Face> faces = collect_faces(mesh.elements);
+    const std::vector<ElementFace> faces = collect_faces(mesh.elements);
     for (std::size_t i = 1; i < faces.size(); ++i)
       {
-        const Face &one = faces[i - 1], &two = faces[i];
+        const ElementFace &one = faces[i - 1], &two = faces[i];
         if (one.nodes != two.nodes)
           continue;
         if (i + 1 < faces.size() && faces[i + 1].nodes == two.nodes)

@@ -4,6 +4,7 @@
 
 #include <vfife/mesh/body_mesh.h>
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -21,18 +22,36 @@ namespace vfife
     /** Members of groups while they are read, by name. */
     using Members = std::map<std::string, std::vector<unsigned int>>;
 
+    /** A face of an element, by its nodes in turn. */
+    struct Face
+    {
+      std::array<unsigned int, 4> nodes;
+      unsigned int                line; ///< of the file
+    };
+    struct Surface
+    {
+      std::string       name;
+      std::vector<Face> faces;
+    };
+    using Surfaces = std::map<std::string, std::vector<Face>>;
+
     std::vector<Vector3>        nodes;
-    std::vector<CellNodes>      elements;       ///< lexicographic
-    std::vector<unsigned int>   element_lines;  ///< of the file, for messages
-    std::vector<Group>          node_sets;      ///< of nodes
-    std::vector<Group>          surfaces;       ///< of the nodes of boundary faces
+    std::vector<CellNodes>      elements;      ///< lexicographic
+    std::vector<unsigned int>   element_lines; ///< of the file, for messages
+    std::vector<Group>          node_sets;     ///< of nodes
+    std::vector<Surface>        surfaces;
     std::vector<Group>          regions;        ///< of elements
     std::map<long, std::string> region_numbers; ///< names of those that the file numbers
 
-    /** Nodes in the order in which elements use them, without those that none uses (of shells,
-     * reference points), and the groups made of these members, sorted: those without a name or
-     * members go. */
-    void finish(Members sets, Members of_surfaces, Members of_elements);
+    bool                     names_without_case = false;
+    std::vector<std::string> warnings, notes; ///< on what the file has, for the log
+
+    /**
+     * Nodes in the order in which elements use them, without those that none uses (reference
+     * points), and the groups made of these members, sorted: those without a name or members go.
+     * Throws InputError for a face of a surface that is no face of an element.
+     */
+    void finish(const std::string &path, Members sets, Surfaces of_surfaces, Members of_elements);
 
     /**
      * Leaves the elements of the regions @p wanted, names or numbers of the file, alone: as if the
@@ -43,6 +62,9 @@ namespace vfife
 
     /** "left" (1), "right" (2), for messages. */
     std::string list_regions() const;
+
+    /** The faces that only one element has, nodes sorted. */
+    FaceSet find_boundary() const;
 
   private:
     const Group &find_region(const std::string &path, const std::string &wanted) const;

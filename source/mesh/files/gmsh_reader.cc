@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/shown_text.h>
 #include <vfife/mesh/hexahedron_corners.h>
 
@@ -6,6 +7,7 @@
 #include "mesh_text.h"
 #include "mesh_writers.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <unordered_map>
 
@@ -29,7 +31,8 @@ namespace vfife
     {
     public:
       explicit GmshReader(const std::string &path)
-        : text_(path)
+        : path_(path)
+        , text_(path)
       {
       }
 
@@ -39,7 +42,7 @@ namespace vfife
           read_section(section);
         if (mesh_.elements.empty())
           text_.refuse("there are no hexahedra (elements of type 5)");
-        mesh_.finish(node_sets_, surfaces_, regions_);
+        mesh_.finish(path_, node_sets_, surfaces_, regions_);
         return std::move(mesh_);
       }
 
@@ -65,13 +68,35 @@ namespace vfife
           version_ < 4. ? read_elements_2() : read_elements_4();
         else
           {
-            const std::string end = "$End" + section.substr(1);
-            for (std::string word = text_.next(); word != end; word = text_.next())
-              if (word.empty())
-                text_.refuse("section " + shown(section) + " does not end by " + shown(end));
+            pass_over(section);
             return;
           }
         text_.expect("$End" + section.substr(1));
+      }
+
+      /** Sections that change nothing of the mesh; others, such as parts of a mesh that has been
+       * divided for several processes, are refused. */
+      void pass_over(const std::string &section)
+      {
+        static const std::vector<std::string> harmless = {"$Comments",
+                                                          "$Entities",
+                                                          "$Periodic",
+                                                          "$NodeData",
+                                                          "$ElementData",
+                                                          "$ElementNodeData",
+                                                          "$InterpolationScheme",
+                                                          "$Parametrizations",
+                                                          "$PostFormat",
+                                                          "$View"};
+        if (std::find(harmless.begin(), harmless.end(), section) == harmless.end())
+          text_.refuse(
+            "the section " + shown(section) + " is not read" +
+            did_you_mean(section,
+                         {"$MeshFormat", "$PhysicalNames", "$Nodes", "$Elements", "$Entities"}));
+        const std::string end = "$End" + section.substr(1);
+        for (std::string word = text_.next(); word != end; word = text_.next())
+          if (word.empty())
+            text_.refuse("section " + shown(section) + " does not end by " + shown(end));
       }
 
       void read_format()
@@ -182,7 +207,7 @@ namespace vfife
               {
                 const long tag = text_.integer("a tag", -max_tag);
                 if (t == 0)
-                  groups.push_back(tag);
+                  groups.push_back(std::labs(tag));
               }
             read_element(type, groups);
           }
@@ -244,18 +269,41 @@ namespace vfife
             nodes.push_back(found->second);
           }
         if (type.dimension == 3)
-          add_hexahedron(nodes, groups);
+          {
+            if (version_ < 4. && add_to_other_group(nodes, groups))
+              return;
+            add_hexahedron(nodes, groups);
+          }
         for (const long group : groups)
           {
             const auto name = names_.find({type.dimension, group});
             // Gmsh writes the number of the geometry's point where there is no group.
-            if (type.dimension == 0 && name != names_.end())
+            if (type.dimension < 2 && name != names_.end())
               add(node_sets_[name->second], nodes);
             if (type.dimension == 2 && group != 0)
-              add(surfaces_[name != names_.end() ? name->second
-                                                 : "boundary " + std::to_string(group)],
-                  nodes);
+              surfaces_[name != names_.end() ? name->second : "boundary " + std::to_string(group)]
+                .push_back({{{nodes[0], nodes[1], nodes[2], nodes[3]}}, text_.line()});
           }
+      }
+
+      /** Format 2.2 has an element once for each of its groups: whether this one is known, and in
+       * which group it is too. One that is twice in a group is left to be found wrong. */
+      bool add_to_other_group(const std::vector<unsigned int> &nodes, const Groups &groups)
+      {
+        const auto [known, is_new] = elements_of_2_.emplace(nodes, mesh_.elements.size());
+        if (is_new || groups.size() != 1)
+          return false;
+        const auto        found = names_.find({3, groups[0]});
+        const std::string name =
+          found != names_.end() ? found->second : "region " + std::to_string(groups[0]);
+        std::vector<unsigned int> &members = regions_[name];
+        // Elements of a group stand in the order of the file: a binary search finds them.
+        if (std::binary_search(members.begin(), members.end(), known->second))
+          return false;
+        mesh_.region_numbers[groups[0]] = name;
+        members.insert(std::upper_bound(members.begin(), members.end(), known->second),
+                       known->second);
+        return true;
       }
 
       void add_hexahedron(const std::vector<unsigned int> &nodes, Groups groups)
@@ -291,13 +339,17 @@ namespace vfife
 
       static constexpr long max_tag = 2147483647;
 
+      const std::string                           &path_;
       MeshText                                     text_;
       double                                       version_ = 0;
       FileMesh                                     mesh_;
       std::unordered_map<long, unsigned int>       node_index_;
       std::map<std::pair<long, long>, std::string> names_;     ///< dimension, group
       std::map<std::pair<long, long>, Groups>      groups_of_; ///< dimension, tag
-      FileMesh::Members                            node_sets_, surfaces_, regions_;
+      FileMesh::Members                            node_sets_, regions_;
+      FileMesh::Surfaces                           surfaces_;
+      /** By nodes, of format 2.2. */
+      std::map<std::vector<unsigned int>, unsigned int> elements_of_2_;
     };
   } // namespace
 

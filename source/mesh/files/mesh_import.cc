@@ -2,6 +2,8 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
+#include <vfife/base/text/number_text.h>
+#include <vfife/base/text/text_lines.h>
 #include <vfife/mesh/boundary_surface.h>
 #include <vfife/mesh/files/mesh_import.h>
 #include <vfife/mesh/mesh_quality.h>
@@ -14,8 +16,11 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace vfife
@@ -28,13 +33,40 @@ namespace vfife
       members.erase(std::unique(members.begin(), members.end()), members.end());
     }
 
+    bool next_line(const std::string &path, TextLines &lines, std::string &line)
+    {
+      try
+        {
+          return lines.next(line);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(path + ": " + error.what());
+        }
+    }
+
+    /** UCD is written to .inp as well, and begins with numbers where Abaqus begins with a keyword.
+     */
+    FileMesh read_inp_or_ucd(const std::string &path)
+    {
+      std::ifstream file(path);
+      TextLines     lines(file);
+      for (std::string line; next_line(path, lines, line);)
+        {
+          const std::string text = trimmed(line);
+          if (!text.empty() && text[0] != '#')
+            return text[0] >= '0' && text[0] <= '9' ? read_ucd(path) : read_abaqus(path);
+        }
+      throw InputError(path + ": the file is empty: there are no hexahedra");
+    }
+
     using ReadMesh = FileMesh (*)(const std::string &path);
 
     /** All formats, by the end of the file's name. */
     const Choices<ReadMesh> read_formats = {{"msh", &read_gmsh},
-                                            {"inp", &read_abaqus},
+                                            {"inp", &read_inp_or_ucd},
                                             {"vtk", &read_vtk},
-                                            {"ucd", &read_ucd}};
+                                            {"ucd", &read_inp_or_ucd}};
 
     FileMesh read_file(const std::string &path, const std::vector<std::string> &regions)
     {
@@ -50,7 +82,7 @@ namespace vfife
               FileMesh mesh = format.second(path);
               if (!regions.empty())
                 mesh.keep_regions(path, regions);
-              if (end != "inp")
+              if (!mesh.names_without_case) // Abaqus refuses them
                 turn_inside_out(mesh);
               check_elements(path, mesh);
               return mesh;
@@ -79,6 +111,119 @@ namespace vfife
       for (std::size_t e = 0; e < cells.size(); ++e)
         std::copy(cells[e].vertices.begin(), cells[e].vertices.end(), mesh.elements[e].begin());
     }
+
+    /** Of a name the nodes of the node set, or else of the surface, or else of the region. */
+    void add_node_sets(const FileMesh &file, BodyMesh &mesh)
+    {
+      FileMesh::Members of_surfaces, of_regions;
+      for (const auto &surface : file.surfaces)
+        for (const auto &face : surface.faces)
+          of_surfaces[surface.name].insert(of_surfaces[surface.name].end(),
+                                           face.nodes.begin(),
+                                           face.nodes.end());
+      for (const auto &region : file.regions)
+        for (const unsigned int element : region.members)
+          of_regions[region.name].insert(of_regions[region.name].end(),
+                                         file.elements[element].begin(),
+                                         file.elements[element].end());
+      for (const auto &set : file.node_sets)
+        mesh.node_sets[set.name] = set.members;
+      for (FileMesh::Members *sets : {&of_surfaces, &of_regions})
+        for (auto &set : *sets)
+          {
+            sort_unique(set.second);
+            mesh.node_sets.insert(set);
+          }
+    }
+
+    /** Why nothing can act on a surface; empty where it can. */
+    std::string find_fault(const std::string       &path,
+                           const FileMesh::Surface &surface,
+                           const FaceSet           &boundary,
+                           const BodyMesh          &mesh)
+    {
+      std::size_t               n_inside = 0;
+      unsigned int              line     = 0;
+      std::vector<unsigned int> nodes;
+      for (const auto &face : surface.faces)
+        {
+          auto corners = face.nodes;
+          std::sort(corners.begin(), corners.end());
+          nodes.insert(nodes.end(), corners.begin(), corners.end());
+          if (boundary.count(corners) != 0)
+            continue;
+          line = n_inside == 0 ? face.line : line;
+          ++n_inside;
+        }
+      sort_unique(nodes);
+      std::ostringstream fault;
+      if (n_inside > 0)
+        fault
+          << path << ":" << line << ": " << n_inside << " of the " << surface.faces.size()
+          << " faces of surface \"" << surface.name
+          << "\" lie between two elements, where nothing can act. Name a surface of outer faces "
+             "alone";
+      else if (nodes != mesh.node_sets.at(surface.name))
+        fault << path << ": \"" << surface.name
+              << "\" is a node set and a surface of other nodes. Give one of them another name";
+      return fault.str();
+    }
+
+    /** Surfaces by their faces, with boundary ids. */
+    void add_surfaces(const std::string &path, const FileMesh &file, BodyMesh &mesh)
+    {
+      const FaceSet            boundary = file.find_boundary();
+      std::vector<std::string> names;
+      for (const auto &surface : file.surfaces)
+        {
+          const std::string fault = find_fault(path, surface, boundary, mesh);
+          if (!fault.empty())
+            {
+              mesh.unusable_surfaces[surface.name] = fault;
+              continue;
+            }
+          FaceSet faces;
+          for (const auto &face : surface.faces)
+            {
+              auto corners = face.nodes;
+              std::sort(corners.begin(), corners.end());
+              faces.insert(corners);
+            }
+          try
+            {
+              mesh.surfaces[surface.name] =
+                surface_of_boundary(mesh.triangulation, surface.name, faces);
+              names.push_back(surface.name);
+            }
+          catch (const InputError &error)
+            {
+              mesh.unusable_surfaces[surface.name] = path + ": " + error.what();
+            }
+        }
+      // More surfaces than ids: they are all known by name, the faces of the mesh have none.
+      if (names.size() <= most_boundaries)
+        name_surface_faces(mesh, names);
+    }
+
+    /** Stiffness and mass are made at the Gauss points: there no element may be inverted. */
+    void check_shapes(const std::string &path, BodyMesh &mesh)
+    {
+      const MeshQuality  quality = compute_mesh_quality(mesh.triangulation);
+      std::ostringstream message;
+      message << path << ": ";
+      if (!(quality.least_gauss_determinant > 0.))
+        {
+          message << "inverted hexahedron near " << quality.worst_gauss_centre.transpose() << " mm";
+          throw InputError(message.str());
+        }
+      if (quality.least_determinant > 0.)
+        return;
+      message << quality.inverted_corners
+              << " hexahedra are inverted at a corner, though not inside; the worst one near "
+              << quality.worst_cell_centre.transpose() << " mm has the scaled Jacobian "
+              << quality.least_scaled_jacobian << ". Stresses there are doubtful: improve the mesh";
+      mesh.warnings.push_back(message.str());
+    }
   } // namespace
 
   std::unique_ptr<BodyMesh> read_body(const std::string              &path,
@@ -88,21 +233,19 @@ namespace vfife
     FileMesh file = read_file(path, regions_wanted);
     orient(path, file);
 
-    auto mesh  = std::make_unique<BodyMesh>();
-    mesh->name = path.substr(path.rfind('/') + 1);
-    // 2. Regions are numbered from 1; an element belongs to the first one that has it. Their nodes
-    // are node sets as well.
+    auto mesh                = std::make_unique<BodyMesh>();
+    mesh->name               = path.substr(path.rfind('/') + 1);
+    mesh->names_without_case = file.names_without_case;
+    mesh->warnings           = file.warnings;
+    mesh->notes              = file.notes;
+    // 2. Regions are numbered from 1; an element belongs to the first one that has it.
     std::vector<unsigned int> regions(file.elements.size(), 0);
     for (unsigned int i = 0; i < file.regions.size(); ++i)
       {
         mesh->regions[i + 1] = file.regions[i].name;
-        auto &nodes          = mesh->node_sets[file.regions[i].name];
         for (const unsigned int element : file.regions[i].members)
-          {
-            if (regions[element] == 0)
-              regions[element] = i + 1;
-            nodes.insert(nodes.end(), file.elements[element].begin(), file.elements[element].end());
-          }
+          if (regions[element] == 0)
+            regions[element] = i + 1;
       }
     try
       {
@@ -114,42 +257,55 @@ namespace vfife
       }
     mesh->sector.assign(file.elements.size(), 0);
 
-    // 3. Node sets, and surfaces with their node sets.
-    for (const auto &groups : {file.node_sets, file.surfaces})
-      for (const auto &group : groups)
-        mesh->node_sets[group.name].insert(mesh->node_sets[group.name].end(),
-                                           group.members.begin(),
-                                           group.members.end());
-    for (auto &set : mesh->node_sets)
-      sort_unique(set.second);
-    std::vector<std::string> names;
-    for (const auto &group : file.surfaces)
-      {
-        names.push_back(group.name);
-        try
-          {
-            mesh->surfaces[group.name] =
-              surface_of_boundary(mesh->triangulation, group.name, mesh->node_sets.at(group.name));
-          }
-        catch (const InputError &error)
-          {
-            throw InputError(path + ": " + error.what());
-          }
-      }
-    // More surfaces than ids: they are all known by name, the faces of the mesh have none.
-    if (names.size() <= most_boundaries)
-      name_boundaries(*mesh, names);
-
-    // 4. Corners may be right-handed where the middle is inverted: Gauss points are looked at too.
-    const MeshQuality quality = compute_mesh_quality(mesh->triangulation);
-    if (!(quality.least_determinant > 0.))
-      {
-        std::ostringstream message;
-        message << path << ": inverted hexahedron near " << quality.worst_cell_centre.transpose()
-                << " mm";
-        throw InputError(message.str());
-      }
+    // 3. Named parts, and how good the elements are.
+    add_node_sets(file, *mesh);
+    add_surfaces(path, file, *mesh);
+    check_shapes(path, *mesh);
     return mesh;
+  }
+
+  CoincidentNodes find_coincident_nodes(const BodyMesh &mesh)
+  {
+    CoincidentNodes found;
+    const double    least_edge = compute_mesh_quality(mesh.triangulation).least_edge;
+    found.tolerance            = 1e-3 * least_edge;
+    // Nodes by cubes of a tenth of the least edge, in which few lie, and by those that their
+    // tolerance reaches.
+    const double                                             size = 0.1 * least_edge;
+    std::map<std::array<long, 3>, std::vector<unsigned int>> cubes;
+    const auto &vertices = mesh.triangulation.get_vertices();
+    for (unsigned int i = 0; i < vertices.size(); ++i)
+      {
+        std::array<long, 3> low, high;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            low[c]  = std::lround(std::floor((vertices[i][c] - found.tolerance) / size));
+            high[c] = std::lround(std::floor((vertices[i][c] + found.tolerance) / size));
+          }
+        bool                coincides = false;
+        std::array<long, 3> at;
+        for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
+          for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
+            for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
+              {
+                std::vector<unsigned int> &others = cubes[at];
+                for (const unsigned int other : others)
+                  coincides = coincides || vertices[i].distance(vertices[other]) <= found.tolerance;
+                others.push_back(i);
+              }
+        if (coincides && found.n++ == 0)
+          found.place = Vector3(vertices[i][0], vertices[i][1], vertices[i][2]);
+      }
+    return found;
+  }
+
+  std::string CoincidentNodes::describe() const
+  {
+    std::ostringstream text;
+    text << n << " nodes lie within " << tolerance
+         << " mm of another one, which no element shares with them (the first at "
+         << place.transpose() << " mm)";
+    return text.str();
   }
 
   unsigned int count_parts(const BodyMesh &mesh)

@@ -5,6 +5,8 @@
 
 #include "mesh_text.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <charconv>
 
 namespace vfife
@@ -12,32 +14,55 @@ namespace vfife
   MeshText::MeshText(const std::string &path, const char comment)
     : path_(path)
     , file_(path)
+    , lines_(file_)
     , comment_(comment)
   {
   }
 
   void MeshText::refuse(const std::string &message) const
   {
-    throw InputError(path_ + ":" + std::to_string(line_) + ": " + message);
+    throw InputError(path_ + ":" + std::to_string(lines_.number()) + ": " + message);
   }
 
   unsigned int MeshText::line() const
   {
-    return line_;
+    return lines_.number();
   }
 
   std::string MeshText::next()
   {
     std::string found, line;
+    if (!returned_.empty())
+      {
+        found.swap(returned_);
+        return found;
+      }
     while (!(words_ >> found))
       {
-        if (!std::getline(file_, line))
+        if (!next_line(line))
           return "";
-        ++line_;
-        words_.clear();
         words_.str(comment_ != '\0' && line[0] == comment_ ? "" : line);
       }
     return found;
+  }
+
+  void MeshText::put_back(const std::string &word)
+  {
+    returned_ = word;
+  }
+
+  bool MeshText::next_line(std::string &line)
+  {
+    words_.clear();
+    words_.str("");
+    try
+      {
+        return lines_.next(line);
+      }
+    catch (const InputError &error)
+      {
+        refuse(error.what());
+      }
   }
 
   std::string MeshText::word(const std::string &what)
@@ -51,7 +76,7 @@ namespace vfife
   void MeshText::expect(const std::string &expected)
   {
     const std::string found = word(expected);
-    if (found != expected)
+    if (!boost::iequals(found, expected, std::locale::classic()))
       refuse("\"" + shown(found) + "\" stands where " + expected + " should");
   }
 
@@ -94,17 +119,18 @@ namespace vfife
 
   std::string MeshText::rest_of_line()
   {
+    std::string line = rest_of_this_line();
+    while (line.empty() && next_line(line))
+      line = trimmed(line);
+    return line;
+  }
+
+  std::string MeshText::rest_of_this_line()
+  {
     std::string line;
-    if (std::getline(words_, line) && !trimmed(line).empty())
-      return trimmed(line);
+    std::getline(words_, line);
     words_.clear();
     words_.str("");
-    while (std::getline(file_, line))
-      {
-        ++line_;
-        if (!trimmed(line).empty())
-          return trimmed(line);
-      }
-    return "";
+    return trimmed(line);
   }
 } // namespace vfife

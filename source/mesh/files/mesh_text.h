@@ -2,6 +2,7 @@
 #ifndef vfife_mesh_files_mesh_text_h
 #define vfife_mesh_files_mesh_text_h
 
+#include <vfife/base/text/text_lines.h>
 #include <vfife/base/types.h>
 
 #include <fstream>
@@ -24,7 +25,10 @@ namespace vfife
     /** The next word; empty at the end of the file. */
     std::string next();
 
-    /** The next word, which must be @p expected. */
+    /** Makes @p word, which next() has given, the next one again. */
+    void put_back(const std::string &word);
+
+    /** The next word, which must be @p expected in any case of letters. */
     void expect(const std::string &expected);
 
     /** The next word as a finite number; @p what it is ("a coordinate") is for the message. */
@@ -40,6 +44,13 @@ namespace vfife
      * the file. */
     std::string rest_of_line();
 
+    /** What is left of the present line, which may be nothing. */
+    std::string rest_of_this_line();
+
+    /** The next line, which may be empty; what is left of the present one is passed over. False at
+     * the end of the file. */
+    bool next_line(std::string &line);
+
     /** Throws InputError "FILE:LINE: message". */
     [[noreturn]] void refuse(const std::string &message) const;
 
@@ -52,9 +63,10 @@ namespace vfife
 
     std::string        path_;
     std::ifstream      file_;
-    std::istringstream words_; ///< of the present line
+    TextLines          lines_;
+    std::istringstream words_;    ///< of the present line
+    std::string        returned_; ///< by put_back()
     char               comment_;
-    unsigned int       line_ = 0;
   };
 } // namespace vfife
 

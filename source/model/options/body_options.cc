@@ -152,9 +152,21 @@ namespace vfife
                          error.what());
       }
     // Parts that nothing holds together are hardly meant as one body: whoever means it says so.
-    const unsigned int n_parts = count_parts(*body);
+    const unsigned int    n_parts    = count_parts(*body);
+    const CoincidentNodes coincident = find_coincident_nodes(*body);
+    if (coincident.n > 0 && (!regions.empty() || n_parts == 1))
+      body->warnings.push_back(file + ": " + coincident.describe() +
+                               ": nothing holds the elements together there, unless these nodes "
+                               "are merged");
     if (!regions.empty() || n_parts == 1)
       return body;
+    if (coincident.n > 0)
+      throw InputError(
+        section + "/file",
+        file + " has " + std::to_string(n_parts) + " separate parts, and " + coincident.describe() +
+          ": the parts touch and share no nodes. Merge the nodes in the program that "
+          "made the mesh (Gmsh: Coherence Mesh); where the parts are bodies of their "
+          "own, give each its regions");
     std::vector<std::string> names;
     for (const auto &region : body->regions)
       names.push_back("\"" + region.second + "\"");

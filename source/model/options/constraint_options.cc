@@ -141,11 +141,16 @@ namespace vfife
                        "body \"" + body.name() +
                          "\" has no axis of rotation: set bearing = yes "
                          "in its section, with axis point, axis direction and speed");
+    SelectedFaces faces = selection.find_faces(body, nodes, section);
     if (kind == SupportKind::coupling)
-      model.couplings.push_back({name, b, std::move(nodes), coupling.stiffness, coupling.damping});
+      model.couplings.push_back(
+        {name, b, std::move(nodes), coupling.stiffness, coupling.damping, std::move(faces)});
     else
-      bearing.add_to(
-        model, kind == SupportKind::rolling_bearing, name, b, std::move(nodes), section);
+      {
+        bearing.add_to(
+          model, kind == SupportKind::rolling_bearing, name, b, std::move(nodes), section);
+        model.bearings.back().faces = std::move(faces);
+      }
   }
 
   void
@@ -161,6 +166,7 @@ namespace vfife
         load.kind   = LoadKind::spring;
         load.body   = body;
         load.nodes  = nodes;
+        load.faces  = selection.find_faces(model.bodies[body], nodes, section);
         load.vector = stiffness;
         model.loads.push_back(load);
         return;

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/mesh/body_mesh.h>
 #include <vfife/model/options/contact_pair_options.h>
 
 namespace vfife
@@ -10,6 +11,17 @@ namespace vfife
     using Kind = ContactPairOptions::Kind;
 
     const Choices<Kind> contact_kinds = {{"bodies", Kind::bodies}, {"wall", Kind::wall}};
+
+    /** As the body spells it; a name without a surface is refused where the pair is made. */
+    std::string
+    find_surface_name(const Body &body, const std::string &surface, const std::string &entry)
+    {
+      const std::string name     = body.mesh().find_spelling(surface);
+      const auto        unusable = body.mesh().unusable_surfaces.find(name);
+      if (unusable != body.mesh().unusable_surfaces.end())
+        throw InputError(entry, unusable->second);
+      return name;
+    }
   } // namespace
 
   ContactPairOptions::ContactPairOptions()
@@ -68,6 +80,7 @@ namespace vfife
         added.normal.normalize();
         added.body  = selection.find_body(model.bodies, section);
         added.nodes = selection.find_nodes(model.bodies[added.body], section);
+        added.faces = selection.find_faces(model.bodies[added.body], added.nodes, section);
         model.walls.push_back(added);
         return;
       }
@@ -76,11 +89,14 @@ namespace vfife
     slave.body  = slave_body;
     master.body = master_body;
     ContactPair pair;
-    pair.side           = name;
-    pair.slave_body     = slave.find_body(model.bodies, section, "slave body");
-    pair.slave_surface  = slave_surface;
+    pair.side       = name;
+    pair.slave_body = slave.find_body(model.bodies, section, "slave body");
+    pair.slave_surface =
+      find_surface_name(model.bodies[pair.slave_body], slave_surface, section + "/slave surface");
     pair.master_body    = master.find_body(model.bodies, section, "master body");
-    pair.master_surface = master_surface;
+    pair.master_surface = find_surface_name(model.bodies[pair.master_body],
+                                            master_surface,
+                                            section + "/master surface");
     pair.options        = contact;
     model.contacts.push_back(pair);
   }

@@ -52,6 +52,7 @@ namespace vfife
     load.kind     = kind;
     load.body     = selection.find_body(model.bodies, section);
     load.nodes    = selection.find_nodes(model.bodies[load.body], section);
+    load.faces    = selection.find_faces(model.bodies[load.body], load.nodes, section);
     load.vector   = vector;
     load.pressure = pressure;
     load.history  = history;

@@ -27,7 +27,7 @@ namespace vfife
         members_[b].seats.push_back(
           {BodyRing(body,
                     bearing.nodes,
-                    compute_area_shares(body, bearing.nodes),
+                    compute_area_shares(body, bearing.nodes, bearing.faces),
                     "bearing \"" + bearing.name + "\""),
            ShaftSeat(bearing.axes).in_space(bearing.law->linearized().stiffness, 0.)});
   }

@@ -145,7 +145,7 @@ namespace vfife
         if (surface == body.mesh().surfaces.end())
           throw InputError("body \"" + body.name() + "\" has no surface \"" + name + "\"");
         const auto &nodes      = surface->second.nodes;
-        const auto  node_areas = compute_nodal_areas(body, nodes);
+        const auto  node_areas = compute_nodal_areas(body, nodes, faces_of(surface->second));
         for (std::size_t i = 0; i < nodes.size(); ++i)
           areas[body.first_node + nodes[i]] = node_areas[i];
       };

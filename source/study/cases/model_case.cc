@@ -19,6 +19,10 @@ namespace vfife
     {
       for (const Body &body : model.bodies)
         {
+          for (const std::string &warning : body.mesh().warnings)
+            log.warning("body \"", body.name(), "\": ", warning);
+          for (const std::string &note : body.mesh().notes)
+            log.line(body.name(), ": ", note);
           const MeshQuality quality = compute_mesh_quality(body.mesh().triangulation);
           log.line(body.name(),
                    ": ",

@@ -83,7 +83,7 @@ namespace vfife
               const ShaftSeat seat(bearing.axes);
               const BodyRing  ring(body,
                                   bearing.nodes,
-                                  compute_area_shares(body, bearing.nodes),
+                                  compute_area_shares(body, bearing.nodes, bearing.faces),
                                   "bearing \"" + bearing.name + "\"");
               const Matrix6x5 D         = member.motion_at(ring.centre()) * scale.asDiagonal();
               ways.middleRows<6>(6 * s) = D;

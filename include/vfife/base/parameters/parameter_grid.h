@@ -15,19 +15,23 @@ namespace vfife
    * file. Either the file has the numbers alone, in rows and columns separated by commas,
    * semicolons or tabs, and lines beginning with "#" are passed over; or it is a table (see
    * read_parameter_table()) with the columns "row" and "column", counted from 1, and @p name.
+   * Numbers are in @p unit, or in that of the heading.
    * @throws InputError naming the file, and row and column of a number that is missing, given twice
    * or none.
    */
-  Eigen::MatrixXd read_parameter_grid(const std::string &path, const std::string &name);
+  Eigen::MatrixXd
+  read_parameter_grid(const std::string &path, const std::string &name, const std::string &unit);
 
   /** Whether a file begins with the headings "row" or "x" of a table and not with numbers; not
    * where it cannot be read. */
   bool has_headings(const std::string &path);
 
-  /** The numbers of the column @p name of a table that has "row" and "column", as above. @p path
-   * stands in messages. */
-  Eigen::MatrixXd
-  arrange_on_grid(const Table &table, const std::string &path, const std::string &name);
+  /** The numbers of the column @p name [@p unit] of a table that has "row" and "column", as above.
+   * @p path stands in messages. */
+  Eigen::MatrixXd arrange_on_grid(const Table       &table,
+                                  const std::string &path,
+                                  const std::string &name,
+                                  const std::string &unit);
 } // namespace vfife
 
 #endif

@@ -17,9 +17,13 @@ namespace vfife
    */
   Table read_parameter_table(const std::string &path);
 
-  /** The numbers of a column; throws InputError, naming file and column, where there is none. */
-  const std::vector<double> &
-  find_column(const Table &table, const std::string &path, std::string_view name);
+  /** The numbers of a column in @p unit, of which its heading may state another one; a heading
+   * without a unit means it. Throws InputError, naming file and column, where there is no such
+   * column or its unit is of another dimension. */
+  std::vector<double> find_column(const Table       &table,
+                                  const std::string &path,
+                                  std::string_view   name,
+                                  const std::string &unit);
 } // namespace vfife
 
 #endif

@@ -30,10 +30,10 @@ namespace vfife
 
   /**
    * Reads a header line "name [unit],..." and rows separated by commas, with quotes as in RFC 4180
-   * but no line breaks in cells; empty lines are passed over.
+   * but no line breaks in cells; empty lines are passed over, lines end as TextLines reads them.
    * @param name what messages call the file, as: the table "forces.csv"
-   * @throws InputError where there is no header or a row has another number of cells, naming the
-   * line.
+   * @throws InputError where there is no header, two columns have one name or a row has another
+   * number of cells, naming the line.
    */
   CsvText read_csv(std::istream &in, const std::string &name);
 } // namespace vfife

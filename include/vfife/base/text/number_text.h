@@ -17,7 +17,8 @@ namespace vfife
   std::string number_text(double value);
 
   /**
-   * Reads the finite number at the beginning of @p text ("5", "-1.5e-3", "+2"), and puts what
+   * Reads the finite number at the beginning of @p text ("5", "-1.5e-3", "+2", "1.5D-3"), and puts
+   * what
    * follows, without blanks around it, into @p rest. Independent of the locale.
    * @throws InputError if there is no number, or one that is too large.
    */

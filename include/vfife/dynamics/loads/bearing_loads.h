@@ -72,6 +72,7 @@ namespace vfife
       Seat(const Partition                 &partition,
            const Body                      &of_body,
            const std::vector<unsigned int> &of_nodes,
+           const SelectedFaces             &faces,
            const Matrix3                   &axes,
            const std::string               &owner);
 

@@ -95,9 +95,11 @@ namespace vfife
   private:
     BearingRing make_ring(unsigned int                     body,
                           const std::vector<unsigned int> &nodes,
+                          const SelectedFaces             &faces,
                           const std::string               &owner) const;
     void        take_sector(const Body                      &body,
                             const std::vector<unsigned int> &nodes,
+                            const SelectedFaces             &faces,
                             const std::string               &owner,
                             BearingRing                     &ring) const;
     void        add_bearings(HousingLaw housing);

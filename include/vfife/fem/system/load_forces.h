@@ -28,6 +28,7 @@ namespace vfife
    * the nodes. */
   PointShares point_area_shares(const Body                      &body,
                                 const std::vector<unsigned int> &nodes,
+                                const SelectedFaces             &selected,
                                 const Discretization            &discretization,
                                 const Discretization::Part      &part);
 

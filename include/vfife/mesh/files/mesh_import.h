@@ -15,10 +15,13 @@ namespace vfife
    * name:
    *   .msh  Gmsh 2.2 or 4.1: regions, surfaces and node sets by the names of physical groups;
    *   .inp  Abaqus or CalculiX: C3D8 elements; NSET, ELSET, SURFACE (such as EB1, SS1) and 4-node
-   *         shells by their ELSET;
+   *         shells by their ELSET; names have any case of letters. One that begins with numbers is
+   *         UCD;
    *   .vtk  VTK's legacy format, .ucd AVS: regions "region N", surfaces "boundary N" by their ids.
-   * Names are node sets; those of surfaces are surfaces as well, and boundary ids 1, 2, ... in
-   * alphabetical order. Throws InputError (one line with the file's name and line) when the file
+   * Names are node sets: of the node set, else of the surface, else of the region that has the
+   * name. Surfaces are the faces that the file lists, with boundary ids 1, 2, ... in alphabetical
+   * order. doc/mesh.md states what each format may have, what is left out and what is refused.
+   * Throws InputError (one line with the file's name and line) when the file
    * cannot be opened or read, has other volume elements than hexahedra, or hexahedra that are no
    * mesh: inverted, twice the same, more than two at a face.
    *
@@ -28,6 +31,17 @@ namespace vfife
    */
   std::unique_ptr<BodyMesh> read_body(const std::string              &path,
                                       const std::vector<std::string> &regions = {});
+
+  /** Nodes at the places of other nodes: where blocks of a mesh meet and have not been merged. */
+  struct CoincidentNodes
+  {
+    unsigned int n         = 0;               ///< that have another one before them
+    double       tolerance = 0;               ///< a thousandth of the least edge [mm]
+    Vector3      place     = Vector3::Zero(); ///< of the first [mm]
+
+    std::string describe() const;
+  };
+  CoincidentNodes find_coincident_nodes(const BodyMesh &mesh);
 
   /** How many parts a mesh consists of that no face joins. */
   unsigned int count_parts(const BodyMesh &mesh);

@@ -1,0 +1,325 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "abaqus_part.h"
+
+#include <vfife/base/text/shown_text.h>
+
+#include <algorithm>
+
+namespace vfife
+{
+  namespace
+  {
+    constexpr std::size_t corners_of(const AbaqusPart::ElementKind kind)
+    {
+      return kind == AbaqusPart::ElementKind::hexahedron ? 8 : 4;
+    }
+
+    bool begins(const std::string &text, const char *beginning)
+    {
+      return text.rfind(beginning, 0) == 0;
+    }
+
+    bool is_capital(const char letter)
+    {
+      return letter >= 'A' && letter <= 'Z';
+    }
+
+    /** Far more than any file generates: a slip would else reserve all memory. */
+    constexpr unsigned long most_generated = 100000000;
+  } // namespace
+
+  AbaqusPart::AbaqusPart(AbaqusText &text)
+    : text_(text)
+  {
+  }
+
+  bool AbaqusPart::read(const AbaqusKeyword &keyword)
+  {
+    const std::string &name = keyword.name;
+    if (name == "NODE")
+      read_nodes(keyword);
+    else if (name == "SYSTEM")
+      read_system();
+    else if (name == "ELEMENT")
+      read_elements(keyword);
+    else if (name == "NSET" || name == "ELSET")
+      read_set(keyword, name == "NSET");
+    else if (name == "SURFACE")
+      read_surface(keyword);
+    else if (name == "NGEN")
+      generate_nodes(keyword);
+    else if (name == "ELGEN")
+      generate_elements(keyword);
+    else if (name == "ELCOPY")
+      copy_elements(keyword);
+    else
+      return false;
+    return true;
+  }
+
+  AbaqusPart::Set &AbaqusPart::set_of(std::map<std::string, Set> &sets, const std::string &name)
+  {
+    Set &set = sets[abaqus_key(name)];
+    if (set.name.empty())
+      set.name = name;
+    return set;
+  }
+
+  void AbaqusPart::add_node(const unsigned long label, const Vector3 &place, const std::string &set)
+  {
+    if (!node_index_.emplace(label, nodes.size()).second)
+      text_.refuse("there is a second node " + std::to_string(label));
+    node_labels_.emplace(nodes.size(), label);
+    if (!set.empty())
+      set_of(node_sets, set).members.push_back(nodes.size());
+    nodes.push_back(place);
+  }
+
+  void AbaqusPart::read_nodes(const AbaqusKeyword &keyword)
+  {
+    text_.check_options(keyword, {"NSET", "SYSTEM"});
+    const std::string system = abaqus_key(keyword.value("SYSTEM"));
+    if (!system.empty() && system != "R" && system != "C")
+      text_.refuse("coordinates of SYSTEM=" + shown(system) + " are not read: R or C is needed");
+    for (std::vector<std::string> words; text_.next_row(words);)
+      {
+        // Behind the coordinates three numbers may say the normal of a shell.
+        if (words.empty() || words.size() > 7)
+          text_.refuse("a node needs a number and three coordinates");
+        words.resize(7);
+        Vector3 x;
+        for (unsigned int c = 0; c < 3; ++c)
+          x[c] = text_.number(words[c + 1]);
+        if (system == "C")
+          {
+            const double angle = x[1] * degree;
+            x                  = Vector3(x[0] * std::cos(angle), x[0] * std::sin(angle), x[2]);
+          }
+        add_node(text_.label(words[0]), system_(x), keyword.value("NSET"));
+      }
+  }
+
+  /** Origin a, a point b of the axis x, in the second line a point c of the plane x, y. Nothing:
+   * the file's own system. */
+  void AbaqusPart::read_system()
+  {
+    std::vector<double> numbers;
+    for (std::vector<std::string> words; text_.next_row(words);)
+      for (const std::string &word : words)
+        numbers.push_back(text_.number(word));
+    if (numbers.empty())
+      system_ = {};
+    else if (numbers.size() == 3 || numbers.size() == 9)
+      {
+        const Vector3 a(numbers[0], numbers[1], numbers[2]);
+        system_             = {};
+        system_.translation = a;
+        if (numbers.size() == 3)
+          return;
+        const Vector3 x = Vector3(numbers[3], numbers[4], numbers[5]) - a,
+                      z = x.cross(Vector3(numbers[6], numbers[7], numbers[8]) - a);
+        if (!(z.norm() > 0))
+          text_.refuse("the three points of *SYSTEM lie on a line");
+        system_.rotation.col(0) = x.normalized();
+        system_.rotation.col(2) = z.normalized();
+        system_.rotation.col(1) = system_.rotation.col(2).cross(system_.rotation.col(0));
+      }
+    else
+      text_.refuse("*SYSTEM is read with one point, or with three points in two lines");
+  }
+
+  /** Hexahedra of all kinds, whose own formulation is left out, faces and lines. */
+  AbaqusPart::ElementKind AbaqusPart::kind_of(const std::string &type, const unsigned int line)
+  {
+    const auto has_only_letters = [&type](const std::size_t from) {
+      return std::all_of(type.begin() + static_cast<std::ptrdiff_t>(from), type.end(), is_capital);
+    };
+    const bool solid = begins(type, "C3D8") && has_only_letters(4);
+    if (solid || type == "SC8R" || type == "SC8RT" || type == "CSS8")
+      {
+        // Kinds of integration are this program's own business.
+        const std::string extra = solid ? type.substr(4) : type;
+        if (!extra.empty() && extra != "R" && extra != "I")
+          {
+            const std::string warning = "elements of type " + type +
+                                        " are read as hexahedra like C3D8: what is special to them "
+                                        "is left out";
+            if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+              warnings.push_back(warning);
+          }
+        return ElementKind::hexahedron;
+      }
+    for (const char *face : {"S4", "M3D4", "SFM3D4", "CPS4", "CPE4", "R3D4"})
+      if (begins(type, face) && has_only_letters(std::string(face).size()))
+        return ElementKind::face;
+    for (const char *line_type : {"T2D2", "T3D2", "B21", "B31"})
+      if (type == line_type)
+        return ElementKind::line;
+    text_.refuse("elements of type " + shown(type) + " are no 8-node hexahedra (C3D8)", line);
+  }
+
+  void AbaqusPart::read_elements(const AbaqusKeyword &keyword)
+  {
+    text_.check_options(keyword, {"TYPE", "ELSET"});
+    if (!keyword.has("TYPE"))
+      text_.refuse("the TYPE of the elements is missing", keyword.line);
+    const ElementKind kind = kind_of(abaqus_key(keyword.value("TYPE")), keyword.line);
+    // An element may be divided over lines.
+    std::vector<std::string> whole;
+    for (std::vector<std::string> words; text_.next_row(words);)
+      {
+        whole.insert(whole.end(), words.begin(), words.end());
+        const std::size_t wanted = 1 + corners_of(kind);
+        if (kind == ElementKind::hexahedron && whole.size() < wanted)
+          continue; // goes on in the next line
+        if (kind == ElementKind::hexahedron && whole.size() > wanted)
+          text_.refuse("an element needs its number and eight nodes, not more");
+        if (kind == ElementKind::face && whole.size() != wanted)
+          text_.refuse("a 4-node element needs its number and four nodes");
+        std::vector<unsigned int> of_nodes;
+        for (std::size_t i = 1; i < whole.size(); ++i)
+          of_nodes.push_back(node(whole[i]));
+        add_element(text_.label(whole[0]), kind, of_nodes, keyword.value("ELSET"));
+        whole.clear();
+      }
+    if (!whole.empty())
+      text_.refuse("the element before has fewer than eight nodes");
+  }
+
+  void AbaqusPart::add_element(const unsigned long              label,
+                               const ElementKind                kind,
+                               const std::vector<unsigned int> &of_nodes,
+                               const std::string               &set)
+  {
+    if (!element_index_.emplace(label, elements.size()).second)
+      text_.refuse("there is a second element " + std::to_string(label));
+    if (!set.empty())
+      set_of(element_sets, set).members.push_back(elements.size());
+    elements.push_back({kind, of_nodes, text_.line(), label});
+  }
+
+  unsigned int AbaqusPart::node(const unsigned long label) const
+  {
+    const auto found = node_index_.find(label);
+    if (found == node_index_.end())
+      text_.refuse("there is no node " + std::to_string(label));
+    return found->second;
+  }
+
+  unsigned int AbaqusPart::node(const std::string &word) const
+  {
+    return node(text_.label(word));
+  }
+
+  void AbaqusPart::add_instance(const std::string &name,
+                                const AbaqusPart  &part,
+                                const RigidMotion &placement)
+  {
+    const unsigned int first_node = nodes.size(), first_element = elements.size();
+    if (!instances.emplace(abaqus_key(name), Instance{name, &part, first_node, first_element})
+           .second)
+      text_.refuse("there is a second instance " + shown(name));
+    for (const Vector3 &x : part.nodes)
+      nodes.push_back(placement(x));
+    for (Element element : part.elements)
+      {
+        for (unsigned int &node : element.nodes)
+          node += first_node;
+        elements.push_back(std::move(element));
+      }
+  }
+
+  /** First and last node and the increment of numbers: nodes at equal distances on the line. */
+  void AbaqusPart::generate_nodes(const AbaqusKeyword &keyword)
+  {
+    text_.check_options(keyword, {"NSET"});
+    for (std::vector<std::string> words; text_.next_row(words);)
+      {
+        if (words.size() < 2 || words.size() > 3)
+          text_.refuse("*NGEN needs first and last node and the increment of their numbers");
+        const unsigned long first = text_.label(words[0]), last = text_.label(words[1]),
+                            step = words.size() > 2 ? text_.label(words[2]) : 1;
+        if (last <= first || step == 0 || (last - first) % step != 0 ||
+            (last - first) / step > most_generated)
+          text_.refuse("numbers of *NGEN must rise from the first to the last by the increment");
+        const Vector3       begin = nodes[node(first)], end = nodes[node(last)];
+        const unsigned long n = (last - first) / step;
+        for (unsigned long i = 1; i < n; ++i)
+          {
+            const double part = static_cast<double>(i) / static_cast<double>(n);
+            add_node(first + i * step, (1 - part) * begin + part * end, keyword.value("NSET"));
+          }
+        if (keyword.has("NSET"))
+          for (const unsigned long end_label : {first, last})
+            set_of(node_sets, keyword.value("NSET")).members.push_back(node(end_label));
+      }
+  }
+
+  /** An element, then up to three times: how many in a row, layer or block, and the increments of
+   * the numbers of nodes and elements. */
+  void AbaqusPart::generate_elements(const AbaqusKeyword &keyword)
+  {
+    text_.check_options(keyword, {"ELSET"});
+    std::vector<std::string> whole;
+    for (std::vector<std::string> words; text_.next_row(words);)
+      {
+        whole.insert(whole.end(), words.begin(), words.end());
+        if (text_.goes_on())
+          continue;
+        if (whole.size() < 2 || whole.size() > 10)
+          text_.refuse(
+            "*ELGEN needs an element, and up to three times a number of elements and the "
+            "increments of numbers of nodes and elements");
+        whole.resize(10);
+        unsigned long numbers[10];
+        for (unsigned int i = 0; i < 10; ++i)
+          numbers[i] = whole[i].empty() ? 1 : text_.label(whole[i]);
+        const auto found = element_index_.find(numbers[0]);
+        if (found == element_index_.end())
+          text_.refuse("there is no element " + shown(whole[0]));
+        if (numbers[1] == 0 || numbers[4] == 0 || numbers[7] == 0 ||
+            numbers[1] > most_generated / numbers[4] / numbers[7])
+          text_.refuse("the numbers of elements of *ELGEN must be one or more");
+        const Element     master = elements[found->second];
+        const std::string set    = keyword.value("ELSET");
+        if (!set.empty())
+          set_of(element_sets, set).members.push_back(found->second);
+        for (unsigned long k = 0; k < numbers[7]; ++k)
+          for (unsigned long j = 0; j < numbers[4]; ++j)
+            for (unsigned long i = 0; i < numbers[1]; ++i)
+              {
+                if (i + j + k == 0)
+                  continue;
+                std::vector<unsigned int> of_nodes;
+                for (const unsigned int corner : master.nodes)
+                  of_nodes.push_back(node(node_labels_.at(corner) + i * numbers[2] +
+                                          j * numbers[5] + k * numbers[8]));
+                add_element(master.label + i * numbers[3] + j * numbers[6] + k * numbers[9],
+                            master.kind,
+                            of_nodes,
+                            set);
+              }
+        whole.clear();
+      }
+  }
+
+  void AbaqusPart::copy_elements(const AbaqusKeyword &keyword)
+  {
+    text_.check_options(keyword, {"CHANGENUMBER", "OLDSET", "SHIFTNODES", "NEWSET"});
+    const auto found = element_sets.find(abaqus_key(keyword.value("OLDSET")));
+    if (found == element_sets.end())
+      text_.refuse("there is no element set \"" + shown(keyword.value("OLDSET")) + "\"");
+    const unsigned long change = text_.label(keyword.value("CHANGENUMBER")),
+                        shift =
+                          keyword.has("SHIFTNODES") ? text_.label(keyword.value("SHIFTNODES")) : 0;
+    const std::vector<unsigned int> members = found->second.members;
+    for (const unsigned int member : members)
+      {
+        const Element             original = elements[member];
+        std::vector<unsigned int> of_nodes;
+        for (const unsigned int corner : original.nodes)
+          of_nodes.push_back(node(node_labels_.at(corner) + shift));
+        add_element(original.label + change, original.kind, of_nodes, keyword.value("NEWSET"));
+      }
+  }
+} // namespace vfife
