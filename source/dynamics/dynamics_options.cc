@@ -32,7 +32,8 @@ namespace vfife
         "damping",
         options.damping,
         "1/s",
-        "zeta of the damping force -zeta m (v - omega x r) relative to the turning body",
+        "zeta of the damping force -zeta m (v - u), u the rigid motion that supports leave free or "
+        "prescribe: of a body on its axis the turn about it, of a clamped or sprung one none",
         Range::not_negative());
       declare_number(
         prm,

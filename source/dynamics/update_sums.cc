@@ -43,7 +43,8 @@ namespace vfife
                     &update.damping_torque,
                     &update.axial_momentum,
                     &update.axial_inertia,
-                    &sums.drive_power,
+                    &sums.drive_power_before,
+                    &sums.drive_power_after,
                     &sums.drive_torque});
     for (unsigned int i = 0; i < 3; ++i)
       numbers.insert(numbers.end(),

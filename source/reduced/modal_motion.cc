@@ -40,6 +40,8 @@ namespace vfife
           VectorXcd::Zero(body.harmonics[i].n_modes());
         if (i < damping_.more.size())
           harmonics_[i].damping = damping_.more[i];
+        if (i < damping_.circulation.size())
+          harmonics_[i].circulation = damping_.circulation[i];
       }
     change(rate, step);
   }
@@ -105,6 +107,8 @@ namespace vfife
       all(n + k, n + k) -= k < n_modes ? damping_.modes : damping_.turn;
     if (harmonic.damping.size() > 0)
       all.block(n, n, n_modes, n_modes) -= harmonic.damping;
+    if (harmonic.circulation.size() > 0)
+      all.block(n, 0, n_modes, n_modes) -= rate_ / w * harmonic.circulation;
     all.block(n, 2 * n, n, n) = MatrixXcd::Identity(n, n) / w;
     MatrixXcd moved           = MatrixXcd(step * all).exp();
     moved.middleRows(n, n) *= w;
@@ -223,8 +227,13 @@ namespace vfife
   {
     double modes = 2. * damping_.modes * kinetic();
     for (const Harmonic &harmonic : harmonics_)
-      if (harmonic.damping.size() > 0)
-        modes += harmonic.velocity.dot(harmonic.damping * harmonic.velocity).real();
+      {
+        if (harmonic.damping.size() > 0)
+          modes += harmonic.velocity.dot(harmonic.damping * harmonic.velocity).real();
+        // Of the energies in the turning axes.
+        if (harmonic.circulation.size() > 0)
+          modes += rate_ * harmonic.velocity.dot(harmonic.circulation * harmonic.position).real();
+      }
     return {modes, damping_.turn * body_.turn_inertia * turn_rate_ * turn_rate_};
   }
 

@@ -36,28 +36,35 @@ namespace vfife
     }
 
     /**
-     * Damping beside that of all modes alike. What hangs in bearings is damped relative to its own
-     * rigid motion, as in runs, which takes that motion's part away: of real coordinates, h = 0,
-     * rho^T J rho, of complex ones half of it, rho the motion of the whole body and J its inertia.
-     * Dampers of couplings act on their seats' twist.
+     * Damping of what hangs in bearings, beside that of all modes alike. Its rigid motions are
+     * damped relative to the ground, as in runs: with rho their velocities, J the inertia and a x
+     * the product with the axis, zeta rho^H J (a x) rho c for each rate of the turn, of complex
+     * coordinates half of it. Dampers of couplings act on their seats' twist.
      */
-    std::vector<MatrixXcd> make_damping(const Model       &model,
-                                        const unsigned int b,
-                                        const ReducedBody &body,
-                                        const double       zeta)
+    ModalDamping make_damping(const Model              &model,
+                              const unsigned int        b,
+                              const ReducedBody        &body,
+                              const ReducedPairOptions &options)
     {
-      std::vector<MatrixXcd> more;
+      ModalDamping damping{options.damping, options.mesh_damping, {}, {}};
       if (body.rings.size() == 0)
-        return more;
-      const Vector3      axis  = axis_in_frame(model.bodies[b]);
-      const Eigen::Index whole = 6 * body.rings.find(ring::whole);
+        return damping;
+      const Vector3               axis  = axis_in_frame(model.bodies[b]);
+      const Eigen::Index          whole = 6 * body.rings.find(ring::whole);
+      Eigen::Matrix<double, 6, 6> turns = Eigen::Matrix<double, 6, 6>::Zero();
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          turns.block<3, 1>(0, c)     = axis.cross(Vector3::Unit(c));
+          turns.block<3, 1>(3, 3 + c) = axis.cross(Vector3::Unit(c));
+        }
       for (const ReducedBody::Harmonic &harmonic : body.harmonics)
         {
           if (harmonic.number > 1)
             break;
           const MatrixXcd rho = harmonic.rings.middleRows<6>(whole);
-          MatrixXcd      &D   = more.emplace_back(-(harmonic.number == 0 ? 1. : .5) * zeta *
-                                           rho.adjoint() * body.rings.inertia * rho);
+          damping.circulation.push_back((harmonic.number == 0 ? 1. : .5) * options.damping *
+                                        rho.adjoint() * (body.rings.inertia * turns) * rho);
+          MatrixXcd &D = damping.more.emplace_back(MatrixXcd::Zero(rho.cols(), rho.cols()));
           if (harmonic.number == 0)
             for (const Coupling &coupling : model.couplings)
               if (coupling.body == b)
@@ -68,7 +75,7 @@ namespace vfife
                   D += coupling.damping * twist.adjoint() * twist;
                 }
         }
-      return more;
+      return damping;
     }
 
     bool is_near(const double rate, const double other, const double part)
@@ -95,10 +102,7 @@ namespace vfife
     , sense(compute_sector_sense(model.bodies[b]))
     , axial{torque_on(model, b, 0.), 0.}
     , inertia(body.turns ? body.turn_inertia : model.bodies[b].axial_inertia())
-    , motion(body,
-             rate,
-             {options.damping, options.mesh_damping, make_damping(model, b, body, options.damping)},
-             options.step)
+    , motion(body, rate, make_damping(model, b, body, options), options.step)
     , rows(body,
            gains_of(motion, body.harmonics.size()),
            {model.bodies[b].placement.rotation, model.transmission->arm})

@@ -116,7 +116,7 @@ namespace
       same.push_back(compute_momentum_rate(UpdateAxis::of(model.bodies[b]),
                                            model.bodies[b].mass(),
                                            sums[b].update));
-    book.take_sample(same, sums, strain, contact);
+    book.take_sample(same, sums, strain, contact, 0);
   }
 
   void ledger_of_turning_ring()
@@ -169,6 +169,13 @@ namespace
     book.reset();
     check("ring: a new run has nothing in its book",
           describe(book.ledger()) == describe(EnergyLedger()));
+
+    // 6. Nothing moves: round-off is measured by that of the steps so far.
+    book.set_round_off(1e-15);
+    book.take_sample({RigidVelocity()}, spin_sums(0, 0), 1e-18, 0, 0);
+    book.take_sample({RigidVelocity()}, spin_sums(1e-18, 0), 3e-18, 0, 99);
+    check_close("at rest: scale [mJ]", book.ledger().scale, 1e-13, 1e-20);
+    check_close("at rest: error", book.ledger().error(), 3e-5, 1e-10);
   }
 
   /** Two blocks that fly and may touch. */
@@ -217,7 +224,7 @@ namespace
     sums[0].update.axial_inertia  = 0.02;
     sums[0].update.axial_momentum = 0.02 * 505;
     sums[0].update.kinetic        = 0.5 * 0.02 * 500 * 505;
-    book.take_sample({{Vector3::Zero(), 500 * Vector3::UnitZ()}}, sums, 0, 0);
+    book.take_sample({{Vector3::Zero(), 500 * Vector3::UnitZ()}}, sums, 0, 0, 0);
     check_below("accelerated ring: no motion relative to its spin [mJ]",
                 std::abs(book.ledger().kinetic_relative),
                 1e-9);
@@ -232,7 +239,7 @@ namespace
     const RigidVelocity rate   = compute_momentum_rate({}, body.mass(), after);
     auto                slower = pushed;
     slower[0].update.kinetic *= 0.9;
-    flight.take_sample({{0.9 * rate.velocity, 0.9 * rate.omega}, {none, none}}, slower, 0, 0);
+    flight.take_sample({{0.9 * rate.velocity, 0.9 * rate.omega}, {none, none}}, slower, 0, 0, 0);
     check_below("accelerated flight: no motion relative to it, of the whole energy",
                 std::abs(flight.ledger().kinetic_relative) / after.kinetic,
                 1e-12);

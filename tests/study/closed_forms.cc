@@ -69,6 +69,80 @@ end
       }
   }
 
+  /** Loads of any size on bodies anywhere bend a cantilever alike. */
+  void sizes_and_places(Communicator &world)
+  {
+    const auto compliance = [&](const std::string &kind, const double force, const bool far) {
+      std::ostringstream load;
+      load << force;
+      auto h =
+        run_text("cantilever",
+                 "subsection Study\n  set kind = " + kind +
+                   "\nend\nsubsection Model\n  set bodies = beam\n  set constraints = clamp\n"
+                   "  set loads = pull\n  set probes = tip\n" +
+                   model_text::block("beam",
+                                     {{50, 5, 10}},
+                                     {{5, 1, 2}},
+                                     far ? "set position = 1e7, 0, 0 mm\n" : "") +
+                   model_text::section("Constraint clamp", "set nodes = x-\n") +
+                   model_text::section("Load pull",
+                                       "set nodes = x+\nset force = 0, 0, " + load.str() + " N\n") +
+                   model_text::probe("tip", "50, 0, 0 mm") + "end\n" +
+                   (kind == "static" ? quiet_output(1)
+                                     : "subsection Output\n  set verbosity = quiet\nend\n"),
+                 world);
+      return h["tip displacement z"].back() / force;
+    };
+    const double expected = compliance("linear static", 1, false);
+    for (const double force : {1e-6, 1e-3, 1.})
+      check_close("cantilever, force " + std::to_string(force) + " N: way over force",
+                  compliance("static", force, false) / expected,
+                  1.,
+                  2e-5);
+    // Ways have 2e-9 mm there.
+    for (const double force : {10., 1000.})
+      check_close("cantilever at 1e7 mm, force " + std::to_string(force) + " N: way over force",
+                  compliance("static", force, true) / expected,
+                  1.,
+                  2e-5);
+  }
+
+  /** A block at rest, pushed from 0.1 ms on: until then its energies are round-off. And its fall:
+   * the work of a constant force is that times its way. */
+  void late_and_falling(Communicator &world)
+  {
+    const auto run = [&](const std::string &load) {
+      return run_text("late",
+                      "subsection Study\n  set kind = run\nend\nsubsection Model\n"
+                      "  set bodies = block\n  set loads = push\n  set probes = corner\n" +
+                        model_text::block("block", {{10, 10, 10}}, {{2, 2, 2}}) +
+                        model_text::section("Load push", load) +
+                        model_text::probe("corner", "10, 10, 10") +
+                        "end\nsubsection Dynamics\n  set end time = 0.2 ms\nend\n" +
+                        quiet_output(1),
+                      world);
+    };
+    auto         late = run("set nodes = x-\nset force = 100, 0, 0 N\n"
+                            "set history = if(t > 0.1e-3, 1, 0)\n");
+    const double mass = 1000 * density, speed = 100 / mass * 1e-4;
+    check_close("pushed late: momentum at the end over force times time",
+                late["momentum x"].back() / (mass * speed),
+                1.,
+                1e-2);
+    check_below("pushed late: energy error at the end",
+                std::abs(late["energy error"].back()),
+                1e-2);
+    auto falling =
+      run("set kind = acceleration\nset nodes = all\nset acceleration = 0, 0, -9810\n");
+    double off = 0;
+    for (std::size_t i = 1; i < falling["time"].size(); ++i)
+      off = largest_of(off,
+                       std::abs(falling["work of the loads"][i] /
+                                  (-mass * 9810 * falling["corner displacement z"][i]) -
+                                1));
+    check_below("falling: work of the weight less force times way, over it", off, 1e-8);
+  }
+
   /** Released at once: free fall until the wave of the foot arrives, g t^2/2; then the foot pulls,
    * g t^2/2 - g (t - L/c)^2, up to twice the stretch at 2 L/c. */
   void released(Communicator &world)
@@ -166,6 +240,6 @@ end
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {hanging, released, twisted});
+  run_parts(argc, argv, {hanging, sizes_and_places, late_and_falling, released, twisted});
   return 0;
 }

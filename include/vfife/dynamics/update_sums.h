@@ -28,12 +28,12 @@ namespace vfife
     Matrix3 second_moment    = Matrix3::Zero(); ///< sum m x x^T
   };
 
-  /** Sums of one body in one step; drive_power is done on the body. */
+  /** Sums of one body in one step; drive powers are done on the body, with v_- and with v_+. */
   struct BodySums
   {
     UpdateSums update;
-    double     drive_power  = 0; ///< [mJ/s]
-    double     drive_torque = 0; ///< about the axis [N mm]
+    double     drive_power_before = 0, drive_power_after = 0; ///< [mJ/s]
+    double     drive_torque = 0;                              ///< about the axis [N mm]
   };
 
   /** The line through `point` in unit `direction`: bodies that turn on a fixed axis; use_axis

@@ -12,7 +12,8 @@ namespace vfife
   class ByteStream;
   struct ReducedBody;
 
-  /** Damping relative to the turning body, proportional to mass [1/s]. */
+  /** Damping proportional to mass [1/s]: of deformation relative to the turning body, of rigid
+   * motions that supports oppose relative to the ground. */
   struct ModalDamping
   {
     double modes = 0; ///< c'' + modes c'
@@ -20,6 +21,9 @@ namespace vfife
     /** Hermitian matrices on c' beside that, in the order of ReducedBody::harmonics; those behind
      * the last one are zero. */
     std::vector<Eigen::MatrixXcd> more = {};
+    /** What makes velocities of rigid motions in the turning axes those of the ground, c'' + rate
+     * circulation c, in the same order. */
+    std::vector<Eigen::MatrixXcd> circulation = {};
   };
 
   /** Modal forces: of each harmonic of a ReducedBody, and about the axis. */
@@ -118,6 +122,7 @@ namespace vfife
     {
       Eigen::MatrixXcd stiffness;          ///< at this rate [1/s^2]
       Eigen::MatrixXcd damping;            ///< ModalDamping::more, or empty
+      Eigen::MatrixXcd circulation;        ///< ModalDamping::circulation, or empty
       Eigen::MatrixXcd propagator, forced; ///< of (c, c') in one step; rows of a turn are the last
       Eigen::MatrixXcd gain;               ///< half of what a force does to c
       Eigen::VectorXcd position, velocity;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace vfife
 {
@@ -76,6 +77,7 @@ namespace vfife
     , torques_(model, vfife.partition())
     , loads_(model, vfife, communicator)
     , bearings_(model, vfife.partition(), communicator)
+    , small_(model, vfife, communicator)
     , forces_(vfife.make_field())
     , no_velocity_(vfife.make_field())
   {
@@ -164,7 +166,8 @@ namespace vfife
   NodeField Relaxation::compute_all_forces(State &state, const Loads &loads)
   {
     NodeField forces = operator_.make_field();
-    operator_.compute_internal_forces(state.position, forces);
+    small_.read(state);
+    small_.compute_internal_forces(state, forces);
     if (loads.contact)
       add_contact(state, true, forces);
     add_applied(state, loads, forces);
@@ -200,7 +203,7 @@ namespace vfife
   {
     NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
-    const double round_off = compute_round_off(state, compute_masses(loads, state.dt));
+    const double round_off = find_round_off(state, compute_masses(loads, state.dt), 1.);
     return norm(forces, *state.partition) /
            std::max(norm(applied, *state.partition), round_off / options_.tolerance);
   }
@@ -230,12 +233,20 @@ namespace vfife
                       ignored);
   }
 
-  double Relaxation::compute_round_off(const State &state, const std::vector<double> &masses) const
+  double Relaxation::find_round_off(const State               &state,
+                                    const std::vector<double> &masses,
+                                    const double               scale)
   {
-    // 4 eps |M x|: the masses are about the stiffness at a node, pseudo step 1.
+    // 4 eps |M x|: the masses are about the stiffness at a node, pseudo step 1. Those of elements
+    // see scaled displacements about the body's middle, those of springs and contacts do not.
+    const std::vector<double> of_elements =
+      options_.virtual_damping > 0 ? masses
+                                   : operator_.compute_relaxation_masses(stability_fraction);
     NodeField forces = operator_.make_field();
     for (const std::uint32_t i : state.partition->nodes())
-      forces.set(i, masses[i] * state.node_position(i));
+      forces.set(i,
+                 of_elements[i] / scale * small_.local_place(i) +
+                   (masses[i] - of_elements[i]) * state.node_position(i));
     return 4. * std::numeric_limits<double>::epsilon() * norm(forces, *state.partition);
   }
 
@@ -255,12 +266,14 @@ namespace vfife
     // 2. What is prescribed goes where it belongs before the first look at the forces, which would
     // find equilibrium in the old place.
     place(state, constraints);
+    small_.read(state);
 
     // 3. What forces are measured by.
     NodeField applied = operator_.make_field();
     add_applied(state, loads, applied);
     const double applied_norm = norm(applied, *state.partition),
-                 round_off    = compute_round_off(state, masses);
+                 unscaled     = find_round_off(state, masses, 1.);
+    double round_off = unscaled, scale = 1, reference = applied_norm;
 
     // 4. Pseudo time steps M a + c M v = F until the residual is small.
     NodeField        velocity = operator_.make_field(), previous = operator_.make_field();
@@ -274,41 +287,33 @@ namespace vfife
         const bool searches = report.steps % search_interval == 0;
         if (searches)
           constraints.turn_bodies(model_, state);
-        operator_.compute_internal_forces(state.position, forces_);
+        small_.choose_scale(unscaled > options_.tolerance * reference);
+        if (small_.scale() != scale)
+          round_off = find_round_off(state, masses, small_.scale());
+        scale = small_.scale();
+        small_.compute_internal_forces(state, forces_);
         if (loads.contact)
           add_contact(state, searches, forces_);
         add_applied(state, loads, forces_);
         // Where nothing is applied but displacements, the present reactions are what forces are
-        // measured by. Both may be small (rigid turn, slow spin), and round-off is no imbalance.
-        const double reference =
-          std::max(applied_norm > round_off ? applied_norm : norm(forces_, *state.partition),
-                   round_off / options_.tolerance);
+        // measured by.
+        if (!(applied_norm > 0))
+          reference = norm(forces_, *state.partition);
         constraints.project(state.position, forces_, !loads.hold_rotation);
 
         // The residual decides: reached, diverged, or too slow.
         StepSums sums = add_steps(*state.partition, masses, velocity, previous, forces_);
         communicator_.sum(sums.values);
-        report.residual = std::sqrt(sums.force_square()) / reference;
-        if (!std::isfinite(report.residual))
-          throw NumericalError("the equilibrium diverged at relaxation step " +
-                               std::to_string(report.steps));
+        const double unbalanced = std::sqrt(sums.force_square());
+        report.residual         = unbalanced > 0 ? unbalanced / reference : 0.;
+        report.at_round_off     = false;
         if (report.residual < loads.looseness * options_.tolerance)
           break;
-        if (report.steps % report_interval == 0)
-          {
-            history += " " + std::to_string(report.residual);
-            log_.detail("  relaxation step ",
-                        report.steps,
-                        ": residual ",
-                        report.residual,
-                        ", damping ",
-                        damping);
-          }
-        if (report.steps >= options_.largest_steps)
-          throw NumericalError("the equilibrium was not reached in " +
-                               std::to_string(report.steps) +
-                               " relaxation steps (Dynamics/Relaxation); residual every " +
-                               std::to_string(report_interval) + " steps:" + history);
+        // Round-off is no imbalance: both may be small, as of a rigid turn or a slow spin.
+        report.at_round_off = unbalanced < loads.looseness * round_off;
+        if (report.at_round_off)
+          break;
+        watch(report, damping, history);
 
         // Critical damping of the lowest mode that moves, from the stiffness which the last step
         // has met: omega^2 = -v . (f - f_old)/sum m v . v, c = min(1.9, 2 omega) (Underwood 1983).
@@ -320,6 +325,27 @@ namespace vfife
     // Whoever evaluates this state next takes the anchors along with what has slid.
     set_friction_mode(FrictionMode::follows);
     return report;
+  }
+
+  void Relaxation::watch(const RelaxationReport &report, const double damping, std::string &history)
+  {
+    if (!std::isfinite(report.residual))
+      throw NumericalError("the equilibrium diverged at relaxation step " +
+                           std::to_string(report.steps));
+    if (report.steps % report_interval == 0)
+      {
+        history += " " + std::to_string(report.residual);
+        log_.detail("  relaxation step ",
+                    report.steps,
+                    ": residual ",
+                    report.residual,
+                    ", damping ",
+                    damping);
+      }
+    if (report.steps >= options_.largest_steps)
+      throw NumericalError("the equilibrium was not reached in " + std::to_string(report.steps) +
+                           " relaxation steps (Dynamics/Relaxation); residual every " +
+                           std::to_string(report_interval) + " steps:" + history);
   }
 
   void Relaxation::move(State                     &state,
@@ -336,7 +362,7 @@ namespace vfife
       {
         const Vector3 v = keep * velocity.value(i) + gain * forces_.value(i) / masses[i];
         velocity.set(i, v);
-        state.position.add(i, v);
+        state.position.set(i, small_.place_after(i, v));
       }
 
     // Nodes that turn freely or are led in some directions are damped by the same factors.
@@ -351,5 +377,15 @@ namespace vfife
                       state.position,
                       velocity,
                       ignored);
+    for (const std::uint32_t i : state.partition->nodes())
+      small_.follow(i, velocity.value(i), state);
+  }
+
+  std::string RelaxationReport::describe() const
+  {
+    std::ostringstream text;
+    text << steps << " relaxation steps, residual " << residual
+         << (at_round_off ? " (round-off)" : "");
+    return text.str();
   }
 } // namespace vfife

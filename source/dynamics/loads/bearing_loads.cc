@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/counted_angle.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/dynamics/loads/bearing_loads.h>
 #include <vfife/model/constraints/supports.h>
@@ -185,18 +186,19 @@ namespace vfife
         // A cage rolls as the machine turns, not as the shaft swings: what it presses elements
         // together by is work of the drive.
         seat.drive_torque = response.turn_slopes[s];
-        seat.drive_rate   = seat.body->rate * seat.body->rate_history.value(time);
       }
   }
 
   void BearingLoads::respond_coupling(const double time, const bool at_rest, Seat &seat)
   {
-    // The driver's end has turned as prescribed; what the shaft lags behind winds the spring.
+    // The driver's end has turned as prescribed; what the shaft lags behind winds the spring. The
+    // twist is known but for whole turns, of which it keeps those that it had a moment ago.
     const double rate     = seat.body->rate * seat.body->rate_history.value(time);
     const double expected = at_rest ? 0. : seat.body->driven_turn(time);
-    seat.drive_rate       = rate;
-    const double wound    = seat.seat.twist(seat.motion, expected) - expected;
+    const double twist    = seat.seat.twist(seat.motion, expected);
+    const double wound    = count_turns(twist - expected, seat.winding);
     const double torque   = -seat.coupling->stiffness * wound;
+    seat.winding          = wound;
     seat.damper_torque =
       at_rest ? 0. : -seat.coupling->damping * (seat.seat.twist_rate(seat.motion) - rate);
     seat.drive_torque = torque + seat.damper_torque;
@@ -274,19 +276,38 @@ namespace vfife
     return states;
   }
 
-  double BearingLoads::drive_power() const
+  std::vector<double> BearingLoads::windings() const
   {
+    std::vector<double> windings;
+    for (std::size_t s = system_.size(); s < seats_.size(); ++s)
+      windings.push_back(seats_[s].winding);
+    return windings;
+  }
+
+  void BearingLoads::set_windings(const std::vector<double> &windings)
+  {
+    for (std::size_t s = system_.size(); s < seats_.size(); ++s)
+      seats_[s].winding = windings.at(s - system_.size());
+  }
+
+  double BearingLoads::drive_power(const double from, const double to) const
+  {
+    // The ways of the drives between two instants, which a rate at one of them only comes near.
     double power = 0;
     for (const Seat &seat : seats_)
-      power += seat.drive_torque * seat.drive_rate;
+      if (seat.drive_torque != 0)
+        power += seat.drive_torque * (seat.body->driven_turn(to) - seat.body->driven_turn(from)) /
+                 (to - from);
     return power;
   }
 
-  double BearingLoads::damper_drive_power() const
+  double BearingLoads::damper_drive_power(const double from, const double to) const
   {
     double power = 0;
     for (const Seat &seat : seats_)
-      power += seat.damper_torque * seat.drive_rate;
+      if (seat.damper_torque != 0)
+        power += seat.damper_torque * (seat.body->driven_turn(to) - seat.body->driven_turn(from)) /
+                 (to - from);
     return power;
   }
 

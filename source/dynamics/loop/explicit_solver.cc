@@ -4,13 +4,13 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/timers.h>
 #include <vfife/dynamics/loop/explicit_solver.h>
-#include <vfife/dynamics/motion/mean_speed.h>
 #include <vfife/dynamics/operator/step_bound.h>
 #include <vfife/dynamics/watch/guards.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <utility>
 
 namespace vfife
@@ -23,6 +23,27 @@ namespace vfife
       layout.single_hourglass  = options.single_stiffness;
       layout.mass_scaling_step = options.mass_scaling_step;
       return layout;
+    }
+
+    std::vector<DampingReference> make_references(const Model &model)
+    {
+      std::vector<DampingReference> references;
+      for (unsigned int b = 0; b < model.bodies.size(); ++b)
+        references.emplace_back(model, b);
+      return references;
+    }
+
+    /** Kinetic energy of nodes that move by eight units in the last place of their coordinates in a
+     * step [mJ]. */
+    double compute_round_off_energy(const Model &model, const double dt)
+    {
+      const double unit = 8. * std::numeric_limits<double>::epsilon() / dt;
+      double       sum  = 0;
+      for (const Body &body : model.bodies)
+        for (unsigned int i = 0; i < body.n_nodes(); ++i)
+          sum += .5 * body.node_masses()[i] * unit * unit *
+                 body.placement(body.node_positions()[i]).squaredNorm();
+      return sum;
     }
 
     bool any_due(const Observers &observers, const State &state)
@@ -54,6 +75,7 @@ namespace vfife
     , element_step_(find_element_step(model, options.step_bound, operator_, communicator, log))
     , forces_(operator_.make_field())
     , rigid_(model.bodies.size())
+    , references_(make_references(model))
     , damping_(model.bodies.size())
     , sums_(model.bodies.size())
     , energy_(model)
@@ -61,6 +83,11 @@ namespace vfife
     , contact_watch_(log)
   {
     contact_.set_masses(operator_.masses());
+    std::vector<UpdateAxis> axes;
+    for (const DampingReference &reference : references_)
+      axes.push_back(reference.axis());
+    constraints_.set_axes(axes);
+    energy_.set_axes(axes);
   }
 
   VfifeOperator &ExplicitSolver::vfife_operator()
@@ -103,6 +130,7 @@ namespace vfife
     // Penalties that follow from the step, eps = f (m/A)/dt^2, change with it.
     contact_.set_penalties(dt);
     walls_.set_penalties(dt);
+    energy_.set_round_off(compute_round_off_energy(model_, dt));
     safe_step_ = vote_on_step(operator_.limiting_element().stable_step());
   }
 
@@ -183,16 +211,17 @@ namespace vfife
           take_measurements(state);
         // From v- at t_n - dt/2 to v+ at t_n + dt/2, positions to t_n + dt.
         set_damping(state);
-        const StepPowers powers = update_nodes(state, due);
+        const StepWork work = update_nodes(state, due);
         watch_contact(state);
         // What friction took before the beginning is no loss of this run.
         if (!first)
           energy_.add_friction_loss(contact_.friction_loss() + walls_.friction_loss());
 
-        // Work by the trapezoidal rule: of the first and of the last step half is counted. Energies
-        // of a state need the velocities on both sides, so observers wait for the update.
+        // The way of a step meets half the forces of its two ends: those of this instant did half
+        // of their work on the way before it and do half on the way after it. Energies of a state
+        // need the velocities on both sides, so observers wait for the update.
         if (!first)
-          energy_.add_work(powers, 0.5 * dt_);
+          energy_.add_work(work.before, 0.5 * dt_);
         if (due)
           {
             take_motion();
@@ -201,7 +230,7 @@ namespace vfife
             show(observers, last);
           }
         check(state, due, measures);
-        energy_.add_work(powers, 0.5 * dt_);
+        energy_.add_work(work.after, 0.5 * dt_);
         damping_watch_.observe_step(sums_);
 
         if (last)
@@ -261,41 +290,21 @@ namespace vfife
     energy_.observe_contact(touching);
   }
 
-  void ExplicitSolver::set_damping(const State &state)
-  {
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      {
-        // -zeta m (v - u): u turns with the body at the rate of its momentum, or of its mean speed
-        const Body &body  = model_.bodies[b];
-        damping_[b].zeta  = options_.mass_damping();
-        damping_[b].rigid = rigid_[b];
-        if (options_.damping_rate == DampingRate::mean_speed && UpdateAxis::of(body).use_axis &&
-            damping_[b].zeta > 0)
-          damping_[b].rigid = compute_mean_speed_rate(body, state, b, communicator_);
-
-        // slip = zeta_k (omega - omega_kinematic) axis x r on the driven body of a gear pair
-        damping_[b].mesh = RigidVelocity();
-        if (model_.transmission && model_.transmission->driven == b)
-          {
-            // The momentum's rate is that of v-, half a step before the state.
-            const Transmission &t    = *model_.transmission;
-            const double        rate = body.axis.direction.dot(rigid_[b].omega) -
-                                t.driven_sense * t.driven_rate(state.time - 0.5 * dt_);
-            damping_[b].mesh.omega    = options_.mesh_damping * rate * body.axis.direction;
-            damping_[b].mesh.velocity = -damping_[b].mesh.omega.cross(body.axis.point);
-          }
-      }
-  }
-
-  StepPowers ExplicitSolver::update_nodes(State &state, const bool keeps)
+  StepWork ExplicitSolver::update_nodes(State &state, const bool keeps)
   {
     const auto scope = timers_.time(timers_.section("nodal update"));
-    StepPowers powers;
 
-    // All nodes by central differences, then the constrained ones to where they belong. The power
-    // of loads takes the mean of the velocities before and after.
-    powers.torque       = torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
-    double damper_power = bearings_.half_damper_power(state.velocity);
+    // All nodes by central differences, then the constrained ones to where they belong. Loads do
+    // work on the ways before and after.
+    const auto power_of_loads = [&]() {
+      return 2. * (torques_.half_power(state.velocity) + loads_.half_power(state.velocity));
+    };
+    const auto power_of_dampers = [&]() {
+      return 2. * bearings_.half_damper_power(state.velocity);
+    };
+    StepWork work;
+    work.before.torque  = power_of_loads();
+    work.before.damping = -power_of_dampers();
     constraints_.save(state.position, state.velocity);
     if (keeps)
       keep_for_observers(state);
@@ -307,7 +316,7 @@ namespace vfife
                                               state.partition->first_local_node[b + 1],
                                               dt_,
                                               damping_[b],
-                                              UpdateAxis::of(model_.bodies[b]),
+                                              references_[b].axis(),
                                               state.partition->owned.data(),
                                               forces_.data(),
                                               before.position.data(),
@@ -326,38 +335,21 @@ namespace vfife
                        sums_);
     if (keeps)
       constraints_.add_motion(state.velocity, motions_);
-    powers.torque += torques_.half_power(state.velocity) + loads_.half_power(state.velocity);
-    damper_power += bearings_.half_damper_power(state.velocity);
+    work.after.torque  = power_of_loads();
+    work.after.damping = -power_of_dampers();
 
     // Sums and powers over all ranks, with those of the contact, in the one reduction of a step.
-    std::vector<double *> numbers = {&powers.torque, &damper_power};
+    std::vector<double *> numbers = {&work.before.torque,
+                                     &work.before.damping,
+                                     &work.after.torque,
+                                     &work.after.damping};
     contact_.append_sums(numbers);
     for (BodySums &sums : sums_)
       append_numbers(sums, numbers);
     sum_over_ranks(numbers, communicator_);
     contact_.rethrow_failure();
-    // What drives give through the bearings' dampers and these do not give to the bodies is lost.
-    powers.drive   = bearings_.drive_power();
-    powers.damping = bearings_.damper_drive_power() - damper_power;
-    for (const BodySums &sums : sums_)
-      {
-        powers.drive += sums.drive_power;
-        powers.damping += sums.update.damping_power;
-        powers.mesh += sums.update.mesh_power;
-      }
-    if (model_.transmission)
-      {
-        // The mesh damping's torque takes from the swing what its power takes beyond that of the
-        // kinematic rotation: sum m slip . (v - omega_kinematic axis x r).
-        const Transmission &t    = *model_.transmission;
-        const Body         &body = model_.bodies[t.driven];
-        const double        torque =
-          body.axis.direction.dot(damping_[t.driven].mesh.omega) *
-          compute_axial_inertia(UpdateAxis::of(body), body.mass(), sums_[t.driven].update);
-        powers.swing = powers.mesh - torque * t.driven_sense * t.driven_rate();
-      }
-    powers.contact = contact_.lost_power();
-    return powers;
+    add_powers(state.time, work);
+    return work;
   }
 
   void
@@ -379,7 +371,7 @@ namespace vfife
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
         const Body &body = model_.bodies[b];
-        rigid_[b] = compute_momentum_rate(UpdateAxis::of(body), body.mass(), sums_[b].update);
+        rigid_[b] = compute_momentum_rate(references_[b].axis(), body.mass(), sums_[b].update);
 
         // y -> pivot + step (y + drift - pivot): turned about the axis, or, of a body that flies,
         // moved along and turned about where its centre of mass is at the end of the step
@@ -388,7 +380,7 @@ namespace vfife
         const double  angle  = turn.norm();
         const Matrix3 step =
           angle > 0 ? rotation_about(turn / angle, angle) : Matrix3(Matrix3::Identity());
-        const bool    on_axis = UpdateAxis::of(body).use_axis;
+        const bool    on_axis = references_[b].axis().use_axis;
         const Vector3 pivot =
           on_axis ? body.axis.point : Vector3(sums_[b].update.first_moment / body.mass());
         const Vector3 drift =

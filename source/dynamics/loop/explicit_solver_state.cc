@@ -111,7 +111,7 @@ namespace vfife
     std::vector<RigidVelocity> rates;
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
-        const UpdateAxis axis = UpdateAxis::of(model_.bodies[b]);
+        const UpdateAxis axis = references_[b].axis();
         BodySums         sums;
         for (const std::uint32_t i : state.partition->owned_nodes(b))
           add_node_moments(axis,
@@ -123,6 +123,11 @@ namespace vfife
         rates.push_back(compute_momentum_rate(axis, model_.bodies[b].mass(), sums.update));
       }
     return rates;
+  }
+
+  void ExplicitSolver::set_windings(const std::vector<double> &windings)
+  {
+    bearings_.set_windings(windings);
   }
 
   void ExplicitSolver::take_measurements(State &state)
@@ -172,7 +177,8 @@ namespace vfife
                         sums_,
                         measures.strain_energy + loads_.compute_spring_energy(observed_.position) +
                           bearings_.energy(),
-                        contact_.energy() + walls_.energy());
+                        contact_.energy() + walls_.energy(),
+                        observed_.step - beginning_->step);
   }
 
   void ExplicitSolver::take_reactions(const State &state)
@@ -250,6 +256,12 @@ namespace vfife
       pass_vectors(part, *state.partition, communicator_, state.velocity);
       for (RigidVelocity &rate : rigid_)
         part.pass(rate.velocity, rate.omega);
+    });
+    common.pass_part("counted turns", [&](ByteStream &part) {
+      std::vector<double> windings = bearings_.windings();
+      part.pass_known(windings);
+      bearings_.set_windings(windings);
+      transmission_.serialize(part);
     });
     common.pass_required_part("constraints", [&](ByteStream &part) {
       constraints_.serialize(part, *state.partition);

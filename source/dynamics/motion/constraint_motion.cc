@@ -135,6 +135,11 @@ namespace vfife
         node.moved_mass = masses[node.local];
   }
 
+  void ConstraintMotion::set_axes(const std::vector<UpdateAxis> &axes)
+  {
+    axes_ = axes;
+  }
+
   void ConstraintMotion::clear_masses(State &state) const
   {
     for (const Group &group : groups_)
@@ -176,18 +181,18 @@ namespace vfife
           rotation_about(group.axis.direction, turned_angle(group, time + dt, frame));
         for (Node &node : group.nodes)
           {
-            // 2. The new place by the kind of the group; the velocity is the chord.
+            // 2. The new place by the kind of the group; the velocity is the chord, which in a
+            // relaxation keeps digits that places have not.
             Vector3 x;
             if (group.turns_freely())
-              {
-                node.angle += dt * node.rate;
-                x = turned(group.axis, node.start, node.angle);
-              }
+              x = turn_on(group, node, dt);
             else if (group.kind == ConstraintKind::directions)
               x = move_led(group, node, dt, damping[group.body], forces.value(node.local));
             else
               x = group.axis.point + rotation * node.start;
-            const Vector3 v = (x - node.old_position) / dt;
+            Vector3 v = (x - node.old_position) / dt;
+            if (frame == MotionFrame::rotating)
+              v = find_way(group, node, dt, v);
             positions.set(node.local, x);
             velocities.set(node.local, v);
             // 3. What the common update, which sees no mass here, has left out of the sums.

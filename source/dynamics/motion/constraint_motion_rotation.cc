@@ -1,10 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Nodes that turn freely on their circles, each with its own angle or all of a rigid hub with one.
+#include <vfife/base/counted_angle.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/motion/constraint_motion.h>
 
 #include <cmath>
+#include <limits>
 
 namespace vfife
 {
@@ -36,8 +38,30 @@ namespace vfife
               }
           }
     for (Group &group : groups_)
-      if (group.kind == ConstraintKind::rigid_hub)
-        share_rotation(group);
+      {
+        if (group.turns_freely())
+          count_alike(group);
+        if (group.kind == ConstraintKind::rigid_hub)
+          share_rotation(group);
+      }
+  }
+
+  void ConstraintMotion::count_alike(Group &group) const
+  {
+    // About half a turn some nodes have nearly pi and others -pi: all count from the mean
+    // direction.
+    std::vector<double> sums(2, 0.);
+    for (const Node &node : group.nodes)
+      if (node.owned && group.has_angle(node))
+        {
+          sums[0] += std::sin(node.angle);
+          sums[1] += std::cos(node.angle);
+        }
+    communicator_.sum(sums);
+    const double mean = std::atan2(sums[0], sums[1]);
+    for (Node &node : group.nodes)
+      if (group.has_angle(node))
+        node.angle = count_turns(node.angle, mean);
   }
 
   void ConstraintMotion::turn_bodies(const Model &model, State &state) const
@@ -69,11 +93,11 @@ namespace vfife
     communicator_.sum(sums);
     // The placement at time zero, turned about the axis by that angle.
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
-      if (sums[2 * b + 1] > 0)
+      if (sums[2 * b + 1] != 0)
         {
-          const Body  &body                = model.bodies[b];
-          const double ratio               = sums[2 * b] / sums[2 * b + 1],
-                       angle               = body.floats ? std::atan(ratio) : ratio;
+          const Body  &body = model.bodies[b];
+          const double angle =
+            body.floats ? std::atan2(sums[2 * b], sums[2 * b + 1]) : sums[2 * b] / sums[2 * b + 1];
           const Matrix3 rotation           = rotation_about(body.axis.direction, angle);
           const Vector3 arm                = body.placement.translation - body.axis.point;
           state.body_motion[b].rotation    = rotation * body.placement.rotation;
@@ -101,6 +125,34 @@ namespace vfife
         node.angle = sums[0] / sums[2];
         node.rate  = sums[1] / sums[2];
       }
+  }
+
+  Vector3 ConstraintMotion::turn_on(const Group &group, Node &node, const double dt)
+  {
+    node.angle += dt * node.rate;
+    return turned(group.axis, node.start, node.angle);
+  }
+
+  Vector3 ConstraintMotion::find_way(const Group   &group,
+                                     const Node    &node,
+                                     const double   dt,
+                                     const Vector3 &chord) const
+  {
+    // What the node has gone where it is free, without the difference of two places.
+    Vector3 v = chord;
+    if (group.turns_freely())
+      {
+        // 2 sin(turn/2) e, e = axis x r half way
+        const double  turn   = dt * node.rate;
+        const Vector3 middle = turned(group.axis, node.start, node.angle - .5 * turn);
+        v = 2. * std::sin(.5 * turn) / dt * group.axis.direction.cross(middle - group.axis.point);
+      }
+    else if (group.kind == ConstraintKind::directions)
+      v += project_free(group.axis, node.old_position, node.held, node.free_velocity - chord);
+    // More than round-off is a turn that place_prescribed() has made beside it.
+    const double size = 2. * node.old_position.norm() + node.start.norm();
+    return (v - chord).norm() * dt <= 64. * std::numeric_limits<double>::epsilon() * size ? v
+                                                                                          : chord;
   }
 
   Vector3 ConstraintMotion::turned(const Axis &axis, const Vector3 &start, const double angle)

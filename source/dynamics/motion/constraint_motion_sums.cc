@@ -17,7 +17,11 @@ namespace vfife
     // Sums are added up over ranks: copies of a node would count it twice.
     if (!node.owned)
       return;
-    // Energy and momenta as update_nodes() counts them, with v = (v- + v+)/2 for powers.
+    // Energy and momenta as update_nodes() counts them, with v = (v- + v+)/2 for powers of dampers.
+    const auto add_drive = [&](const Vector3 &reaction) {
+      sums.drive_power_before += reaction.dot(node.old_velocity);
+      sums.drive_power_after += reaction.dot(v);
+    };
     const Vector3 mean = 0.5 * (node.old_velocity + v);
     sums.update.kinetic += 0.5 * node.mass * node.old_velocity.dot(v);
     add_node_moments(axis, node.mass, x, v, sums.update);
@@ -34,13 +38,12 @@ namespace vfife
     if (group.kind == ConstraintKind::directions)
       // What prescribed displacements have added to the motion under forces and damping.
       // m (1 + a)/dt (v+ - v*): the force that makes v+ of v* in the damped update, a = zeta dt/2
-      sums.drive_power +=
-        node.mass * (1. + 0.5 * damping.zeta * dt) / dt * (v - node.free_velocity).dot(mean);
+      add_drive(node.mass * (1. + 0.5 * damping.zeta * dt) / dt * (v - node.free_velocity));
     else if (group.kind == ConstraintKind::prescribed_rotation)
       {
         // The drive's force is what inertia asks for beyond the forces: m (v+ - v-)/dt - f.
         const Vector3 reaction = node.mass / dt * (v - node.old_velocity) - force;
-        sums.drive_power += reaction.dot(mean);
+        add_drive(reaction);
         sums.drive_torque +=
           group.axis.direction.dot((node.old_position - group.axis.point).cross(reaction));
       }
@@ -52,7 +55,7 @@ namespace vfife
     for (const Group &group : groups_)
       for (const Node &node : group.nodes)
         if (node.owned)
-          motions[group.body].add(UpdateAxis::of(model_.bodies[group.body]),
+          motions[group.body].add(axes_[group.body],
                                   node.mass,
                                   node.old_position,
                                   node.old_velocity,

@@ -30,9 +30,15 @@ namespace vfife
   } // namespace
 
   EnergyBook::EnergyBook(const Model &model)
-    : model_(model)
-    , approach_(model)
+    : approach_(model)
   {
+    for (const Body &body : model.bodies)
+      axes_.push_back(UpdateAxis::of(body));
+  }
+
+  void EnergyBook::set_axes(const std::vector<UpdateAxis> &axes)
+  {
+    axes_ = axes;
   }
 
   void EnergyBook::reset()
@@ -43,10 +49,19 @@ namespace vfife
     warning_watch_ = failure_watch_ = EnergyWatch();
   }
 
+  void EnergyBook::set_round_off(const double of_step)
+  {
+    round_off_ = of_step;
+  }
+
+  double EnergyBook::round_off(const std::uint64_t n_steps) const
+  {
+    return round_off_ * static_cast<double>(n_steps + 1);
+  }
+
   void EnergyBook::add_work(const StepPowers &powers, const double time)
   {
-    // Called twice a step with half of it: the first and the last instant count half, as the
-    // trapezoidal rule wants.
+    // Called twice a step with half of it: the first and the last instant have a way on one side.
     ledger_.drive_work += time * powers.drive;
     ledger_.torque_work += time * powers.torque;
     ledger_.damping_loss += time * powers.damping;
@@ -69,16 +84,16 @@ namespace vfife
   void EnergyBook::take_sample(const std::vector<RigidVelocity> &before,
                                const std::vector<BodySums>      &sums,
                                const double                      strain,
-                               const double                      contact)
+                               const double                      contact,
+                               const std::uint64_t               n_steps)
   {
     // Energies now: T = sum m v- . v+/2, what it is beyond the bodies' rigid motion, and springs.
     ledger_.kinetic = 0;
     for (const BodySums &body : sums)
       ledger_.kinetic += body.update.kinetic;
     ledger_.kinetic_relative = ledger_.kinetic;
-    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
-      ledger_.kinetic_relative -=
-        rigid_kinetic_energy(UpdateAxis::of(model_.bodies[b]), before[b], sums[b].update);
+    for (std::size_t b = 0; b < axes_.size(); ++b)
+      ledger_.kinetic_relative -= rigid_kinetic_energy(axes_[b], before[b], sums[b].update);
     ledger_.strain  = strain;
     ledger_.contact = contact;
     if (!std::exchange(has_sample_, true))
@@ -96,6 +111,8 @@ namespace vfife
     largest_approach_ = std::max(largest_approach_, approach_.compute(sums));
     if (has_touched_)
       ledger_.scale = std::max(ledger_.scale, largest_approach_);
+    // Where nothing moves there is round-off alone.
+    ledger_.scale = std::max(ledger_.scale, round_off(n_steps));
     // Bodies spin up or fall while hardly anything is strained: their motion as a whole counts too.
     ledger_.scale = std::max(ledger_.scale, ledger_.exchanged_since(at_start_));
   }

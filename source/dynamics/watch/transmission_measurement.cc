@@ -1,5 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/counted_angle.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/watch/transmission_measurement.h>
 
 #include <algorithm>
@@ -38,7 +40,7 @@ namespace vfife
                                          const std::vector<unsigned int> &nodes,
                                          const Partition                 &partition)
   {
-    Ring ring{&body, {}, {}};
+    Ring ring{&body, {}, {}, 0.};
     ring.across.col(0) = body.axis.direction.unitOrthogonal();
     ring.across.col(1) = body.axis.direction.cross(ring.across.col(0));
     for (const unsigned int node : nodes)
@@ -74,14 +76,21 @@ namespace vfife
         const Vector3 r        = state.node_position(node.local) - point;
         const Vector2 now      = across.transpose() * r;
         const Vector2 expected = node.at_rest;
-        sum +=
-          node.mass * compute_angle(expected[0] * now[1] - expected[1] * now[0], expected.dot(now));
+        const double  angle =
+          compute_angle(expected[0] * now[1] - expected[1] * now[0], expected.dot(now));
+        sum += node.mass * count_turns(angle, ring.lead);
         mass += node.mass;
       }
     sums.insert(sums.end(), {sum, mass});
   }
 
-  void TransmissionMeasurement::measure(State &state, const Communicator &communicator) const
+  void TransmissionMeasurement::serialize(ByteStream &stream)
+  {
+    for (Ring &ring : rings_)
+      stream.pass(ring.lead);
+  }
+
+  void TransmissionMeasurement::measure(State &state, const Communicator &communicator)
   {
     if (!model_.transmission)
       return;
@@ -100,9 +109,11 @@ namespace vfife
     if (driver_leads)
       add_rotations(rings_[2], t.driver_sense * t.driver_turn(state.time), state, sums);
     communicator.sum(sums);
-    const double  bore       = t.driven_sense * (sums[0] / sums[1]);
-    const double  rim        = t.driven_sense * (sums[2] / sums[3]);
-    const double  drive      = driver_leads ? t.driver_sense * (sums[4] / sums[5]) : 0.;
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring)
+      rings_[ring].lead = sums[2 * ring] / sums[2 * ring + 1];
+    const double  bore       = t.driven_sense * rings_[0].lead;
+    const double  rim        = t.driven_sense * rings_[1].lead;
+    const double  drive      = driver_leads ? t.driver_sense * rings_[2].lead : 0.;
     Measurements &m          = state.measured;
     const double  start      = t.driven_start - t.ratio() * (t.driver_start + drive);
     m.driver_angle           = t.driver_start + t.driver_turn(state.time) + drive;

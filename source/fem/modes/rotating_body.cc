@@ -9,8 +9,12 @@
 #include <vfife/fem/system/turn_pins.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/body_frame.h>
+#include <vfife/model/constraints/rigid_freedom.h>
+
+#include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 // For one speed: the equilibrium under centrifugal force; stiffness and mass about it, for the
@@ -36,6 +40,68 @@ namespace vfife
           shape[i] /= largest;
           imaginary[i] /= largest;
         }
+    }
+  } // namespace
+
+  namespace
+  {
+    /**
+     * Where bearings oppose rigid motions, their velocity relative to the ground is u' + Omega x u,
+     * which adds b = Im(p^H J (Omega x p)) to omega m of the shape, p its rigid motion and J mass
+     * and inertia. Where nothing opposes them, p^H J p of m is not damped.
+     */
+    double compute_rigid_damping(const Model               &model,
+                                 const unsigned int         b,
+                                 const double               rate,
+                                 const double               omega,
+                                 const std::vector<double> &real,
+                                 const std::vector<double> &imaginary)
+    {
+      const Body &body = model.bodies[b];
+      if (!body.turns_on_axis)
+        return 0.;
+      const RigidFreedom freedom(model, b);
+      const bool         is_loose = freedom.opposed().empty();
+      if (!body.floats && !is_loose)
+        return 0.;
+      const Vector3 &centre  = freedom.centre();
+      const Matrix3 &inertia = freedom.inertia();
+      double         square  = 0;
+      // Of the real and the imaginary part: momentum and angular momentum per angular frequency.
+      std::array<Vector3, 2> momentum = {{Vector3::Zero(), Vector3::Zero()}}, moment = momentum;
+      for (unsigned int i = 0; i < body.n_nodes(); ++i)
+        {
+          const double  m = body.node_masses()[i];
+          const Vector3 r = body.placement(body.node_positions()[i]) - centre;
+          for (unsigned int part = 0; part < 2; ++part)
+            {
+              const Vector3 u =
+                Eigen::Map<const Vector3>((part == 0 ? real : imaginary).data() + 3 * i);
+              momentum[part] += m * u;
+              moment[part] += m * r.cross(u);
+              square += m * u.squaredNorm();
+            }
+        }
+      const Matrix3 inverse = inertia.inverse();
+      if (is_loose)
+        {
+          double rigid = 0;
+          for (unsigned int part = 0; part < 2; ++part)
+            rigid +=
+              momentum[part].squaredNorm() / body.mass() + moment[part].dot(inverse * moment[part]);
+          return -rigid / square;
+        }
+      // Im(p^H q) = Re p . Im q - Im p . Re q with q = J (a x p)
+      const Vector3 &a      = body.axis.direction;
+      double         around = 0;
+      for (unsigned int part = 0; part < 2; ++part)
+        {
+          const Vector3 turn = inverse * moment[1 - part];
+          around += (part == 0 ? 1. : -1.) *
+                    (momentum[part].dot(a.cross(momentum[1 - part])) / body.mass() +
+                     (inverse * moment[part]).dot(inertia * a.cross(turn)));
+        }
+      return rate * around / (omega * square);
     }
   } // namespace
 
@@ -124,7 +190,8 @@ namespace vfife
     // M u'' + (2 C + zeta M) u' + K u = 0, u = phi exp(lambda t): the first order of zeta is
     // delta lambda = -zeta omega m/(2 omega m + g), m = phi* M phi and g the skew part; with
     // omega^2 m + omega g = k this is -zeta omega^2 m/(omega^2 m + k) = -zeta T/(T + U).
-    return frequency > 0 ? zeta * kinetic_share / (2. * pi * frequency) : not_known;
+    return frequency > 0 ? zeta * kinetic_share * (1. + rigid_damping) / (2. * pi * frequency)
+                         : not_known;
   }
 
   ModesAtSpeed RotatingBody::find_modes(const double rate) const
@@ -244,6 +311,8 @@ namespace vfife
         // Waves are named by the sense of the spin, descriptions by that of the axis.
         if (rate < 0)
           entry.description.forward = 1. - entry.description.forward;
+        entry.rigid_damping =
+          compute_rigid_damping(model_, body_, rate, wave.rate, entry.shape, imaginary);
         result.modes.push_back(std::move(entry));
       }
   }

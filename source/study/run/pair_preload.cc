@@ -21,14 +21,6 @@ namespace vfife
 {
   namespace
   {
-    /** What relaxation says of itself, for the log. */
-    std::string describe(const RelaxationReport &report)
-    {
-      std::ostringstream text;
-      text << report.steps << " relaxation steps, residual " << report.residual;
-      return text.str();
-    }
-
     /** The pattern changes its own forces of inertia by (n Omega/omega_n)^2, n waves around a body
      * of frequency omega_n: a few per cent. */
     constexpr unsigned int pattern_rounds = 2;
@@ -114,7 +106,7 @@ namespace vfife
       log_.line("  ",
                 name,
                 ": ",
-                factors ? factors->solve(state, loads) : describe(relaxation.solve(state, loads)));
+                factors ? factors->solve(state, loads) : relaxation.solve(state, loads).describe());
     };
 
     // 1. Centrifugal force alone.
@@ -166,6 +158,7 @@ namespace vfife
     log_.line("  took ", duration_text(seconds_since(start)));
     // Velocities come last, of the places found: omega x r, and Omega u' of the standing pattern,
     // which a ramp has not.
+    solver_.set_windings(relaxation.windings());
     solver_.set_initial_velocities(state);
     pattern.add_velocities(state.velocity);
     log_preload();

@@ -195,8 +195,6 @@ namespace vfife
         place(u, state);
       }
     // Relaxation needs no stiffness: it goes on from where the rounds have ended.
-    const RelaxationReport report = relaxation_.solve(state, loads);
-    text << report.steps << " relaxation steps after the rounds, residual " << report.residual;
-    return text.str();
+    return relaxation_.solve(state, loads).describe() + " after the rounds";
   }
 } // namespace vfife

@@ -43,8 +43,8 @@ namespace vfife
       {
         // The loads of time zero and the centrifugal force; then each body gets its rigid velocity.
         const RelaxationReport report = relaxation_.solve(state, Relaxation::Loads());
-        log_.line(
-          "equilibrium before the start: ", report.steps, " steps, residual ", report.residual);
+        log_.line("equilibrium before the start: ", report.describe());
+        solver_.set_windings(relaxation_.windings());
         solver_.set_initial_velocities(state);
       }
 

@@ -133,17 +133,11 @@ namespace vfife
             loads.part                    = static_cast<double>(step) / n_steps;
             const RelaxationReport report = relaxation.solve(state, loads);
             n_relaxation_steps += report.steps;
-            log.line("load step ",
-                     step,
-                     " of ",
-                     n_steps,
-                     ": ",
-                     report.steps,
-                     " relaxation steps, residual ",
-                     report.residual);
+            log.line("load step ", step, " of ", n_steps, ": ", report.describe());
             state.time = *loads.part;
             state.step = step;
             // On all ranks: its sums over the bodies are collective.
+            solver.set_windings(relaxation.windings());
             solver.measure_at_rest(state);
             state.measured.reactions = relaxation.compute_reactions(state, loads);
             for (const auto &observer : observers)

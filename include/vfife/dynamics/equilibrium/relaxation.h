@@ -3,6 +3,7 @@
 #define vfife_dynamics_equilibrium_relaxation_h
 
 #include <vfife/dynamics/dynamics_options.h>
+#include <vfife/dynamics/equilibrium/small_displacements.h>
 #include <vfife/dynamics/loads/bearing_loads.h>
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/dynamics/loads/nodal_loads.h>
@@ -10,6 +11,8 @@
 #include <vfife/dynamics/loads/torque_loads.h>
 #include <vfife/dynamics/motion/constraint_motion.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
+
+#include <string>
 
 namespace vfife
 {
@@ -19,8 +22,15 @@ namespace vfife
   /** How a relaxation went. */
   struct RelaxationReport
   {
-    unsigned int steps    = 0;
-    double       residual = 0; ///< norm of unbalanced forces over norm of applied ones
+    unsigned int steps = 0;
+    /** Norm of unbalanced forces over the norm of applied ones, of the reactions where nothing is
+     * applied. */
+    double residual = 0;
+    /** It is that of round-off, above the tolerance. */
+    bool at_round_off = false;
+
+    /** Steps and residual in words. */
+    std::string describe() const;
   };
 
   /**
@@ -81,6 +91,12 @@ namespace vfife
      */
     void constrain(State &state) const;
 
+    /** Of the couplings at the state looked at last, whole turns counted [rad]. */
+    std::vector<double> windings() const
+    {
+      return bearings_.windings();
+    }
+
     const RelaxationOptions &options() const
     {
       return options_;
@@ -92,15 +108,19 @@ namespace vfife
     NodeField           compute_all_forces(State &state, const Loads &loads);
     void                add_contact(State &state, bool search, NodeField &forces);
     std::vector<double> compute_masses(const Loads &loads, double dt);
-    void                add_applied(const State &state, const Loads &loads, NodeField &forces);
-    void                place(State &state, ConstraintMotion &constraints) const;
-    double compute_round_off(const State &state, const std::vector<double> &masses) const;
+    /** Round-off of the forces under these masses [N]. */
+    double find_round_off(const State &state, const std::vector<double> &masses, double scale);
+    void   add_applied(const State &state, const Loads &loads, NodeField &forces);
+    void   place(State &state, ConstraintMotion &constraints) const;
     double norm(const NodeField &forces, const Partition &partition) const;
-    void   move(State                     &state,
-                const std::vector<double> &masses,
-                double                     damping,
-                ConstraintMotion          &constraints,
-                NodeField                 &velocity);
+    /** Log and history of a residual that is above the tolerance; throws where it diverges or takes
+     * too long. */
+    void watch(const RelaxationReport &report, double damping, std::string &history);
+    void move(State                     &state,
+              const std::vector<double> &masses,
+              double                     damping,
+              ConstraintMotion          &constraints,
+              NodeField                 &velocity);
 
     const Model             &model_;
     const RelaxationOptions &options_;
@@ -112,6 +132,7 @@ namespace vfife
     TorqueLoads              torques_;
     NodalLoads               loads_;
     BearingLoads             bearings_;
+    SmallDisplacements       small_;
     NodeField                forces_, no_velocity_;
   };
 } // namespace vfife

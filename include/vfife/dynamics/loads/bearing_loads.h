@@ -29,7 +29,8 @@ namespace vfife
 
     /**
      * Adds the forces on bodies that have turned for @p time [s] at their rates to @p forces (all
-     * copies of a node); remembers them for powers and add_reactions(). Collective.
+     * copies of a node); remembers them for powers and add_reactions(). Windings of couplings go on
+     * from those remembered. Collective.
      */
     void add_forces(double           time,
                     const NodeField &positions,
@@ -39,13 +40,19 @@ namespace vfife
     /** The same of bodies at rest in axes that have not turned yet: of springs alone. */
     void add_forces_at_rest(const NodeField &positions, NodeField &forces);
 
+    /** Of the couplings at the last add_forces(), whole turns counted [rad]; equal on all ranks. */
+    std::vector<double> windings() const;
+    /** Where they go on from. */
+    void set_windings(const std::vector<double> &windings);
+
     /** What the springs store at the positions of add_forces() [mJ]; equal on all ranks. */
     double energy() const;
 
-    /** What the drives give through couplings and to rolling cages [mJ/s]; equal on all ranks. */
-    double drive_power() const;
+    /** What the remembered forces take from the drives through couplings and for rolling cages on
+     * their way between two times [mJ/s]; equal on all ranks. */
+    double drive_power(double from, double to) const;
     /** The part of that which goes through the couplings' dampers. */
-    double damper_drive_power() const;
+    double damper_drive_power(double from, double to) const;
 
     /** Half of what all dampers' forces do on this rank's nodes with these velocities [mJ/s]:
      * called before and after the update. */
@@ -95,7 +102,7 @@ namespace vfife
       Wrench             elastic, damping;  ///< on the shaft
       double             drive_torque  = 0; ///< of a coupling, or on a bearing's cage [N mm]
       double             damper_torque = 0; ///< of the damper alone
-      double             drive_rate    = 0; ///< of the body, as prescribed [rad/s]
+      double             winding       = 0; ///< of a coupling, whole turns counted [rad]
     };
 
     /** Largest frequency and decay of the springs and dampers of a seat on the nodes' masses. */

@@ -9,6 +9,7 @@
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/loads/torque_loads.h>
 #include <vfife/dynamics/motion/constraint_motion.h>
+#include <vfife/dynamics/motion/damping_reference.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/dynamics/watch/contact_watch.h>
 #include <vfife/dynamics/watch/damping_watch.h>
@@ -61,6 +62,9 @@ namespace vfife
     /** Replaces velocities by those of rigid motion at the bodies' rates plus the initial
      * velocities of their nodes, positions unchanged (after a preload). */
     void set_initial_velocities(State &state) const;
+
+    /** Of the couplings in the state that a run begins with, whole turns counted [rad]. */
+    void set_windings(const std::vector<double> &windings);
 
     /** Called with the state before each step; may throw to end a run there. All ranks. */
     using BeforeStep = std::function<void(State &)>;
@@ -144,8 +148,10 @@ namespace vfife
     void take_measurements(State &state);
     void set_damping(const State &state);
     /** @p keeps: the state before becomes the one that observers see. */
-    StepPowers update_nodes(State &state, bool keeps);
-    void       keep_for_observers(State &state);
+    StepWork update_nodes(State &state, bool keeps);
+    /** Of drives, dampers and contact, from sums over all ranks. */
+    void add_powers(double time, StepWork &work) const;
+    void keep_for_observers(State &state);
     /** Observers see this state until there is a sample. */
     void observe_from(const State &state);
     /** What needs the velocities after the update. */
@@ -178,11 +184,12 @@ namespace vfife
     double                  safe_step_  = 0; ///< by the worst element [s]
 
     // One step; rates, damping and sums of each body.
-    NodeField                  forces_;
-    std::vector<RigidVelocity> rigid_;
-    std::vector<BodyDamping>   damping_;
-    std::vector<BodySums>      sums_;    ///< of the last update, over all ranks
-    std::vector<NodalMotion>   motions_; ///< of the last sample, of this rank
+    NodeField                     forces_;
+    std::vector<RigidVelocity>    rigid_; ///< with the momenta of the body
+    std::vector<DampingReference> references_;
+    std::vector<BodyDamping>      damping_;
+    std::vector<BodySums>         sums_;    ///< of the last update, over all ranks
+    std::vector<NodalMotion>      motions_; ///< of the last sample, of this rank
 
     // What is kept of a run.
     std::optional<Beginning> beginning_; ///< of the run in progress

@@ -41,6 +41,9 @@ namespace vfife
      * local node. */
     void set_masses(const std::vector<double> &masses);
 
+    /** The lines that moments of the bodies are about, where they are not UpdateAxis::of(). */
+    void set_axes(const std::vector<UpdateAxis> &axes);
+
     /** Sets mass and inverse mass of the constrained nodes in the fields of @p state to zero. */
     void clear_masses(State &state) const;
 
@@ -140,7 +143,9 @@ namespace vfife
       }
     };
 
-    void   share_rotation(Group &group) const;
+    void share_rotation(Group &group) const;
+    /** Angles of the group's nodes less than half a turn from their mean. */
+    void   count_alike(Group &group) const;
     void   add_nodes(unsigned int body, const Partition &partition);
     void   compare_first_values() const;
     double factor(const Constraint &constraint) const;
@@ -153,11 +158,16 @@ namespace vfife
                      const Vector3     &force) const;
     double  turned_angle(const Group &group, double time, MotionFrame frame) const;
 
-    void           add_reaction(const Group           &group,
-                                const Node            &node,
-                                const Vector3         &place,
-                                const Vector3         &reaction,
-                                std::vector<Reaction> &reactions) const;
+    void add_reaction(const Group           &group,
+                      const Node            &node,
+                      const Vector3         &place,
+                      const Vector3         &reaction,
+                      std::vector<Reaction> &reactions) const;
+    /** Turns a node with its rate: the new place. */
+    static Vector3 turn_on(const Group &group, Node &node, double dt);
+    /** The velocity of the step with which the node has got where it is, of which @p chord has the
+     * digits of places alone. */
+    Vector3 find_way(const Group &group, const Node &node, double dt, const Vector3 &chord) const;
     static Vector3 turned(const Axis &axis, const Vector3 &start, double angle);
     void
     turn_freely(Group &group, double dt, const BodyDamping &damping, const NodeField &forces) const;

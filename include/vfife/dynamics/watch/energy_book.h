@@ -7,6 +7,7 @@
 #include <vfife/dynamics/watch/energy_watch.h>
 #include <vfife/model/energy_ledger.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ namespace vfife
     double drive = 0, torque = 0, damping = 0, mesh = 0, swing = 0, contact = 0;
   };
 
+  /** What acts at an instant does it on the ways before and after: powers with either velocity. */
+  struct StepWork
+  {
+    StepPowers before, after;
+  };
+
   /**
    * Keeps the energy ledger of a run (doc/dynamics.md, Energy ledger): adds up work and losses step
    * by step, takes the energies of each sample, knows the scale that the error is divided by, and
@@ -34,8 +41,18 @@ namespace vfife
   public:
     explicit EnergyBook(const Model &model);
 
+    /** The lines that moments of the bodies are about, where they are not UpdateAxis::of(). */
+    void set_axes(const std::vector<UpdateAxis> &axes);
+
     /** Forgets everything: a new run begins. */
     void reset();
+
+    /** Energy of the round-off of one step [mJ], of which the scale is at least as much as the
+     * steps so far have: what is smaller is no energy. */
+    void set_round_off(double of_step);
+
+    /** That of @p n_steps [mJ]. */
+    double round_off(std::uint64_t n_steps) const;
 
     /** Adds what @p powers do in @p time [s]. */
     void add_work(const StepPowers &powers, double time);
@@ -51,12 +68,14 @@ namespace vfife
     /**
      * Takes the energies of a state: kinetic ones from the bodies' @p sums over all ranks and their
      * rigid motions @p before the update, @p strain of bodies and springs to the ground, @p contact
-     * of the contact springs [mJ]. Changes are counted from the first sample on.
+     * of the contact springs [mJ], @p n_steps after the beginning. Changes are counted from the
+     * first sample on.
      */
     void take_sample(const std::vector<RigidVelocity> &before,
                      const std::vector<BodySums>      &sums,
                      double                            strain,
-                     double                            contact);
+                     double                            contact,
+                     std::uint64_t                     n_steps);
 
     /**
      * At every sample: warns once of an error that has lasted beyond two fifths of @p limit; throws
@@ -71,14 +90,15 @@ namespace vfife
     void serialize(ByteStream &stream);
 
   private:
-    const Model   &model_;
-    ApproachEnergy approach_;
-    EnergyLedger   ledger_, at_start_;
-    double         largest_approach_ = 0; ///< at the samples so far [mJ]
-    bool           has_touched_      = false;
-    bool           has_sample_       = false;
-    bool           has_warned_       = false;
-    EnergyWatch    warning_watch_, failure_watch_;
+    std::vector<UpdateAxis> axes_; ///< by body
+    ApproachEnergy          approach_;
+    EnergyLedger            ledger_, at_start_;
+    double                  round_off_        = 0; ///< of one step [mJ]
+    double                  largest_approach_ = 0; ///< at the samples so far [mJ]
+    bool                    has_touched_      = false;
+    bool                    has_sample_       = false;
+    bool                    has_warned_       = false;
+    EnergyWatch             warning_watch_, failure_watch_;
   };
 } // namespace vfife
 

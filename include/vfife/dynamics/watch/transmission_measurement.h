@@ -9,6 +9,7 @@
 
 namespace vfife
 {
+  class ByteStream;
   class Communicator;
 
   /**
@@ -23,8 +24,11 @@ namespace vfife
     TransmissionMeasurement(const Model &model, const Partition &partition);
 
     /** Sets angles and errors of the state's measurements; its nodes are those of the partition.
-     * Collective. */
-    void measure(State &state, const Communicator &communicator) const;
+     * Turns are counted from one measurement to the next. Collective. */
+    void measure(State &state, const Communicator &communicator);
+
+    /** For checkpoints: the turns so far. */
+    void serialize(ByteStream &stream);
 
   private:
     /** A node about its body's axis. */
@@ -41,6 +45,7 @@ namespace vfife
       const Body                 *body;
       Eigen::Matrix<double, 3, 2> across; ///< axes at right angles to that of the body, columns
       std::vector<Node>           nodes;
+      double lead = 0; ///< mean rotation beyond the kinematic one, measured last [rad]
     };
 
     void

@@ -18,7 +18,10 @@ namespace vfife
     double frequency = 0; ///< [Hz]
     double residual  = 0;
     /** T/(T + U) of the energies in the turning axes: 1/2 without Coriolis forces [-]. */
-    double          kinetic_share = 0.5;
+    double kinetic_share = 0.5;
+    /** What rigid motions change of the damping, which are damped relative to the ground where
+     * bearings oppose them, and not where nothing does; part of that of the whole shape [-]. */
+    double          rigid_damping = 0;
     ModeDescription description;
     /** As in Mode; not a number for sectors and with Coriolis forces. */
     std::array<double, 6> effective_mass = {
@@ -26,8 +29,8 @@ namespace vfife
     /** Displacements of the body's nodes, 3 a node, fixed frame, largest 1 mm. */
     std::vector<double> shape;
 
-    /** Of the force -zeta m v relative to the turning body, to the first order of zeta [1/s]; not a
-     * number for a rigid motion [-]. */
+    /** Of the damping of runs (doc/dynamics.md, Damping ratio), to the first order of zeta [1/s];
+     * not a number for a rigid motion [-]. */
     double damping_ratio(double zeta) const;
   };
 

@@ -1,0 +1,76 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+// What the dampers of ExplicitSolver are relative to, and what they and drives do in a step.
+#include <vfife/dynamics/loop/explicit_solver.h>
+#include <vfife/dynamics/motion/mean_speed.h>
+
+#include <tuple>
+
+namespace vfife
+{
+  void ExplicitSolver::set_damping(const State &state)
+  {
+    for (unsigned int b = 0; b < model_.bodies.size(); ++b)
+      {
+        // -zeta m (v - u): u is the rigid motion that supports leave to the body, on a fixed axis
+        // at the rate of its momentum or of its mean speed.
+        const Body &body  = model_.bodies[b];
+        damping_[b].zeta  = options_.mass_damping();
+        damping_[b].rigid = rigid_[b];
+        if (damping_[b].zeta > 0)
+          damping_[b].rigid =
+            options_.damping_rate == DampingRate::mean_speed && references_[b].axis().use_axis &&
+                references_[b].turns()
+              ? compute_mean_speed_rate(body, state, b, communicator_)
+              : references_[b].find(state.time, dt_, state.body_motion[b], rigid_[b]);
+
+        // slip = zeta_k (omega - omega_kinematic) axis x r on the driven body of a gear pair
+        damping_[b].mesh = RigidVelocity();
+        if (model_.transmission && model_.transmission->driven == b)
+          {
+            // The momentum's rate is that of v-, half a step before the state.
+            const Transmission &t    = *model_.transmission;
+            const double        rate = body.axis.direction.dot(rigid_[b].omega) -
+                                t.driven_sense * t.driven_rate(state.time - 0.5 * dt_);
+            damping_[b].mesh.omega    = options_.mesh_damping * rate * body.axis.direction;
+            damping_[b].mesh.velocity = -damping_[b].mesh.omega.cross(body.axis.point);
+          }
+      }
+  }
+
+  void ExplicitSolver::add_powers(const double time, StepWork &work) const
+  {
+    // What drives give through the bearings' dampers and these do not give to the bodies is lost.
+    // A drive has no way before time zero.
+    const double first = time < dt_ ? time : time - dt_;
+    const double last  = time < dt_ ? time + dt_ : time;
+    for (const auto &[powers, from, to] :
+         {std::tuple<StepPowers *, double, double>(&work.before, first, last),
+          std::tuple<StepPowers *, double, double>(&work.after, time, time + dt_)})
+      {
+        powers->drive   = bearings_.drive_power(from, to);
+        powers->contact = contact_.lost_power();
+        powers->damping += bearings_.damper_drive_power(from, to);
+        for (const BodySums &sums : sums_)
+          {
+            powers->damping += sums.update.damping_power;
+            powers->mesh += sums.update.mesh_power;
+          }
+      }
+    for (const BodySums &sums : sums_)
+      {
+        work.before.drive += sums.drive_power_before;
+        work.after.drive += sums.drive_power_after;
+      }
+    if (!model_.transmission)
+      return;
+    // The mesh damping's torque takes from the swing what its power takes beyond that of the
+    // kinematic rotation: sum m slip . (v - omega_kinematic axis x r).
+    const Transmission &t    = *model_.transmission;
+    const Body         &body = model_.bodies[t.driven];
+    const double        torque =
+      body.axis.direction.dot(damping_[t.driven].mesh.omega) *
+      compute_axial_inertia(references_[t.driven].axis(), body.mass(), sums_[t.driven].update);
+    work.before.swing = work.after.swing =
+      work.after.mesh - torque * t.driven_sense * t.driven_rate();
+  }
+} // namespace vfife
