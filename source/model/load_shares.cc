@@ -113,11 +113,4 @@ namespace vfife
       }
     return faces;
   }
-
-  Vector3
-  compute_vector_area(const Vector3 &a, const Vector3 &b, const Vector3 &c, const Vector3 &d)
-  {
-    // Half the cross product of the diagonals.
-    return 0.5 * (c - a).cross(d - b);
-  }
 } // namespace vfife

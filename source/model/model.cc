@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
 
@@ -65,11 +66,10 @@ namespace vfife
               }
             if (!inside || !is_one_of(faces, v))
               continue;
-            // A face's vertices are lexicographic: 0 and 3 are opposite. Half the cross product of
-            // the diagonals is its area.
-            const double area = 0.5 * (x[v[3]] - x[v[0]]).cross(x[v[2]] - x[v[1]]).norm();
+            // A face's vertices are lexicographic, as its functions are: 0 and 3 are opposite.
+            const auto integrals = integrate_areas({{x[v[0]], x[v[1]], x[v[3]], x[v[2]]}});
             for (unsigned int i = 0; i < 4; ++i)
-              areas[row[v[i]]] += 0.25 * area;
+              areas[row[v[i]]] += integrals[i];
           }
       }
     return areas;

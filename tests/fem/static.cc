@@ -7,6 +7,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/mpi_session.h>
 #include <vfife/fem/statics/static_solver.h>
+#include <vfife/fem/system/load_forces.h>
 #include <vfife/fem/system/system_matrices.h>
 #include <vfife/fem/system/torque_forces.h>
 #include <vfife/mesh/primitives/primitives.h>
@@ -333,6 +334,98 @@ namespace
     });
   }
 
+  /** A block whose nodes are shifted in the planes z = const, the same way in all of them. */
+  Model make_uneven_block(const Material &material)
+  {
+    auto                   mesh = make_block(Vector3(2., 1.5, 1.), {{3, 3, 2}});
+    std::set<unsigned int> moved;
+    for (const auto &cell : mesh->triangulation.active_cell_iterators())
+      for (unsigned int v = 0; v < 8; ++v)
+        if (auto &x = cell->vertex(v); moved.insert(cell->vertex_index(v)).second)
+          {
+            const double way = .12 * std::sin(pi * x[0] / 2.) * std::sin(pi * x[1] / 1.5);
+            const double i = std::round(1.5 * x[0]), j = std::round(2. * x[1]);
+            x[0] += way * std::sin(12.9898 * (i + 1) + 78.233 * j);
+            x[1] += way * std::sin(39.425 * (j + 2) + 11.137 * i);
+          }
+    Model model;
+    model.add_body(Body("block", std::move(mesh), material));
+    return model;
+  }
+
+  /** Largest difference between what a load does and what holds the field @p u, at points above
+   * the foot, over the largest force. */
+  double imbalance(const Model        &model,
+                   const Load         &load,
+                   const FemElement    element,
+                   const Communicator &communicator,
+                   const Field        &field)
+  {
+    const Discretization d(model, {0}, element);
+    const Assembly       assembly(d, {}, communicator);
+    std::vector<double>  u, applied(3 * d.n_points(), 0.);
+    for (const Vector3 &x : d.points())
+      for (unsigned int c = 0; c < 3; ++c)
+        u.push_back(field(x)[c]);
+    const OwnedVector         own = assembly.vector([&](const unsigned int e) -> Eigen::VectorXd {
+      return compute_fem_stiffness(d.element_nodes(e), d.material(e), element) * d.gather(e, u);
+    });
+    const std::vector<double> forces = assembly.expand(own);
+    add_load_forces(load, d, d.parts().front(), 1., applied);
+    double difference = 0, largest = 0;
+    for (unsigned int p = 0; p < d.n_points(); ++p)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          largest = largest_of(largest, std::abs(forces[3 * p + c]));
+          if (d.points()[p][2] > 1e-9)
+            difference = largest_of(difference, std::abs(forces[3 * p + c] - applied[3 * p + c]));
+        }
+    return difference / largest;
+  }
+
+  /** Even loads on uneven faces leave the fields that hold them in equilibrium. */
+  void uneven_faces(const Communicator &communicator)
+  {
+    Material steel;
+    steel.poissons_ratio = 0.;
+    const double E = steel.youngs_modulus, rho = steel.density, g = 9810., p = 100.;
+    const Model  model = make_uneven_block(steel);
+    const Body  &block = model.bodies[0];
+    for (const auto &choice : fem_element_choices())
+      {
+        Load load;
+        load.name           = "lid";
+        load.nodes          = block.node_set("z+");
+        load.kind           = LoadKind::pressure;
+        load.pressure       = p;
+        const Field pressed = [&](const Vector3 &x) { return Vector3(0, 0, -p / E * x[2]); };
+        check_below("uneven face under pressure, " + choice.first,
+                    imbalance(model, load, choice.second, communicator, pressed),
+                    1e-12);
+        load.kind   = LoadKind::force;
+        load.vector = Vector3(0., 0., -p * 2. * 1.5);
+        check_below("uneven face under a force, " + choice.first,
+                    imbalance(model, load, choice.second, communicator, pressed),
+                    1e-12);
+      }
+    // Under its own weight the way is quadratic, which elements with 27 nodes have.
+    Load weight;
+    weight.name   = "weight";
+    weight.kind   = LoadKind::acceleration;
+    weight.vector = Vector3(0., 0., -g);
+    weight.nodes.resize(block.n_nodes());
+    std::iota(weight.nodes.begin(), weight.nodes.end(), 0u);
+    check_below("uneven block under its own weight, quadratic",
+                imbalance(model,
+                          weight,
+                          FemElement::quadratic,
+                          communicator,
+                          [&](const Vector3 &x) {
+                            return Vector3(0, 0, -rho * g / E * (x[2] - .5 * x[2] * x[2]));
+                          }),
+                1e-12);
+  }
+
   void free_body(const Communicator &communicator)
   {
     Model model = make_block_model(2, 0., {});
@@ -352,6 +445,7 @@ int main(int argc, char **argv)
   spinning_bar(communicator);
   torsion(communicator);
   torque_on_axis();
+  uneven_faces(communicator);
   free_body(communicator);
   return 0;
 }

@@ -5,6 +5,9 @@
 #include "../tests.h"
 
 #include <vfife/base/errors.h>
+#include <vfife/contact/surface/facet_integrals.h>
+#include <vfife/contact/surface/facet_quadrature.h>
+#include <vfife/element/hexahedron.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/body_frame.h>
 #include <vfife/model/load_shares.h>
@@ -117,6 +120,71 @@ namespace
     check("two nodes carry no face", line == std::vector<double>({0., 0.}));
   }
 
+  Vector3 vector_area(const std::array<Vector3, 4> &corners)
+  {
+    const auto normals = integrate_normals(corners);
+    return normals[0] + normals[1] + normals[2] + normals[3];
+  }
+
+  /** A cell with warped faces: the divergence of x is 3, that of a constant and of a rotation is
+   * nothing. */
+  void warped_cell()
+  {
+    auto mesh = make_block(Vector3(2., 3., 1.5), {{1, 1, 1}});
+    for (const auto &cell : mesh->triangulation.active_cell_iterators())
+      for (unsigned int v = 0; v < 8; ++v)
+        for (unsigned int c = 0; c < 3; ++c)
+          cell->vertex(v)[c] += .3 * std::sin(12.9898 * (v + 1) + 78.233 * c);
+    const Body                      body("cell", std::move(mesh), Material());
+    const std::vector<unsigned int> all = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (const unsigned int n : {2u, 3u})
+      {
+        double  outflow = 0;
+        Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
+        for (const BoundaryFace &face : find_boundary_faces(body, all))
+          {
+            std::array<Vector3, 4> x;
+            for (unsigned int k = 0; k < 4; ++k)
+              x[k] = body.node_positions()[face.nodes[k]];
+            const auto normals = integrate_normals(x, n);
+            const auto closed  = integrate_normals(x);
+            for (unsigned int j = 0; j < n; ++j)
+              for (unsigned int i = 0; i < n; ++i)
+                {
+                  const auto    N     = bilinear_weights(i / (n - 1.), j / (n - 1.));
+                  const Vector3 place = N[0] * x[0] + N[1] * x[1] + N[2] * x[2] + N[3] * x[3];
+                  outflow += place.dot(normals[i + n * j]);
+                  force += normals[i + n * j];
+                  moment += place.cross(normals[i + n * j]);
+                }
+            if (n == 2)
+              check_below("corners of a face in closed form and by Gauss points [mm^2]",
+                          (closed[0] - normals[0]).norm() + (closed[1] - normals[1]).norm() +
+                            (closed[2] - normals[3]).norm() + (closed[3] - normals[2]).norm(),
+                          1e-14);
+          }
+        const std::string name = "warped cell, functions of degree " + std::to_string(n - 1);
+        check_close(name + ": outflow of x over three volumes",
+                    outflow / (3 * compute_volume(body.element_nodes(0))),
+                    1.,
+                    1e-13);
+        check_below(name + ": even pressure leaves no force [N]", force.norm(), 1e-13);
+        check_below(name + ": and no moment [N mm]", moment.norm(), 1e-13);
+      }
+    // A plane face with unequal sides: the corner's share by hand, (4 J0 + 2 J1 + 2 J3 + J2)/36
+    // with J = 6, 3, 3, 0 at corners in turn.
+    const auto areas =
+      integrate_areas({{Vector3(0, 0, 0), Vector3(3, 0, 0), Vector3(1.5, 1, 0), Vector3(0, 2, 0)}});
+    check_close("uneven face: the corner at the right angle",
+                areas[0],
+                (4 * 6 + 2 * 3 + 2 * 3) / 36.,
+                1e-14);
+    check_close("uneven face: all of its area",
+                areas[0] + areas[1] + areas[2] + areas[3],
+                3.,
+                1e-14);
+  }
+
   void faces()
   {
     const Body                body = ring();
@@ -130,7 +198,7 @@ namespace
         std::array<Vector3, 4> x;
         for (unsigned int i = 0; i < 4; ++i)
           x[i] = body.node_positions()[face.nodes[i]];
-        const Vector3 area = compute_vector_area(x[0], x[1], x[2], x[3]);
+        const Vector3 area = vector_area(x);
         total += area;
         volume += area.dot(x[0] + x[1] + x[2] + x[3]) / 12; // divergence of x/3
         ++n;
@@ -148,10 +216,8 @@ namespace
     for (const BoundaryFace &face : find_boundary_faces(body, half))
       {
         const auto &x = body.node_positions();
-        resultant -= compute_vector_area(x[face.nodes[0]],
-                                         x[face.nodes[1]],
-                                         x[face.nodes[2]],
-                                         x[face.nodes[3]]);
+        resultant -=
+          vector_area({{x[face.nodes[0]], x[face.nodes[1]], x[face.nodes[2]], x[face.nodes[3]]}});
       }
     check_close("pressure on a half: along - x", resultant[0], -2 * outer * height, 1e-10);
     check_below("pressure on a half: across", resultant.tail<2>().norm(), 1e-10);
@@ -160,8 +226,8 @@ namespace
     const Vector3 first  = .5 * ((b - a).cross(c - a) + (c - a).cross(d - a));
     const Vector3 second = .5 * ((b - a).cross(d - a) + (c - b).cross(d - b));
     check_below("warped face: vector area by either diagonal [mm^2]",
-                largest_of((compute_vector_area(a, b, c, d) - first).norm(),
-                           (compute_vector_area(a, b, c, d) - second).norm()),
+                largest_of((vector_area({{a, b, c, d}}) - first).norm(),
+                           (vector_area({{a, b, c, d}}) - second).norm()),
                 1e-14);
   }
 
@@ -233,6 +299,7 @@ int main()
 {
   masses();
   areas();
+  warped_cell();
   faces();
   sets();
   axes();

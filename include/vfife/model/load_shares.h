@@ -48,10 +48,6 @@ namespace vfife
   std::vector<BoundaryFace> find_boundary_faces(const Body                      &body,
                                                 const std::vector<unsigned int> &nodes,
                                                 const SelectedFaces             &faces = {});
-
-  /** Vector area of the bilinear face through four places in turn [mm^2]. */
-  Vector3
-  compute_vector_area(const Vector3 &a, const Vector3 &b, const Vector3 &c, const Vector3 &d);
 } // namespace vfife
 
 #endif

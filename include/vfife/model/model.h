@@ -108,9 +108,9 @@ namespace vfife
   bool is_one_of(const SelectedFaces &faces, std::array<unsigned int, 4> nodes);
 
   /**
-   * Area of the mesh's boundary faces that belongs to each of @p nodes (a quarter of every face
-   * whose four nodes are all in the set, and which is one of @p faces where these are given)
-   * [mm^2].
+   * Area of the mesh's boundary faces that belongs to each of @p nodes [mm^2]: the integral of its
+   * shape function over the faces whose four nodes are all in the set, and which are among @p faces
+   * where these are given.
    */
   std::vector<double> compute_nodal_areas(const Body                      &body,
                                           const std::vector<unsigned int> &nodes,

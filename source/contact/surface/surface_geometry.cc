@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/contact/surface/smooth_patch.h>
 #include <vfife/contact/surface/surface_geometry.h>
 
@@ -155,20 +156,38 @@ namespace vfife
   }
 
 
+  double SurfaceGeometry::facet_width(const unsigned int facet) const
+  {
+    const auto &k = facets_[facet];
+    return vfife::facet_width(
+      {{reference_[k[0]], reference_[k[1]], reference_[k[2]], reference_[k[3]]}});
+  }
+
+
+  std::array<double, 4> SurfaceGeometry::corner_areas(const unsigned int facet) const
+  {
+    // Functions are counted along the sides: the third is that of the corner across.
+    const auto &k = facets_[facet];
+    const auto  areas =
+      integrate_areas({{reference_[k[0]], reference_[k[1]], reference_[k[2]], reference_[k[3]]}});
+    return {{areas[0], areas[1], areas[3], areas[2]}};
+  }
+
+
   void SurfaceGeometry::compute_areas()
   {
     // A_k = sum over facets of the integral of N_k |y_xi x y_eta|.
     node_areas_.assign(n_nodes(), 0.);
-    double     total = 0.;
-    const auto rule  = facet_quadrature(ContactDiscretization::surface_points, 3);
+    double total = 0.;
     for (unsigned int f = 0; f < n_facets(); ++f)
-      for (const auto &q : rule)
-        {
-          const double area = q.weight * area_element(f, q.xi, q.eta);
-          total += area;
-          for (unsigned int k = 0; k < 4; ++k)
-            node_areas_[facets_[f][k]] += area * q.shape[k];
-        }
+      {
+        const std::array<double, 4> areas = corner_areas(f);
+        for (unsigned int k = 0; k < 4; ++k)
+          {
+            node_areas_[facets_[f][k]] += areas[k];
+            total += areas[k];
+          }
+      }
     mean_facet_size_ = std::sqrt(total / n_facets());
     if (!(mean_facet_size_ > 0.))
       throw InputError("a contact surface has no area");

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/communicator.h>
+#include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/dynamics/loads/nodal_loads.h>
 #include <vfife/dynamics/operator/vfife_operator.h>
 #include <vfife/model/load_shares.h>
@@ -122,15 +123,15 @@ namespace vfife
   void
   NodalLoads::add_pressure(const Group &group, const double pressure, const NodeField &positions)
   {
-    // -p n dA of the present face, a quarter to each corner.
+    // -p n dA of the present face, by its corners' shape functions.
     for (const Face &face : group.faces)
       {
-        Vector3 x[4];
+        std::array<Vector3, 4> x;
         for (unsigned int i = 0; i < 4; ++i)
           x[i] = positions.value(face.local[i]);
-        const Vector3 force = -0.25 * pressure * compute_vector_area(x[0], x[1], x[2], x[3]);
-        for (const std::uint32_t local : face.local)
-          face_forces_.add(local, force);
+        const std::array<Vector3, 4> normals = integrate_normals(x);
+        for (unsigned int i = 0; i < 4; ++i)
+          face_forces_.add(face.local[i], -pressure * normals[i]);
       }
   }
 

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/bearing/mean_motion.h>
+#include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/fem/system/load_forces.h>
 #include <vfife/model/load_shares.h>
 
@@ -11,44 +12,89 @@ namespace vfife
 {
   namespace
   {
-    /** The points of a face with their parts of a constant traction on it: int N dA / A of a flat
-     * face. */
-    PointShares face_shares(const Discretization       &discretization,
-                            const Discretization::Part &part,
-                            const BoundaryFace         &face)
+    /** Corners of a face at its undeformed place, in turn seen from outside. */
+    std::array<Vector3, 4> corners_of(const BoundaryFace         &face,
+                                      const Discretization       &discretization,
+                                      const Discretization::Part &part)
     {
-      // Along a line the functions integrate to 1/2, 1/2 or, with the middle, to
-      // 1/6, 4/6, 1/6 (Simpson): products are 1/4 of a face, or 1/36, 4/36, 16/36 of
-      // it at corners, edges and middle.
-      // Points of an element are numbered with x fastest; a face lies at one end of its normal
-      // direction and is run through along the two others.
-      const unsigned int  n         = discretization.element() == FemElement::quadratic ? 3 : 2;
-      const double        line[][3] = {{.5, .5, 0.}, {1. / 6, 4. / 6, 1. / 6}};
-      const double *const weights   = line[n - 2];
-      const unsigned int *points = discretization.element_points(part.first_element + face.element);
-      const unsigned int  direction = face.number / 2, side = face.number % 2;
-      PointShares         shares;
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          {
-            std::array<unsigned int, 3> at;
-            at[direction]           = side * (n - 1);
-            at[(direction + 1) % 3] = i;
-            at[(direction + 2) % 3] = j;
-            shares.emplace_back(points[at[0] + n * (at[1] + n * at[2])], weights[i] * weights[j]);
-          }
-      return shares;
+      std::array<Vector3, 4> corners;
+      for (unsigned int k = 0; k < 4; ++k)
+        corners[k] = discretization.points()[part.first_point + face.nodes[k]];
+      return corners;
     }
 
-    /** Of a face at its undeformed place, out of the body [mm^2]. */
-    Vector3 vector_area(const BoundaryFace         &face,
-                        const Discretization       &discretization,
-                        const Discretization::Part &part)
+    /** Points along a side of an element's face. */
+    unsigned int points_along(const Discretization &discretization)
     {
-      const auto place = [&](const unsigned int corner) {
-        return discretization.points()[part.first_point + face.nodes[corner]];
-      };
-      return compute_vector_area(place(0), place(1), place(2), place(3));
+      return discretization.element() == FemElement::quadratic ? 3 : 2;
+    }
+
+    /** The points of a face, those along the side from its corner 0 to 1 fastest. */
+    std::vector<unsigned int> face_points(const Discretization       &discretization,
+                                          const Discretization::Part &part,
+                                          const BoundaryFace         &face)
+    {
+      // Points of an element are numbered with x fastest; a face lies at one end of its normal
+      // direction d and is run through along d + 1 and d + 2, on the lower side the other way round
+      // (find_boundary_faces).
+      const unsigned int  n      = points_along(discretization);
+      const unsigned int *points = discretization.element_points(part.first_element + face.element);
+      const unsigned int  direction = face.number / 2, side = face.number % 2;
+      const unsigned int  first = (direction + (side == 1 ? 1 : 2)) % 3,
+                         second = (direction + (side == 1 ? 2 : 1)) % 3;
+      std::vector<unsigned int> of_face;
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            std::array<unsigned int, 3> at;
+            at[direction] = side * (n - 1);
+            at[first]     = i;
+            at[second]    = j;
+            of_face.push_back(points[at[0] + n * (at[1] + n * at[2])]);
+          }
+      return of_face;
+    }
+
+    /** Masses [t] of the points of quadratic elements, integrals of the density times the shape
+     * functions; of a point between corners the part of those that are among the nodes. */
+    PointShares quadratic_masses(const std::vector<unsigned int> &nodes,
+                                 const Discretization            &discretization,
+                                 const Discretization::Part      &part)
+    {
+      const Body       &body = discretization.model().bodies[part.body];
+      std::vector<bool> selected(body.n_nodes(), false);
+      for (const unsigned int node : nodes)
+        selected[node] = true;
+      std::map<unsigned int, double> of_points;
+      for (unsigned int e = 0; e < part.n_elements; ++e)
+        {
+          const unsigned int   *points = discretization.element_points(part.first_element + e);
+          const Eigen::VectorXd masses =
+            compute_mass_coefficients(discretization.element_nodes(part.first_element + e),
+                                      body.material().density,
+                                      MassKind::consistent)
+              .rowwise()
+              .sum();
+          for (unsigned int a = 0; a < 27; ++a)
+            {
+              // The corners between which it lies, by its places 0, 1, 2 along x, y, z.
+              const unsigned int at[3]   = {a % 3, a / 3 % 3, a / 9};
+              double             corners = 0, inside = 0;
+              for (unsigned int v = 0; v < 8; ++v)
+                {
+                  bool spans = true;
+                  for (unsigned int d = 0; d < 3; ++d)
+                    spans = spans && (at[d] == 1 || (v >> d & 1u) == at[d] / 2);
+                  if (!spans)
+                    continue;
+                  ++corners;
+                  inside += selected[body.elements()[e][v]] ? 1. : 0.;
+                }
+              if (inside > 0)
+                of_points[points[a]] += inside / corners * masses[a];
+            }
+        }
+      return PointShares(of_points.begin(), of_points.end());
     }
 
     /** As compute_load_shares(), with the points of quadratic elements between the nodes. */
@@ -60,6 +106,8 @@ namespace vfife
       const Body &body = discretization.model().bodies[load.body];
       if (load.kind != LoadKind::acceleration && load.kind != LoadKind::pressure)
         return point_area_shares(body, load.nodes, load.faces, discretization, part);
+      if (load.kind == LoadKind::acceleration && discretization.element() == FemElement::quadratic)
+        return quadratic_masses(load.nodes, discretization, part);
       const std::vector<double> nodal = compute_load_shares(load, body);
       PointShares               shares;
       for (std::size_t i = 0; i < load.nodes.size(); ++i)
@@ -85,17 +133,22 @@ namespace vfife
           shares.emplace_back(part.first_point + nodes[i], nodal[i]);
         return shares;
       }
-    // Each face by its part of the whole area, then by its points, which faces share.
-    double sum = 0;
-    for (const BoundaryFace &face : faces)
-      sum += vector_area(face, discretization, part).norm();
+    // The integrals of the shape functions over all faces, which share points.
+    double                         sum = 0;
     std::map<unsigned int, double> of_points;
     for (const BoundaryFace &face : faces)
       {
-        const double of_all = vector_area(face, discretization, part).norm() / sum;
-        for (const auto &share : face_shares(discretization, part, face))
-          of_points[share.first] += of_all * share.second;
+        const auto areas =
+          integrate_areas(corners_of(face, discretization, part), points_along(discretization));
+        const auto points = face_points(discretization, part, face);
+        for (std::size_t i = 0; i < points.size(); ++i)
+          {
+            of_points[points[i]] += areas[i];
+            sum += areas[i];
+          }
       }
+    for (auto &share : of_points)
+      share.second /= sum;
     return PointShares(of_points.begin(), of_points.end());
   }
 
@@ -137,9 +190,11 @@ namespace vfife
              find_boundary_faces(discretization.model().bodies[load.body], load.nodes, load.faces))
           {
             // Small displacements: the pressure keeps the direction of the undeformed face.
-            const Vector3 area = vector_area(face, discretization, part);
-            for (const auto &share : face_shares(discretization, part, face))
-              add(share.first, -share.second * load.pressure * area);
+            const auto normals = integrate_normals(corners_of(face, discretization, part),
+                                                   points_along(discretization));
+            const auto points  = face_points(discretization, part, face);
+            for (std::size_t i = 0; i < points.size(); ++i)
+              add(points[i], -load.pressure * normals[i]);
           }
         break;
       case LoadKind::spring: // see find_springs()

@@ -129,6 +129,12 @@ namespace vfife
     /** Undeformed area elements |y_xi x y_eta| [mm^2] at (xi, eta) of the unit square. */
     double area_element(unsigned int facet, double xi, double eta) const;
 
+    /** Of an undeformed facet the shorter one of the mean lengths of opposite sides [mm]. */
+    double facet_width(unsigned int facet) const;
+
+    /** Integrals of the corners' shape functions over the undeformed facet [mm^2]. */
+    std::array<double, 4> corner_areas(unsigned int facet) const;
+
     /** What lies across a side: neighbour facet and the side by which it is entered. */
     struct Crossing
     {
