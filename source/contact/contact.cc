@@ -147,36 +147,6 @@ namespace vfife
   }
 
 
-  void Contact::set_penalty(const double penalty, const double mass_per_area)
-  {
-    if (!(penalty > 0. && std::isfinite(penalty)) || !(mass_per_area >= 0.))
-      throw InputError("Contact/penalty",
-                       "the contact's penalty and mass per area must be positive numbers");
-    penalty_       = penalty;
-    mass_per_area_ = mass_per_area;
-  }
-
-
-  void Contact::limit_tangential_penalty(const double limit)
-  {
-    tangential_limit_ = limit;
-  }
-
-
-  SurfaceInteraction Contact::interaction(const double dt) const
-  {
-    const double mass =
-      mass_per_area_ > 0. ? mass_per_area_ : options_.penalty.mass_per_area_for(penalty_, dt);
-    // A node of the area A is critically damped on its spring eps A by c A = 2 sqrt(eps A m).
-    SurfaceInteraction interaction{*law_, penalty_};
-    interaction.damping  = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
-    interaction.friction = options_.friction.coefficient;
-    interaction.tangential_penalty =
-      std::min(options_.friction.stiffness_ratio * penalty_, tangential_limit_);
-    return interaction;
-  }
-
-
   void Contact::add_forces(const SurfaceMotion &slave,
                            const SurfaceMotion &master,
                            const double         dt,
@@ -198,15 +168,16 @@ namespace vfife
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         pressed[i].penetration = -points[i].gap;
-        pressed[i].penalty     = penalty_;
+        pressed[i].penalty     = penalty_ * points[i].stiffness;
       }
     law_->evaluate(pressed);
     const SurfaceInteraction interaction = this->interaction(dt);
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        points[i].elastic  = pressed[i].pressure;
-        points[i].energy   = pressed[i].energy;
-        points[i].pressure = interaction.pressure(points[i].elastic, points[i].gap_rate);
+        points[i].elastic = pressed[i].pressure;
+        points[i].energy  = pressed[i].energy;
+        points[i].pressure =
+          interaction.pressure(points[i].elastic, points[i].gap_rate, points[i].stiffness);
       }
   }
 

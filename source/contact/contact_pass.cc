@@ -39,11 +39,16 @@ namespace vfife
     , slave_path_(slave_.n_groups())
     , master_path_(master_.n_groups())
   {
-    // Undeformed areas, once for all: the energy of the contact then depends on gaps alone.
+    // Undeformed areas, once for all: the energy of the contact then depends on gaps alone. A
+    // corner has the integral of its shape function.
+    const bool at_corners = options.discretization == ContactDiscretization::nodes;
     for (unsigned int f = 0; f < slave_.n_facets(); ++f)
-      for (const auto &q : rule_)
+      for (unsigned int i = 0; i < rule_.size(); ++i)
         {
-          point_areas_.push_back(area_factor * q.weight * slave_.area_element(f, q.xi, q.eta));
+          const FacetQuadraturePoint &q = rule_[i];
+          point_areas_.push_back(area_factor *
+                                 (at_corners ? slave_.corner_areas(f)[i]
+                                             : q.weight * slave_.area_element(f, q.xi, q.eta)));
           point_offsets_.push_back(slave_.offset(f, q.xi, q.eta));
         }
     slave_carried_areas_ = slave_.node_areas();
@@ -56,6 +61,14 @@ namespace vfife
   void ContactPass::place(const RigidMotion &slave_to_master)
   {
     bound_master_areas(find_directions(slave_, master_, slave_to_master));
+  }
+
+
+  void ContactPass::vary_penalty(const double least_width)
+  {
+    facet_stiffness_.clear();
+    for (unsigned int f = 0; f < slave_.n_facets(); ++f)
+      facet_stiffness_.push_back(least_width / slave_.facet_width(f));
   }
 
 
@@ -318,6 +331,7 @@ namespace vfife
                            const double              look_ahead)
   {
     has_friction_ = interaction.friction > 0. && mode_ != FrictionMode::none;
+    step_         = 2. * look_ahead;
     for (Pair &pair : pairs_)
       pair.anchors.resize(has_friction_ ? pair.points.size() : 0);
 

@@ -197,6 +197,7 @@ namespace vfife
         touching.master_nodes = master_.corners(p.facet);
         touching.area         = point.area * fade.weight;
         touching.gap          = point.gap;
+        touching.stiffness    = stiffness_of(point.slave_facet);
         touching.pressure     = fade.weight > 0. ? point.pressure / fade.weight : 0.;
         Eigen::Map<Vector3>(touching.direction) = normal + tangential;
         for (unsigned int k = 0; k < 4; ++k)
@@ -271,8 +272,8 @@ namespace vfife
     Vector3      tangential    = -weight_energy * (touch.fade.slope_xi * touch.basis.dual_xi +
                                            touch.fade.slope_eta * touch.basis.dual_eta);
     if (anchor != nullptr)
-      tangential += stick(
-        point.projection, touch.normal, touch.basis, pressure, area, interaction, *anchor, result);
+      tangential +=
+        stick(point, touch.normal, touch.basis, pressure, area, interaction, *anchor, result);
     // Opposite forces on the corners of both facets, by the weights of the point in each.
     const auto    weights = bilinear_weights(point.projection.xi, point.projection.eta);
     const Vector3 force   = (pressure * area) * touching.normal_slope() + tangential;
@@ -305,7 +306,8 @@ namespace vfife
           if (point.pressure > 0.)
             {
               points.push_back(&point);
-              pressed.push_back({-point.gap, penalty * point.area});
+              pressed.push_back(
+                {-point.gap, penalty * stiffness_of(point.slave_facet) * point.area});
             }
         law.evaluate(pressed);
         for (std::size_t i = 0; i < points.size(); ++i)

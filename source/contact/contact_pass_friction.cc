@@ -2,6 +2,7 @@
 // The part of ContactPass that sticks and slides.
 #include <vfife/contact/contact_pass.h>
 
+#include <algorithm>
 #include <limits>
 #include <unordered_map>
 
@@ -24,8 +25,23 @@ namespace vfife
     ContactAnchor &anchor = pair.anchors[i];
     if (mode_ == FrictionMode::follows)
       {
-        // The spring lets go.
+        // The spring lets go, after its force has acted on half of the way since the evaluation
+        // before, as all forces of central differences do.
         pair.released += anchor.energy;
+        if (located && anchor.elastic > 0. && step_ > 0.)
+          {
+            const ListedPoint &point  = pair.points[i];
+            const Projection  &p      = point.projection;
+            const Vector3      normal = master_.state(p.facet).normal(p.xi, p.eta).normalized();
+            const TangentBasis basis(master_,
+                                     p,
+                                     slave_point(point.slave_facet, point.rule_point),
+                                     normal);
+            const Vector3      way     = slip_way(point, normal, basis);
+            const Vector3      stretch = master_.state(p.facet).position(p.xi, p.eta) - way -
+                                    master_.state(anchor.facet).position(anchor.xi, anchor.eta);
+            pair.released += anchor.energy / (anchor.elastic * anchor.elastic) * stretch.dot(way);
+          }
         anchor = ContactAnchor();
       }
     else if (located && !anchor.holds())
@@ -39,7 +55,33 @@ namespace vfife
   }
 
 
-  Vector3 ContactPass::stick(const Projection         &p,
+  Vector3 ContactPass::slip_way(const ListedPoint  &point,
+                                const Vector3      &normal,
+                                const TangentBasis &basis) const
+  {
+    Vector3 way = Vector3::Zero();
+    if (!(step_ > 0.))
+      return way;
+    // The velocity on which a tangential force and what balances its moment work.
+    const auto    weights = bilinear_weights(point.projection.xi, point.projection.eta);
+    const auto   &shape   = rule_[point.rule_point].shape;
+    const auto   &slave   = slave_.corners(point.slave_facet);
+    const auto   &master  = master_.corners(point.projection.facet);
+    const Vector3 along = basis.dual_xi.normalized(), across = normal.cross(along);
+    for (const Vector3 &direction : {along, across})
+      {
+        double speed = 0.;
+        for (unsigned int k = 0; k < 4; ++k)
+          speed += shape[k] * direction.dot(slave_.velocity(slave[k])) +
+                   (basis.couple_share(direction, k) * normal - weights[k] * direction)
+                     .dot(master_.velocity(master[k]));
+        way += step_ * speed * direction;
+      }
+    return way;
+  }
+
+
+  Vector3 ContactPass::stick(const ListedPoint        &point,
                              const Vector3            &normal,
                              const TangentBasis       &basis,
                              const double              pressure,
@@ -49,19 +91,24 @@ namespace vfife
                              GroupPairResult          &result)
   {
     // 1. The displacement along the surface since the point came to stick, between two places of
-    // the master: zero in any common rigid motion.
+    // the master: zero in any common rigid motion. A point that comes to touch does so on the way
+    // since the evaluation before.
+    const Projection &p = point.projection;
     if (!anchor.holds())
       {
-        anchor.facet = p.facet;
-        anchor.xi    = p.xi;
-        anchor.eta   = p.eta;
+        const Vector3 way = mode_ == FrictionMode::follows ? slip_way(point, normal, basis)
+                                                           : Vector3(Vector3::Zero());
+        anchor.facet      = p.facet;
+        anchor.xi         = p.xi - basis.dual_xi.dot(way);
+        anchor.eta        = p.eta - basis.dual_eta.dot(way);
       }
     Vector3 displacement = master_.state(p.facet).position(p.xi, p.eta) -
                            master_.state(anchor.facet).position(anchor.xi, anchor.eta);
     displacement -= normal.dot(displacement) * normal;
 
     // 2. Spring and slider.
-    const double         k = interaction.tangential_penalty;
+    const double k = std::min(stiffness_of(point.slave_facet) * interaction.tangential_penalty,
+                              interaction.tangential_limit);
     const SliderResponse response =
       slide(displacement.norm(), interaction.friction * pressure, k, anchor.elastic);
     const Vector3 elastic = response.elastic_part * displacement;

@@ -27,6 +27,14 @@ namespace vfife
   }
 
 
+  void PressureSolver::reset(const double dt, const std::vector<Node> &nodes)
+  {
+    dt_    = dt;
+    nodes_ = nodes;
+    rows_.clear();
+  }
+
+
   void PressureSolver::add(const TouchingPoint               &point,
                            const std::array<unsigned int, 4> &slave_nodes,
                            const std::array<unsigned int, 4> &master_nodes,
@@ -36,8 +44,8 @@ namespace vfife
   {
     Row row;
     row.law     = &law;
-    row.penalty = penalty;
-    row.damping = damping;
+    row.penalty = penalty * point.stiffness;
+    row.damping = damping * std::sqrt(point.stiffness);
     row.area    = point.area;
     row.gap     = point.gap;
     double rate = 0.;

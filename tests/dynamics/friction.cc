@@ -27,7 +27,7 @@ namespace
   std::string make_text(const Floor        floor,
                         const std::string &names,
                         const std::string &sections,
-                        const std::string &contact = "")
+                        const std::string &contact = "    set penalty from step = yes\n")
   {
     std::ostringstream text;
     text << "subsection Model\n  set bodies = block" << (floor == Floor::body ? ", floor" : "")
@@ -205,6 +205,52 @@ namespace
       }
   }
 
+  /** Pressed by 50 N and pushed by 20 N on its lower face, without damping: a block that vibrates
+   * on its floor slides as a rigid one all the same, with any step. */
+  void slides_as_rigid()
+  {
+    const auto load =
+      [](const std::string &name, const std::string &force, const std::string &history) {
+        return "  subsection Load " + name +
+               "\n    set body = block\n    set nodes = z-\n    set force = " + force +
+               " N\n    set history = " + history + "\n  end\n";
+      };
+    for (const Floor floor : {Floor::body, Floor::wall})
+      for (const double safety : {0.9, 0.3})
+        {
+          const bool      on_wall = floor == Floor::wall;
+          const Model     model   = make_model(make_text(
+            floor,
+            std::string("set loads = press, push\n") +
+              (on_wall ? "" : "set constraints = ground, rest\n"),
+            load("press", "0, 0, -50", "min(t/4e-4,1)") +
+              load("push", "20, 0, 0", "if(t<5e-4,0,1)") +
+              (on_wall
+                       ? ""
+                       : "  subsection Constraint rest\n    set kind = fixed\n    set body = floor\n"
+                         "    set nodes = all\n  end\n"),
+            on_wall ? "" : "    set damping ratio = 0\n"));
+          DynamicsOptions options = undamped();
+          options.safety          = safety;
+          OneSolver run(model, options);
+          double    error     = 0;
+          auto      observers = watch(100, [&](const State &state) {
+            if (state.time > 5e-4)
+              error = largest_of(error, std::abs(state.measured.energy.error()));
+          });
+          run.solver.run(run.state, 2e-3, observers);
+          const double       time = run.state.time - 5e-4;
+          const double       way  = .5 * (20. - mu * 50.) / (10 * 10 * 4 * 7.85e-9) * time * time;
+          std::ostringstream name;
+          name << (on_wall ? "on a wall" : "on a body") << ", " << safety << " of the step: ";
+          check_close(name.str() + "way over that of a rigid block",
+                      mean_way(model, run.state) / way,
+                      1.,
+                      0.01);
+          check_below(name.str() + "energy error", error, 2e-3);
+        }
+  }
+
   void at_rest()
   {
     // A leash of 5000 N/mm holds what friction leaves: (F - mu N)/k, nothing below the limit.
@@ -268,6 +314,7 @@ int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
   in_time();
+  slides_as_rigid();
   at_rest();
   return 0;
 }

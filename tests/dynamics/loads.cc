@@ -6,6 +6,7 @@
 #include "../tests.h"
 
 #include <vfife/base/process/communicator.h>
+#include <vfife/contact/law/facet_penalty.h>
 #include <vfife/dynamics/loads/nodal_loads.h>
 #include <vfife/dynamics/loads/rigid_walls.h>
 #include <vfife/dynamics/loads/torque_loads.h>
@@ -344,13 +345,30 @@ namespace
                 1.,
                 1e-10);
     check_close("walls: penetration [mm]", results.penetration, .02, 1e-12);
-    // The given penalty is the stiffer one: 4/dt^2 = 4/step^2 + eps A/m.
+    // Pressure bears any step; springs that stick take their fraction: 4/dt^2 (1 - f/4) =
+    // 4/step^2.
     const double step = 1e-6;
-    check_close("walls: step",
-                4 / std::pow(walls.vote_on_step(step), 2) /
-                  (4 / (step * step) + 2e4 / mass_per_area),
-                1.,
+    check_close("walls: step", walls.vote_on_step(step) / step, 1., 1e-15);
+    moved.model.walls[0].friction.coefficient = .1;
+    const RigidWalls rough(moved.model, moved.partition(), moved.communicator);
+    check_close("walls with friction: step",
+                rough.vote_on_step(step) / step,
+                std::sqrt(1. - .25 / 4.),
                 1e-12);
+
+    // By default the penalty is that of the facets, 5 E/(1 - nu^2)/h with h = 1 mm, whatever the
+    // step.
+    derive_from_facets(moved.model.walls[0].penalty);
+    moved.model.walls.pop_back();
+    RigidWalls     stiff(moved.model, moved.partition(), moved.communicator);
+    const Material steel;
+    stiff.set_penalties(dt);
+    stiff.add_forces(moved.positions, moved.forces);
+    check_close("walls: force with the penalty of the facets",
+                stiff.collect_results().force * (1. - steel.poissons_ratio * steel.poissons_ratio) /
+                  (5. * steel.youngs_modulus * .02 * 4.),
+                1.,
+                1e-10);
   }
 } // namespace
 

@@ -4,7 +4,9 @@
 #include "../tests.h"
 #include "one_solver.h"
 
+#include <vfife/contact/law/facet_penalty.h>
 #include <vfife/mesh/body_mesh.h>
+#include <vfife/mesh/boundary_surface.h>
 
 using namespace vfife;
 
@@ -107,10 +109,132 @@ namespace
   {
     fall(4.4e5);
   }
+
+  /**
+   * The quarter x, y > 0 of the sphere with cells crowded at its lower pole: moved by the map of
+   * the ball onto itself that keeps angles and shrinks by (1 - c)/(1 + c) there, as much as it
+   * grows at the upper one.
+   */
+  std::unique_ptr<BodyMesh> make_crowded_quarter(const std::array<unsigned int, 2> &counts,
+                                                 const double                       c)
+  {
+    const auto                whole = make_sphere(1., counts);
+    const auto               &old   = whole->triangulation.get_vertices();
+    const Vector3             a(0., 0., -c);
+    std::vector<Vector3>      nodes;
+    std::vector<CellNodes>    cells;
+    std::vector<unsigned int> numbers(old.size(), old.size());
+    for (const auto &cell : whole->triangulation.active_cell_iterators())
+      {
+        if (!(cell->center()[0] > 0 && cell->center()[1] > 0))
+          continue;
+        cells.emplace_back();
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            unsigned int &number = numbers[cell->vertex_index(v)];
+            if (number == old.size())
+              {
+                const auto   &vertex = cell->vertex(v);
+                const Vector3 x(vertex[0], vertex[1], vertex[2]);
+                number = nodes.size();
+                nodes.push_back(radius / (1. + 2. * a.dot(x) + c * c * x.squaredNorm()) *
+                                ((1. + 2. * a.dot(x) + x.squaredNorm()) * a + (1. - c * c) * x));
+              }
+            cells.back()[v] = number;
+          }
+      }
+    auto mesh = std::make_unique<BodyMesh>();
+    create_triangulation(*mesh, nodes, cells);
+    mesh->sector.assign(cells.size(), 0);
+    const auto side = [&](const std::string &name, const auto &selected) {
+      add_named_side(*mesh, name, [&](const unsigned int i) { return selected(nodes[i]); });
+    };
+    side("x-", [](const Vector3 &x) { return x[0] < 1e-9; });
+    side("y-", [](const Vector3 &x) { return x[1] < 1e-9; });
+    side("outer", [](const Vector3 &x) { return x.norm() > (1. - 1e-9) * radius; });
+    // Their means over the facets around would lean at the planes of symmetry.
+    FacetSurface &outer = mesh->surfaces["outer"];
+    for (std::size_t i = 0; i < outer.normals.size(); ++i)
+      outer.normals[i] = outer.positions[i].normalized();
+    return mesh;
+  }
+
+  Constraint symmetry(const unsigned int body, const Body &of, const unsigned int direction)
+  {
+    Constraint plane;
+    plane.name                  = "plane";
+    plane.kind                  = ConstraintKind::directions;
+    plane.body                  = body;
+    plane.nodes                 = of.node_set(direction == 0 ? "x-" : "y-");
+    plane.prescribed[direction] = true;
+    return plane;
+  }
+
+  /** Quarters of two spheres with facets from 0.15 to 12 mm, and the default penalty, which facets
+   * far away from the contact have no part in. */
+  void crowded_spheres()
+  {
+    constexpr double slow = 1e3; // of one to the other [mm/s]
+    Model            model;
+    for (const double side : {1., -1.})
+      {
+        Body ball("ball", make_crowded_quarter({{12, 6}}, .8), Material());
+        if (side < 0)
+          {
+            // Turned by half a turn about the line x = y, which takes the quarter to itself.
+            Matrix3 turn;
+            turn << 0, 1, 0, 1, 0, 0, 0, 0, -1;
+            ball.placement.rotation = turn;
+          }
+        ball.placement.translation[2] = side * (radius + .05 * gap);
+        ball.velocity[2]              = -.5 * side * slow;
+        model.add_body(std::move(ball));
+      }
+    for (unsigned int b = 0; b < 2; ++b)
+      for (const unsigned int direction : {0u, 1u})
+        {
+          model.constraints.push_back(symmetry(b, model.bodies[b], direction));
+          // Axes of the fixed frame: of the turned body x is y.
+          if (b == 1)
+            {
+              auto &prescribed = model.constraints.back().prescribed;
+              std::swap(prescribed[0], prescribed[1]);
+            }
+        }
+    model.contacts.push_back(
+      contact_of("impact", "outer", "outer", ContactSurfaceKind::smooth_patches));
+    derive_from_facets(model.contacts.back().options.penalty);
+
+    OneSolver      run(model, undamped());
+    const Material steel;
+    const double   modulus =
+      .5 * steel.youngs_modulus / (1 - steel.poissons_ratio * steel.poissons_ratio);
+    const double mass  = 2. * model.bodies[0].mass(); // two quarters against two: m1 m2/(m1 + m2)
+    const double k     = 4. / 3. * modulus * std::sqrt(.5 * radius);
+    const double depth = std::pow(5. * mass * slow * slow / (4. * k), .4);
+    const double peak = k * std::pow(depth, 1.5), duration = 2.9432 * depth / slow;
+    double       largest = 0, first = -1, last = -1, residual = 0;
+    auto         observers = watch(1, [&](const State &state) {
+      const double force = state.measured.contact_force;
+      largest            = largest_of(largest, 4. * force);
+      if (force > 0)
+        {
+          first = first < 0 ? state.time : first;
+          last  = state.time;
+        }
+      residual = largest_of(residual, std::abs(state.measured.energy.residual()));
+    });
+    run.solver.run(run.state, 1.1 * duration, observers);
+    check_close("crowded spheres, force peak over Hertz's", largest / peak, 1., .03);
+    check_close("crowded spheres, duration over Hertz's", (last - first) / duration, 1., .03);
+    check_below("crowded spheres, energy residual over that of flight",
+                residual / (.25 * mass * slow * slow / 2.),
+                1e-6);
+  }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {fall_explicitly, fall_implicitly});
+  run_parts(argc, argv, {fall_explicitly, fall_implicitly, crowded_spheres});
   return 0;
 }

@@ -50,9 +50,9 @@ int main(int argc, char **argv)
   run.solver.run(run.state, 1.5e-4, observers);
 
   check("the block goes beyond the exponential part of the law", deepest > ExponentialLaw::depth);
-  check_below("force of the wall against the law at the nodes", force_error / largest_force, 1e-12);
-  // Central differences over some hundred steps in contact, and what the block vibrates.
-  check_below("energy residual over that of flight", residual / energy, 1e-3);
+  // The pressure is the mean over a step, of which some hundred are in contact.
+  check_below("force of the wall against the law at the nodes", force_error / largest_force, 2e-3);
+  check_below("energy residual over that of flight", residual / energy, 1e-6);
   check_close("the block flies back: velocity over the first one",
               run.state.node_velocity(0)[0] / speed,
               1.,

@@ -3,7 +3,11 @@
 // which nodes are chosen, histories; refusals.
 #include "model_text.h"
 
+#include <vfife/base/process/log.h>
+#include <vfife/model/options/bodies_at_start.h>
+
 #include <algorithm>
+#include <sstream>
 
 using namespace vfife;
 
@@ -225,7 +229,66 @@ namespace
           !make_model(probe(of_bar + "set axes = r, theta, z\n")).probes[0].fixed_axes);
     refuse(probe(of_bar + "set axes = r, z\n"));
     refuse(probe("set point = 0, 0, 0\n"));
+    check("probe: within an element's edge of the body",
+          make_model(probe(of_bar + "set point = 10.9, 2, 2 mm\n")).probes[0].node ==
+            make_model(probe(of_bar + "set point = 10, 2, 2 mm\n")).probes[0].node);
+    refuse(probe(of_bar + "set point = 11.1, 2, 2 mm\n"));
+    refuse(probe(of_ring + "set point = 0, 0, 0\n")); // in the hole
     refuse(bar_and_ring("set probes = here\n", "subsection Probe there\nend\n"));
+  }
+
+  /** Two blocks of 10 mm, the second one at @p place, and the contact @p entries. */
+  std::string two_blocks(const std::string &place, const std::string &entries)
+  {
+    return "subsection Model\nset bodies = a, b\nset contacts = touch\n" +
+           model_text::block("a", {{10, 10, 10}}, {{2, 2, 2}}) +
+           model_text::block("b", {{10, 10, 10}}, {{2, 2, 2}}, "set position = " + place + "\n") +
+           "subsection Contact touch\n" + entries + "end\nend\n";
+  }
+
+  /** What is said of the start. */
+  std::string start(const std::string &text)
+  {
+    std::ostringstream screen;
+    Log                log(screen, true);
+    check_start(make_model(text), log);
+    return screen.str();
+  }
+
+  void refuse_start(const std::string &text)
+  {
+    print_refusal([&] { start(text); });
+  }
+
+  void starts()
+  {
+    const std::string faces =
+      "set slave body = a\nset slave surface = x+\nset master body = b\nset master surface = x-\n";
+    check("bodies apart", start(two_blocks("10.1, 0, 0", faces)).empty());
+    check("bodies that touch", start(two_blocks("10, 0, 0", faces)).empty());
+    check("bodies a little inside each other", start(two_blocks("8, 0, 0", faces)).empty());
+    check("bodies side by side", start(two_blocks("0, 10, 0", faces)).empty());
+    check("where contact looks deeper",
+          start(two_blocks("5, 0, 0", faces + "set depth limit = 6 mm\n")).empty());
+    refuse_start(two_blocks("5, 0, 0", faces));
+    // Through each other, so that the surfaces of the contact are out again.
+    std::cout << start(two_blocks("-2, 0.1, 0.2", faces));
+    // One wholly inside the other.
+    refuse_start("subsection Model\nset bodies = a, b\nset contacts = touch\n" +
+                 model_text::block("a", {{2, 2, 2}}, {{1, 1, 1}}, "set position = 4, 4, 4 mm\n") +
+                 model_text::block("b", {{10, 10, 10}}, {{3, 3, 3}}) +
+                 "subsection Contact touch\n" + faces + "end\nend\n");
+
+    const auto wall = [](const std::string &entries) {
+      return two_blocks("30, 0, 0", "set kind = wall\nset body = a\nset nodes = z-\n" + entries);
+    };
+    check("on a wall", start(wall("set wall normal = 0, 0, 1\n")).empty());
+    check("partly behind a wall",
+          start(wall("set wall normal = 0, 0, 1\nset wall point = 0, 0, 4\n")).empty());
+    std::cout << start(wall("set wall normal = 0, 0, 1\nset wall point = 0, 0, 4\n"
+                            "set penalty = 100\n"));
+    refuse_start(wall("set wall normal = 0, 0, -1\n"));
+    refuse_start(wall("set wall normal = 0, 0, 1\nset wall point = 0, 0, 12\n"));
   }
 } // namespace
 
@@ -236,5 +299,6 @@ int main()
   loads();
   contacts();
   probes();
+  starts();
   return 0;
 }

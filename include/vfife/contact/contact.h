@@ -7,6 +7,7 @@
 #include <vfife/contact/law/contact_options.h>
 #include <vfife/contact/search/broad_search.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -73,6 +74,10 @@ namespace vfife
      * that of PenaltyOptions::mass_per_area_for the step is taken.
      */
     void set_penalty(double penalty, double mass_per_area = 0.);
+    /** From now on the penalty goes with 1/h, h the width of a point's facet; set_penalty() sets
+     * that of the narrowest, whose width [mm] is returned. Largest one at each node over that. */
+    double                             vary_penalty();
+    std::array<std::vector<double>, 2> node_stiffness() const;
     /** Points that stick have at most this stiffness [N/mm^3]. */
     void   limit_tangential_penalty(double limit);
     double penalty() const
@@ -195,11 +200,9 @@ namespace vfife
     void set_friction_mode(FrictionMode mode);
 
     /** Where the points of this rank stick; those of all ranks from restore_anchors() on until
-     * add_forces() uses them. */
+     * add_forces() uses them, which is asked for then. */
     std::vector<AnchorOfPoint> anchors() const;
-
-    /** Whether the anchors are still those of restore_anchors(). */
-    bool has_restored_anchors() const;
+    bool                       has_restored_anchors() const;
 
     /** Whether there is such a place: what a checkpoint holds must be looked at. */
     bool has_place(const AnchorOfPoint &anchor) const;

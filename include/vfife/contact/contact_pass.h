@@ -45,10 +45,8 @@ namespace vfife
     /** Pairs of groups to look at (sorted); lists of pairs that remain are kept. */
     void set_pairs(const std::vector<std::pair<unsigned int, unsigned int>> &pairs);
 
-    /** See Contact::set_shares. */
+    /** See Contact::set_shares, Contact::take_work (adds it). */
     void set_shares(const std::vector<PointShare> &shares);
-
-    /** See Contact::take_work: adds it. */
     void take_work(std::vector<double> &of_pairs);
 
     /**
@@ -70,28 +68,24 @@ namespace vfife
     /** Adds the forces of the touching points at their pressures, and makes the results. */
     void press(const SurfaceInteraction &interaction, double *slave_forces, double *master_forces);
 
-    /** See Contact::smallest_gap. */
+    /** See Contact::smallest_gap, Contact::find_near_nodes (adds them). */
     ContactPoint smallest_gap(const SurfaceMotion &slave,
                               const SurfaceMotion &master,
                               double               reach,
                               const PointShare    &share);
-
-    /** See Contact::find_near_nodes: adds them. */
-    void add_near_nodes(const SurfaceMotion       &slave,
-                        const SurfaceMotion       &master,
-                        double                     reach,
-                        std::vector<unsigned int> &slave_nodes,
-                        std::vector<unsigned int> &master_nodes);
+    void         add_near_nodes(const SurfaceMotion       &slave,
+                                const SurfaceMotion       &master,
+                                double                     reach,
+                                std::vector<unsigned int> &slave_nodes,
+                                std::vector<unsigned int> &master_nodes);
 
     const std::vector<GroupPairResult> &results() const
     {
       return results_;
     }
 
-    /** Appends the points with pressure of the last add_forces(). */
+    /** Append the points with pressure of the last add_forces(), and their springs. */
     void append_points(std::vector<ContactPoint> &points, bool swapped) const;
-
-    /** Appends the springs of the points with pressure of the last add_forces(). */
     void append_springs(const ContactLaw           &law,
                         double                      penalty,
                         bool                        swapped,
@@ -106,7 +100,6 @@ namespace vfife
     bool has_restored_anchors() const;
     /** See Contact::place; the slave's undeformed frame into the master's. */
     void place(const RigidMotion &slave_to_master);
-
     /** Area of points that a node carries at most [mm^2] (CarriedArea). */
     const std::vector<double> &slave_carried_areas() const
     {
@@ -115,6 +108,12 @@ namespace vfife
     const std::vector<double> &master_carried_areas() const
     {
       return master_carried_areas_;
+    }
+    /** See Contact::vary_penalty; penalty of a slave's facet over that of the narrowest [-]. */
+    void   vary_penalty(double least_width);
+    double stiffness_of(const unsigned int slave_facet) const
+    {
+      return facet_stiffness_.empty() ? 1. : facet_stiffness_[slave_facet];
     }
 
     const SurfaceGeometry &slave() const
@@ -133,8 +132,7 @@ namespace vfife
     {
       return depth_limit_;
     }
-    /** Points listed for the current pairs, and wide searches made so far (for timing and tests).
-     */
+    /** Points listed for the current pairs, wide searches made so far (for timing and tests). */
     std::size_t n_listed_points() const;
     std::size_t n_wide_searches() const
     {
@@ -199,8 +197,11 @@ namespace vfife
     bool
     locate(const Pair &pair, ListedPoint &point, const Vector3 &x, double path, double &awake_at);
     void open(Pair &pair, unsigned int i, bool located); ///< located: its projection is known
+    /** Along the master since the evaluation before [mm]; zero where velocities are not known. */
+    Vector3
+    slip_way(const ListedPoint &point, const Vector3 &normal, const TangentBasis &basis) const;
     /** Friction force on the slave [N]. */
-    Vector3 stick(const Projection         &p,
+    Vector3 stick(const ListedPoint        &point,
                   const Vector3            &normal,
                   const TangentBasis       &basis,
                   double                    pressure,
@@ -229,7 +230,9 @@ namespace vfife
     std::vector<FacetQuadraturePoint> rule_;
     std::vector<double>               point_areas_, point_offsets_; ///< facet by facet
     std::vector<double>               slave_carried_areas_, master_carried_areas_; ///< by node
+    std::vector<double>               facet_stiffness_; ///< stiffness_of(); empty: all 1
     double                            area_factor_, edge_fading_, skin_, depth_limit_;
+    double step_ = 0.; ///< between evaluations, where velocities are known [s]
 
     GroupPath                    slave_path_, master_path_;
     std::vector<Pair>            pairs_;

@@ -30,8 +30,11 @@ namespace vfife
     /** @p nodes by the numbers that the points to come name. */
     PressureSolver(double dt, std::vector<Node> nodes);
 
+    /** Begins anew with other nodes and no point. */
+    void reset(double dt, const std::vector<Node> &nodes);
+
     /** Adds a point, which names @p slave_nodes and @p master_nodes here; @p penalty [N/mm^3] and
-     * gap-rate @p damping [N s/mm^3] are those of its contact. */
+     * gap-rate @p damping [N s/mm^3] are those of its contact where it is stiffest. */
     void add(const TouchingPoint               &point,
              const std::array<unsigned int, 4> &slave_nodes,
              const std::array<unsigned int, 4> &master_nodes,

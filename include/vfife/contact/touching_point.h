@@ -22,8 +22,9 @@ namespace vfife
     double                      direction[3]{};
     double                      slave_weights[4]{};
     double                      master_slopes[4][3]{};
-    double                      area = 0; ///< times the fading's weight [mm^2]
-    double                      gap  = 0; ///< [mm]
+    double                      area      = 0; ///< times the fading's weight [mm^2]
+    double                      gap       = 0; ///< [mm]
+    double                      stiffness = 1; ///< penalty here over the largest of the contact [-]
     double gap_rate = 0; ///< [mm/s], from the velocities of the surfaces or of the step
 
     double elastic  = 0; ///< pressure of the law [MPa]

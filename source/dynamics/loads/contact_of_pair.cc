@@ -1,5 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/contact/law/facet_penalty.h>
+#include <vfife/contact/law/hertz.h>
 #include <vfife/dynamics/loads/contact_of_pair.h>
 #include <vfife/mesh/body_mesh.h>
 
@@ -70,7 +72,16 @@ namespace vfife
     , contact(*slave.facets, *master.facets, pair.options)
     , mass_per_area(contact.mass_per_area(slave.mass, master.mass))
     , safety_(safety)
+    , penalty_(pair.options.penalty)
   {
+    if (follows_from_facets(penalty_))
+      {
+        const Material &s = model.bodies[pair.slave_body].material(),
+                       &m = model.bodies[pair.master_body].material();
+        penalty_.value    = compute_facet_penalty(
+          contact_modulus(s.youngs_modulus, s.poissons_ratio, m.youngs_modulus, m.poissons_ratio),
+          contact.vary_penalty());
+      }
     contact.place(model.bodies[pair.slave_body].placement,
                   model.bodies[pair.master_body].placement);
     carried_mass_per_area = contact.carried_mass_per_area(slave.mass, master.mass);
@@ -95,6 +106,24 @@ namespace vfife
       return own;
     const double whole = step / safety_;
     return std::min(own, penalty().vote_on_step(whole, carried_mass_per_area));
+  }
+
+  double ContactOfPair::rattling(const double dt) const
+  {
+    const auto stiffness = contact.node_stiffness();
+    double     most      = 0;
+    for (const ContactSurface *surface : {&slave, &master})
+      {
+        const auto &areas =
+          surface == &slave ? contact.slave_node_areas() : contact.master_node_areas();
+        const std::vector<double> &of_nodes = stiffness[surface == &slave ? 0 : 1];
+        for (std::size_t i = 0; i < areas.size(); ++i)
+          if (areas[i] > 0)
+            most = std::max(most,
+                            of_nodes[i] * contact.penalty() /
+                              PenaltyOptions::rattling_value(surface->mass[i] / areas[i], dt));
+      }
+    return most;
   }
 
   double ContactOfPair::tangential_limit(const double dt) const

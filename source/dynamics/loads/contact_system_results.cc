@@ -190,15 +190,15 @@ namespace vfife
     std::vector<std::string> sentences;
     for (const auto &pair : pairs_)
       {
-        const double most = PenaltyOptions::rattling_value(pair->mass_per_area, dt);
-        if (!pair->is_implicit() || !(pair->contact.penalty() > most))
+        const double rattling = pair->rattling(dt);
+        if (!pair->is_implicit() || !(rattling > 1.))
           continue;
         std::ostringstream text;
         text.precision(3);
         text << "contact " << pair->definition.side
              << ": where surfaces hit each other, springs of " << pair->contact.penalty()
-             << " N/mm^3 go on rattling at the step of " << 1e9 * dt << " ns; below " << most
-             << " N/mm^3 they do not";
+             << " N/mm^3 go on rattling at the step of " << 1e9 * dt << " ns; below "
+             << pair->contact.penalty() / rattling << " N/mm^3 they do not";
         sentences.push_back(text.str());
       }
     return sentences;

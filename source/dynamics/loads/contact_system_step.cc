@@ -71,13 +71,9 @@ namespace vfife
           const auto constraints = combine_constraints(model_, surface->body);
           for (std::size_t i = 0; i < surface->numbers.size(); ++i)
             {
-              const auto found = constraints.find(surface->facets->nodes[i]);
-              if (found == constraints.end() || found->second.turning() != nullptr)
-                continue;
-              const unsigned int number = surface->numbers[i];
-              const Matrix3      axes   = found->second.axes();
-              const auto         free   = axes.rightCols(3 - found->second.n_held());
-              held_[number]             = inverse_masses_[number] * free * free.transpose();
+              const unsigned int node = surface->facets->nodes[i], number = surface->numbers[i];
+              if (constraints.count(node) != 0)
+                held_[number] = inverse_masses_[number] * free_directions(constraints, node);
             }
         }
   }

@@ -8,13 +8,20 @@
 
 namespace vfife
 {
-  void RigidWalls::open(Wall &wall, Node &node, const Vector3 &x)
+  void RigidWalls::open(Wall &wall, Node &node, const Vector3 &x, const Vector3 &way)
   {
     if (mode_ == FrictionMode::follows)
       {
-        // The spring lets go.
-        if (node.owned)
-          wall.friction_loss += node.energy;
+        // The spring lets go, after its force has acted on half of the way since the evaluation
+        // before, as all forces of central differences do.
+        if (node.owned && node.sticks)
+          {
+            const Vector3 &n       = wall.definition->normal;
+            const Vector3  stretch = x - way - node.anchor;
+            const Vector3  along   = way - n.dot(way) * n;
+            wall.friction_loss +=
+              node.energy + .5 * node.tangential * node.area * stretch.dot(along);
+          }
         node.sticks  = false;
         node.elastic = node.energy = 0;
       }
@@ -26,19 +33,21 @@ namespace vfife
       }
   }
 
-  Vector3 RigidWalls::stick(Wall &wall, Node &node, const PressedPoint &pressed, const Vector3 &x)
+  Vector3 RigidWalls::stick(
+    Wall &wall, Node &node, const double pressure, const Vector3 &x, const Vector3 &way)
   {
+    // A node that comes to touch does so on the way since the evaluation before.
     if (!node.sticks)
-      node.anchor = x;
+      node.anchor = x - way;
     node.sticks = true;
     // As between two bodies (ContactPass::stick), pressures being forces here.
     const FrictionOptions &friction     = wall.definition->friction;
     const Vector3         &n            = wall.definition->normal;
-    const Vector3          way          = x - node.anchor;
-    const Vector3          displacement = way - n.dot(way) * n;
-    const double           k            = friction.stiffness_ratio * pressed.penalty;
+    const Vector3          stretch      = x - node.anchor;
+    const Vector3          displacement = stretch - n.dot(stretch) * n;
+    const double           k            = node.tangential * node.area;
     const SliderResponse   response =
-      slide(displacement.norm(), friction.coefficient * pressed.pressure, k, node.elastic);
+      slide(displacement.norm(), friction.coefficient * pressure * node.area, k, node.elastic);
     const Vector3 elastic = response.elastic_part * displacement;
     if (node.owned)
       wall.energy += response.energy;

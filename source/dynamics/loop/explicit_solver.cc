@@ -257,13 +257,13 @@ namespace vfife
       else
         operator_.compute_internal_forces(state.position, forces_);
     }
-    // 2. Walls, torques, other loads, bearings.
+    // 2. Torques, other loads, bearings, then walls, which ask where all these lead.
     {
       const auto scope = timers_.time(timers_.section("loads"));
-      walls_.add_forces(state.position, forces_);
       torques_.add_forces(state.time, state.position, forces_);
       loads_.add_forces(state.time, state.position, forces_);
       bearings_.add_forces(state.time, state.position, state.velocity, forces_);
+      walls_.add_step_forces(state.position, state.velocity, dt_, forces_);
     }
     // 3. Contact, which may ask where all else leads: candidates every so many steps, forces in
     // each. Observers get its part of the forces.
@@ -283,9 +283,9 @@ namespace vfife
   void ExplicitSolver::watch_contact(const State &state)
   {
     // Of surfaces with each other and with walls.
-    const bool touching = contact_.is_pressed() || walls_.energy() > 0;
-    if (contact_.is_pressed() && state.step == beginning_->step)
-      log_.line("deepest point at the start: ", contact_.describe_deepest_point());
+    const bool touching = contact_.is_pressed() || walls_.is_pressed();
+    if (touching && state.step == beginning_->step)
+      log_.line("deepest point at the start: ", describe_deepest(model_, contact_, walls_));
     contact_watch_.observe(state.time, dt_, touching);
     energy_.observe_contact(touching);
   }

@@ -129,6 +129,13 @@ namespace vfife
                            walls.describe_deepest_node(model));
   }
 
+  std::string
+  describe_deepest(const Model &model, const ContactSystem &contact, const RigidWalls &walls)
+  {
+    return contact.is_pressed() ? contact.describe_deepest_point()
+                                : walls.describe_deepest_node(model);
+  }
+
   void check_elements(const Model           &model,
                       const State           &measured,
                       const ElementMeasures &measures,

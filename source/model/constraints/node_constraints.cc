@@ -231,6 +231,17 @@ namespace vfife
     return nodes;
   }
 
+  Matrix3 free_directions(const std::map<unsigned int, NodeConstraints> &constraints,
+                          const unsigned int                             node)
+  {
+    const auto found = constraints.find(node);
+    if (found == constraints.end() || found->second.turning() != nullptr)
+      return Matrix3::Identity();
+    const Matrix3 axes = found->second.axes();
+    const auto    free = axes.rightCols(3 - found->second.n_held());
+    return free * free.transpose();
+  }
+
   Eigen::VectorXd share_force(const Eigen::Matrix3Xd &directions, const Vector3 &force)
   {
     Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix3Xd> factors;

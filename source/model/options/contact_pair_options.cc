@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/contact/law/facet_penalty.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/options/contact_pair_options.h>
 
@@ -28,6 +29,8 @@ namespace vfife
   {
     // Primitives have no other surface than their facets.
     contact.surface = ContactSurfaceKind::flat_facets;
+    derive_from_facets(contact.penalty);
+    derive_from_facets(wall.penalty);
   }
 
   void ContactPairOptions::declare_kind(dealii::ParameterHandler &prm)

@@ -3,12 +3,14 @@
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
+#include <vfife/base/process/log.h>
 #include <vfife/model/options/model_options.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace vfife
 {
@@ -46,6 +48,40 @@ namespace vfife
           function(named.second, section_of(part, named.first));
         }
     }
+    /** Of the elements around a node [mm]. */
+    double longest_edge_at(const Body &body, const unsigned int node)
+    {
+      double longest = 0;
+      for (unsigned int e = 0; e < body.n_elements(); ++e)
+        if (const auto &nodes = body.elements()[e];
+            std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+          for (unsigned int v = 0; v < 8; ++v)
+            for (const unsigned int bit : {1u, 2u, 4u})
+              longest = std::max(
+                longest,
+                (body.node_positions()[nodes[v]] - body.node_positions()[nodes[v ^ bit]]).norm());
+      return longest;
+    }
+
+    [[noreturn]] void refuse_far_point(const Body        &body,
+                                       const Vector3     &point,
+                                       const double       distance,
+                                       const std::string &section)
+    {
+      Vector3 low = body.node_positions().front(), high = low;
+      for (const Vector3 &x : body.node_positions())
+        {
+          low  = low.cwiseMin(x);
+          high = high.cwiseMax(x);
+        }
+      std::ostringstream text;
+      text << "expected a place on body \"" << body.name() << "\" or within an element's edge of it"
+           << " (body frame: x from " << low[0] << " to " << high[0] << ", y from " << low[1]
+           << " to " << high[1] << ", z from " << low[2] << " to " << high[2] << " mm), got ("
+           << point[0] << ", " << point[1] << ", " << point[2] << ") mm, " << distance
+           << " mm from the nearest node. Give a place of the undeformed body";
+      throw InputError(section + "/point", text.str());
+    }
   } // namespace
 
   void ProbeOptions::declare(dealii::ParameterHandler &prm)
@@ -81,6 +117,8 @@ namespace vfife
           least      = (places[i] - point).norm();
           probe.node = i;
         }
+    if (!(least <= longest_edge_at(model.bodies[probe.body], probe.node)))
+      refuse_far_point(model.bodies[probe.body], point, least, section);
     model.probes.push_back(probe);
   }
 
@@ -192,5 +230,33 @@ namespace vfife
     for (const auto &probe : probes_)
       probe.second.add_to(model, probe.first, section_of("Probe", probe.first));
     return model;
+  }
+
+  void ModelOptions::log_probes(const Model &model, Log &log) const
+  {
+    // In the order in which make_model() has added them.
+    for (std::size_t i = 0; i < probes_.size(); ++i)
+      {
+        const Probe  &probe = model.probes[i];
+        const Body   &body  = model.bodies[probe.body];
+        const Vector3 place = body.node_positions()[probe.node];
+        const double  way   = (place - probes_[i].second.point).norm();
+        if (way > 1e-9 * place.norm())
+          log.line("probe ",
+                   probe.name,
+                   ": no node lies at its point; node ",
+                   probe.node,
+                   " of body ",
+                   body.name(),
+                   " at (",
+                   place[0],
+                   ", ",
+                   place[1],
+                   ", ",
+                   place[2],
+                   ") mm is recorded, ",
+                   way,
+                   " mm away");
+      }
   }
 } // namespace vfife

@@ -54,6 +54,7 @@ namespace vfife
   {
     Model model = options_.make_model();
     log_bodies(model, log);
+    options_.log_probes(model, log);
     warn_of_unused_entries(model, log);
     return model;
   }

@@ -2,6 +2,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/model/options/bodies_at_start.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/study/run/stepped_solver.h>
 
@@ -70,6 +71,9 @@ namespace vfife
     , solver(model, options, communicator, log, timers)
     , dt(choose_step(solver.stable_step()))
   {
+    // Pairs of gears are made to fit.
+    if (!model.transmission)
+      check_start(model, log);
     // With it the contact finds its penalties.
     solver.set_step(dt);
   }
@@ -102,6 +106,8 @@ namespace vfife
     for (std::size_t i = 0; i < penalties.size(); ++i)
       log.line(
         "contact penalty of the ", model.contacts[i].side, " side ", penalties[i], " N/mm^3");
+    for (const std::string &sentence : solver.walls().describe_penalties())
+      log.line(sentence);
     for (const std::string &sentence : solver.contact().describe_coarse_slaves())
       log.line(sentence);
     for (const std::string &sentence : solver.contact().describe_rattling(dt))

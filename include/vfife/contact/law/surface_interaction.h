@@ -6,6 +6,8 @@
 #include <vfife/contact/law/coulomb_slider.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vfife
 {
@@ -18,11 +20,14 @@ namespace vfife
     double            damping            = 0.; ///< pressure per closing speed [N s/mm^3]
     double            friction           = 0.; ///< coefficient [-]
     double            tangential_penalty = 0.; ///< of points that stick [N/mm^3]
+    double            tangential_limit =
+      std::numeric_limits<double>::infinity(); ///< that the step bears [N/mm^3]
 
-    /** p = max(0, p_elastic - c g') [MPa] with the gap's rate g' [mm/s]: never adhesive. */
-    double pressure(const double elastic, const double gap_rate) const
+    /** p = max(0, p_elastic - c g') [MPa] with the gap's rate g' [mm/s]: never adhesive. Where the
+     * penalty is only a part @p stiffness of the largest one, the damping goes with its root. */
+    double pressure(const double elastic, const double gap_rate, const double stiffness = 1.) const
     {
-      return std::max(0., elastic - damping * gap_rate);
+      return std::max(0., elastic - damping * std::sqrt(stiffness) * gap_rate);
     }
   };
 } // namespace vfife

@@ -67,10 +67,15 @@ namespace vfife
     /** Stiffness of points that stick [N/mm^3] which the step @p dt [s] bears. */
     double tangential_limit(double dt) const;
 
+    /** That of the definition; one that follows from the facets has the value of the narrowest. */
     const PenaltyOptions &penalty() const
     {
-      return definition.options.penalty;
+      return penalty_;
     }
+
+    /** Penalty at the step @p dt [s] over that from which on impacts leave it rattling, at the node
+     * where it is largest. */
+    double rattling(double dt) const;
 
     std::array<ContactSurface *, 2> surfaces()
     {
@@ -88,7 +93,8 @@ namespace vfife
     /** Penalty that central differences bear at the step @p dt [s] [N/mm^3]. */
     double value_from_step(double dt) const;
 
-    double safety_;
+    double         safety_;
+    PenaltyOptions penalty_;
   };
 } // namespace vfife
 

@@ -3,6 +3,7 @@
 #define vfife_dynamics_loads_rigid_walls_h
 
 #include <vfife/contact/law/coulomb_slider.h>
+#include <vfife/contact/pressure_solver.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 
@@ -16,7 +17,11 @@ namespace vfife
   class ByteStream;
   class Communicator;
 
-  /** The rigid walls of a model: unilateral penalty forces and friction on the nodes of this rank.
+  /**
+   * The rigid walls of a model: what they do to the nodes of this rank, by the laws of contact
+   * between bodies. A wall is a plane that does not give way; a node presses on it with the area of
+   * the faces around it. In time its pressure is the mean over the step (PressureSolver), each node
+   * by itself with all walls that it touches; at rest that of its depth.
    */
   class RigidWalls
   {
@@ -29,18 +34,29 @@ namespace vfife
       return walls_.empty();
     }
 
-    /** Largest stable step [s] where everything else allows @p step: a spring to the ground adds
-     * k/m to omega^2, 4/dt^2 >= 4/step^2 + eps A/m. */
+    /** Largest stable step [s] where everything else allows @p step: the springs of nodes that
+     * stick have their share, 4/dt^2 >= 4/step^2 + k A/m. */
     double vote_on_step(double step) const;
 
     /** Sets the penalties for a step of @p dt [s]. */
     void set_penalties(double dt);
 
+    /** Sentences: the penalty of each wall. */
+    std::vector<std::string> describe_penalties() const;
+
     /** Adds the masses that the springs need in a relaxation with pseudo time step 1. */
     void add_relaxation_masses(double fraction, std::vector<double> &masses) const;
 
-    /** Adds the forces to @p forces (all copies of a node). Collective where there are walls. */
+    /** Adds the forces on nodes at rest to @p forces (all copies of a node). Collective where there
+     * are walls. */
     void add_forces(const NodeField &positions, NodeField &forces);
+
+    /** The same in a step @p dt [s] of explicit dynamics: @p velocities are those half a step
+     * before, @p forces all others on the nodes. Collective where there are walls. */
+    void add_step_forces(const NodeField &positions,
+                         const NodeField &velocities,
+                         double           dt,
+                         NodeField       &forces);
 
     /** Whether nodes that slide take their anchors along, see FrictionMode; they do at first. */
     void set_friction_mode(FrictionMode mode)
@@ -48,33 +64,39 @@ namespace vfife
       mode_ = mode;
     }
 
-    /** Energy stored in the springs of penalty and stick at the last add_forces() [mJ]; all ranks.
-     */
+    /** Whether anything pressed at the last evaluation; all ranks. */
+    bool is_pressed() const
+    {
+      return sums_[0] > 0;
+    }
+
+    /** Energy stored in the springs of penalty and stick at the last evaluation [mJ]; all ranks.
+     * That of a step may be negative where a node comes or goes. */
     double energy() const
     {
       return sums_[1];
     }
 
-    /** Lost in friction between the last two add_forces() [mJ]; all ranks. */
+    /** Lost in friction between the last two evaluations [mJ]; all ranks. */
     double friction_loss() const
     {
       return sums_[3];
     }
 
     /**
-     * Whether a node was deeper behind a wall at the last add_forces() than half the width of the
-     * facets around it, all ranks. Of walls whose penalty follows from the step, which is meant to
-     * be stiff; a penalty of the user's own makes a wall as soft as he wants it.
+     * Whether a node was deeper behind a wall at the last evaluation than half the width of the
+     * facets around it, all ranks. A penalty of the user's own makes a wall as soft as he wants it:
+     * it has no such limit.
      */
     bool is_too_deep() const
     {
       return sums_[2] > 0;
     }
 
-    /** In words: the deepest node of the last add_forces() over its limit. Collective. */
+    /** In words: the deepest node of the last evaluation, over its limit. Collective. */
     std::string describe_deepest_node(const Model &model) const;
 
-    /** Of the last add_forces(), over all ranks; collective. */
+    /** Of the last evaluation, over all ranks; collective. */
     struct Results
     {
       double               force       = 0; ///< sum over the walls of the forces' magnitudes [N]
@@ -92,14 +114,24 @@ namespace vfife
     {
       std::uint32_t local;
       bool          owned;
-      double        area;
-      unsigned int  node;  ///< of the body
-      std::size_t   index; ///< in the wall's definition
+      double        area;      ///< [mm^2]
+      double        stiffness; ///< penalty over the wall's [-]
+      double        mass;      ///< [t]
+      unsigned int  node;      ///< of the body
+      std::size_t   index;     ///< in the wall's definition
+      /** Stiffness with which it sticks, of the step and the penalty [N/mm^3]. */
+      double tangential = 0;
       /** Where it sticks while it touches; displacement from there and energy of the spring when it
        * last moved on [mm], [mJ]. */
       bool    sticks  = false;
       Vector3 anchor  = Vector3::Zero();
       double  elastic = 0, energy = 0;
+    };
+    /** A node that presses: depth behind the plane [mm], pressure [MPa], energy [mJ/mm^2]. */
+    struct Touch
+    {
+      Node  *node;
+      double depth, pressure, energy;
     };
     struct Wall
     {
@@ -113,25 +145,50 @@ namespace vfife
       const RigidWall                  *definition;
       std::unique_ptr<const ContactLaw> law;
       double                            mass_per_area; ///< least of its nodes [t/mm^2]
-      double                            penalty;       ///< [N/mm^3]
+      double                            penalty;       ///< largest [N/mm^3]
       double                            depth_limit;   ///< see is_too_deep() [mm]
       std::vector<Node>                 nodes;
 
-      /** Of the last add_forces(), this rank: nodes behind the wall and what the law says of them,
-       * with the penalty times their area; sums. */
-      std::vector<Node *>       touching;
-      std::vector<PressedPoint> pressed;
-      double                    force = 0, energy = 0, penetration = 0, friction_loss = 0;
-      Vector3                   friction = Vector3::Zero(); ///< [N]
+      /** Of the last evaluation, this rank. */
+      std::vector<Touch> touches;
+      double             force = 0, energy = 0, friction_loss = 0;
+      Vector3            friction = Vector3::Zero(); ///< [N]
+    };
+    /** A node of a wall; nodes of the model at several walls have neighbouring places. */
+    struct Place
+    {
+      unsigned int  wall, node;
+      std::uint32_t local;
     };
 
-    void    open(Wall &wall, Node &node, const Vector3 &x);
-    Vector3 stick(Wall &wall, Node &node, const PressedPoint &pressed, const Vector3 &x);
+    bool has_friction(const Wall &wall) const
+    {
+      return wall.definition->friction.acts() && mode_ != FrictionMode::none;
+    }
+    void collect_places(const Model &model);
+    void clear_results();
+    /** Finds the touches of a node of the model, at @p first to before @p last. */
+    void find_step_touches(std::size_t      first,
+                           std::size_t      last,
+                           const NodeField &positions,
+                           const NodeField &velocities,
+                           double           dt,
+                           const NodeField &forces);
+    /** Forces of the touches. @p way: of a node since the evaluation before. */
+    template <typename Way>
+    void    press(const NodeField &positions, const Way &way, NodeField &forces);
+    void    open(Wall &wall, Node &node, const Vector3 &x, const Vector3 &way);
+    Vector3 stick(Wall &wall, Node &node, double pressure, const Vector3 &x, const Vector3 &way);
 
     const Communicator &communicator_;
     std::vector<Wall>   walls_;
-    FrictionMode        mode_ = FrictionMode::follows;
-    /** Of the last add_forces(), all ranks: normal force, energy, number of nodes that are too
+    std::vector<Place>  places_;
+    std::vector<Matrix3>
+                   inverse_masses_; ///< of the places' nodes, zero along held directions [1/t]
+    PressureSolver solver_{0., {}};
+    std::vector<TouchingPoint> points_; ///< of one node
+    FrictionMode               mode_ = FrictionMode::follows;
+    /** Of the last evaluation, all ranks: normal force, energy, number of nodes that are too
      * deep, friction loss. */
     std::array<double, 4> sums_ = {{0., 0., 0., 0.}};
   };

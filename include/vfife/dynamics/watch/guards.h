@@ -35,6 +35,10 @@ namespace vfife
                          const RigidWalls    &walls,
                          const State         &now);
 
+  /** In words: the deepest point of what presses, between bodies or at a wall. Collective. */
+  std::string
+  describe_deepest(const Model &model, const ContactSystem &contact, const RigidWalls &walls);
+
   /** An element of the state that was measured, with these @p measures, is inverted. */
   void check_elements(const Model           &model,
                       const State           &measured,

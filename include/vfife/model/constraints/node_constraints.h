@@ -111,6 +111,11 @@ namespace vfife
   std::map<unsigned int, NodeConstraints> combine_constraints(const Model &model,
                                                               unsigned int body);
 
+  /** The projector on the directions in which a node of the body gives way to a force: all of them
+   * where @p constraints hold nothing, and for a node that turns with others. */
+  Matrix3 free_directions(const std::map<unsigned int, NodeConstraints> &constraints,
+                          unsigned int                                   node);
+
   /**
    * The multipliers lambda_k of a force f that is carried by @p directions n_k (columns): sum n_k
    * lambda_k = f, of all those the smallest, so that equal directions share alike. What of f no

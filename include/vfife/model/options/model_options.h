@@ -13,6 +13,7 @@
 
 namespace vfife
 {
+  class Log;
   class ParameterFile;
 
   /** Section Probe NAME: the node nearest to a place. */
@@ -41,6 +42,10 @@ namespace vfife
 
     /** Meshes the bodies and puts the model together; throws InputError. */
     Model make_model() const;
+
+    /** Says of each probe of a @p model of make_model() whose point is no node's which node it is.
+     */
+    void log_probes(const Model &model, Log &log) const;
 
   private:
     /** Options by name; addresses do not change after the names are known. */
