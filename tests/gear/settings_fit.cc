@@ -153,6 +153,22 @@ namespace
     check_below("all settings: the flank [um]", largest(every.after) / um, 1.);
     check("all settings: some cannot be told", every.directions < all.size() + 1);
 
+    // Limits of the changes: the blank offset, which is 0.06 mm off, stops at its limit, and what
+    // is reached is the best within it.
+    const std::vector<double> limits = {1., 1. * degree, 1., .02, .1};
+    const SettingsFitResult   limited =
+      SettingsFit(pair.pinion(), side, some, false, 1e-8, points_of(grid), limits).solve();
+    check_close("limited changes: blank offset [mm]",
+                std::abs(limited.settings.blank_offset - was.blank_offset),
+                .02,
+                1e-9);
+    check("limited changes: it is named, and the search comes to rest",
+          limited.at_limit == std::vector<std::string>{"blank offset"} &&
+            limited.unfinished.empty());
+    check("limited changes: better than before, not as good as without limits",
+          largest(limited.after) < largest(limited.before) &&
+            largest(limited.after) > largest(found.after));
+
     // A turn alone: the gear's flank with pitch deviation F at its mean radius.
     GearPairOptions options                    = paper::options();
     options.gear_errors.convex.pitch_amplitude = 12. * um;

@@ -90,8 +90,67 @@ std::string found(const std::function<void(GearPairOptions &)> &change)
   return list;
 }
 
+/**
+ * Pinions of few teeth at high ratios: near the toe another sheet of the generated surface comes
+ * close to the flank. A face width that is a little larger changes the teeth a little, and the
+ * flank's normals turn steadily over the tooth.
+ */
+void check_few_teeth()
+{
+  const auto propose = [](const unsigned int pinion, const unsigned int gear, const double width) {
+    GearPairOptions options;
+    options.proposal.pinion_teeth = pinion;
+    options.proposal.gear_teeth   = gear;
+    options.proposal.module       = 3.;
+    options.proposal.face_width   = width;
+    return GearPair(options);
+  };
+  const ToothForms narrow = measure_tooth_forms(propose(8, 79, 35.)),
+                   wide   = measure_tooth_forms(propose(8, 79, 35.4));
+  check_close("8/79: tip land of the pinion at the toe [mm]", wide.pinion[0].tip_land, 1.03, .005);
+  check_close("8/79: regularity there", wide.pinion[0].regularity, .088, .001);
+  for (unsigned int i = 0; i < 3; ++i)
+    check_close("8/79: tip land of both face widths at the " + wide.pinion[i].place + " [mm]",
+                wide.pinion[i].tip_land,
+                narrow.pinion[i].tip_land,
+                .01);
+  check("8/79: nothing is found wrong", wide.findings.causes().empty());
+  for (const auto &teeth :
+       {std::pair<unsigned int, unsigned int>(8, 79), {6, 60}, {7, 50}, {8, 60}})
+    {
+      const GearPair    pair   = propose(teeth.first, teeth.second, 0.);
+      const GearMember &pinion = pair.pinion();
+      const Blank      &blank  = pinion.blank();
+      constexpr int     n = 20, m = 10;
+      double            turn = 0.;
+      bool              left = true;
+      for (const FlankSide side : {FlankSide::concave, FlankSide::convex})
+        for (int j = 0; j <= m; ++j)
+          {
+            Vector3 last = Vector3::Zero();
+            for (int i = 0; i <= n; ++i)
+              {
+                const Flank &flank = pinion.generated_flank(side);
+                const double L     = blank.inner_cone_distance() + i * blank.face_width / n;
+                const double low =
+                  flank.cone_coordinates(flank.fillet_at(L, pinion.fillet_end(side)).position)[1];
+                const GeneratedPoint point =
+                  flank.point_at(L, low + j * (blank.addendum(L) - low) / m);
+                left = left && flank.is_left(point);
+                if (i > 0)
+                  turn = largest_of(turn, (point.normal - last).norm());
+                last = point.normal;
+              }
+          }
+      const std::string name = std::to_string(teeth.first) + "/" + std::to_string(teeth.second);
+      check(name + ": all points are left by the cutter", left);
+      check_below(name + ": turn of the normals over a twentieth of the face", turn, .2);
+    }
+}
+
 int main()
 {
+  check_few_teeth();
   const GearPair pair(paper::options());
   check_ease_off(pair, MeshSide::drive);
   check_ease_off(pair, MeshSide::coast);

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies whose sizes are left open: those of the reference pair come out as they are, and proposed
 // pairs of any size get bodies that fit.
+#include "../refusal.h"
 #include "../tests.h"
 #include "paper_members.h"
 
@@ -97,6 +98,47 @@ namespace
         std::cout << "25/25, module " << module << ": " << fit(25, 25, module, 70) << std::endl;
       }
   }
+  /** Default bodies fit all pairs from 30 to 120 deg, whose gears are nearly cylindrical to nearly
+   * flat, and of any number of teeth. */
+  void shaft_angles()
+  {
+    std::string misfit;
+    for (const unsigned int pinion : {6, 9, 12, 17, 19, 25})
+      for (const double ratio : {1., 1.5, 2.26, 4., 10.})
+        for (double angle = 30.; angle <= 120.; angle += 15.)
+          {
+            GearPairOptions asked;
+            asked.proposal.pinion_teeth = pinion;
+            asked.proposal.gear_teeth   = std::lround(ratio * pinion);
+            asked.proposal.module       = 4.5;
+            asked.shaft_angle           = angle * degree;
+            GearPairOptions pair;
+            if (!message_of([&]() { pair = asked.completed(); }).empty())
+              continue; // no such pair
+            const std::string message = message_of([&]() {
+              open(pinion_body_defaults(), pair.pinion.blank).check("pinion", pair.pinion.blank);
+              open(GearBodyOptions(), pair.gear.blank).check("gear", pair.gear.blank);
+            });
+            if (!message.empty())
+              misfit = std::to_string(pinion) + "/" + std::to_string(asked.proposal.gear_teeth) +
+                       " at " + std::to_string(angle) + " deg: " + message;
+          }
+    check("default bodies of pairs from 30 to 120 deg fit" + misfit, misfit.empty());
+
+    GearPairOptions asked;
+    asked.proposal.pinion_teeth = 19;
+    asked.proposal.gear_teeth   = 43;
+    asked.proposal.module       = 4.5;
+    asked.shaft_angle           = 45. * degree;
+    const BlankOutline blank    = asked.completed().gear.blank;
+    GearBodyOptions    back     = open(GearBodyOptions(), blank);
+    check("at 45 deg the web goes towards the apex", back.web_direction == WebDirection::apex);
+    back.web_direction = WebDirection::back;
+    std::cout << message_of([&]() { back.check("gear", blank); }) << std::endl;
+    back.web_angle = 74. * degree;
+    check("an angle that the message names fits",
+          message_of([&]() { back.check("gear", blank); }).empty());
+  }
 } // namespace
 
 int main()
@@ -104,5 +146,6 @@ int main()
   reference_pair();
   fineness();
   proposed_pairs();
+  shaft_angles();
   return 0;
 }

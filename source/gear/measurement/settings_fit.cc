@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -64,7 +65,8 @@ namespace vfife
                            const std::vector<std::string> &free,
                            const bool                      free_turn,
                            const double                    threshold,
-                           std::vector<Vector3>            points)
+                           std::vector<Vector3>            points,
+                           const std::vector<double>      &largest_changes)
     : given_(member.generated_flank(side).settings())
     , pitch_angle_(member.blank().pitch_angle)
     , own_turn_(member.turn(side))
@@ -85,6 +87,9 @@ namespace vfife
         message << points_.size() << " points cannot tell " << n << " unknowns";
         throw InputError(message.str());
       }
+    limits_ = Unknowns::Constant(n, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < largest_changes.size(); ++i)
+      limits_[i] = largest_changes[i] / free_[i].scale;
   }
 
   MachineSettings SettingsFit::settings_of(const Unknowns &x) const
@@ -130,54 +135,103 @@ namespace vfife
     return result;
   }
 
+  SettingsFit::Unknowns SettingsFit::limited_step(const Eigen::MatrixXd &slopes,
+                                                  const Unknowns        &x,
+                                                  const Eigen::VectorXd &r,
+                                                  unsigned int          &directions) const
+  {
+    // A setting whose step would leave its limits goes to the limit, and the others find the least
+    // squares anew. The singular values of the slopes say which combinations the points tell, the
+    // others stay.
+    Unknowns          step = Unknowns::Zero(x.size());
+    Eigen::MatrixXd   free = slopes;
+    std::vector<bool> is_set(x.size(), false);
+    for (bool inside = false; !inside;)
+      {
+        Eigen::JacobiSVD<Eigen::MatrixXd> svd(free, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        svd.setThreshold(threshold_);
+        directions                 = svd.rank();
+        const Unknowns of_the_free = -svd.solve(r + slopes * step);
+        inside                     = true;
+        for (Eigen::Index i = 0; i < x.size(); ++i)
+          if (!is_set[i] && std::abs(x[i] + of_the_free[i]) > limits_[i])
+            {
+              step[i]   = std::copysign(limits_[i], x[i] + of_the_free[i]) - x[i];
+              is_set[i] = true;
+              inside    = false;
+              free.col(i).setZero();
+            }
+        if (inside)
+          for (Eigen::Index i = 0; i < x.size(); ++i)
+            if (!is_set[i])
+              step[i] = of_the_free[i];
+      }
+    return step;
+  }
+
+  bool SettingsFit::go_along(const Unknowns &step, Unknowns &x, Eigen::VectorXd &r) const
+  {
+    // A step that makes the sum of squares no smaller is halved.
+    constexpr double least_damping = 1e-4;
+    for (double damping = 1.; damping >= least_damping; damping /= 2.)
+      {
+        Eigen::VectorXd trial;
+        try
+          {
+            trial = distances(x + damping * step);
+          }
+        catch (const InputError &)
+          {
+            continue; // settings that generate no flank there
+          }
+        if (trial.squaredNorm() < r.squaredNorm())
+          {
+            x += damping * step;
+            r = trial;
+            return true;
+          }
+      }
+    return false;
+  }
+
   SettingsFitResult SettingsFit::solve() const
   {
-    // Gauss and Newton; the singular values of the slopes say which combinations the points tell,
-    // the others stay. A step that makes the sum of squares no smaller is halved.
+    // Gauss and Newton; every step that is taken is better than the one before.
     constexpr unsigned int most      = 50;
-    constexpr double       last_step = 1e-6, least_damping = 1e-4; // parts of a scale
-    Unknowns               x = Unknowns::Zero(free_.size() + (free_turn_ ? 1 : 0));
-    Eigen::VectorXd        r = distances(x);
-    SettingsFitResult      result;
+    constexpr double       last_step = 1e-6; // parts of a scale
+    // Linear changes of the distances below this, or this part of them, are round-off [mm].
+    constexpr double  round_off = 1e-8, least_part = 1e-4;
+    Unknowns          x = Unknowns::Zero(free_.size() + (free_turn_ ? 1 : 0));
+    Eigen::VectorXd   r = distances(x);
+    SettingsFitResult result;
     result.before.assign(r.data(), r.data() + r.size());
-    for (bool converged = false; !converged;)
+    for (bool at_rest = false; !at_rest && result.unfinished.empty();)
       {
         if (result.iterations++ == most)
-          throw NumericalError("no machine settings found: " + std::to_string(most) +
-                               " steps do not come to rest; leave settings out that do the same");
-        Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes(x), Eigen::ComputeThinU | Eigen::ComputeThinV);
-        svd.setThreshold(threshold_);
-        result.directions   = svd.rank();
-        const Unknowns step = -svd.solve(r);
-        converged           = step.lpNorm<Eigen::Infinity>() < last_step;
-        for (double damping = 1.;; damping /= 2.)
           {
-            const auto trial = [&]() -> Eigen::VectorXd {
-              try
-                {
-                  return distances(x + damping * step);
-                }
-              catch (const InputError &)
-                {
-                  return {}; // settings that generate no flank there
-                }
-            }();
-            if (trial.size() > 0 && trial.squaredNorm() < r.squaredNorm())
-              {
-                x += damping * step;
-                r = trial;
-                break;
-              }
-            if (damping < least_damping)
-              {
-                converged = true; // round-off is left
-                break;
-              }
+            result.unfinished = std::to_string(most) +
+                                " steps do not come to rest; leave settings out that do the same";
+            break;
+          }
+        const Eigen::MatrixXd J    = slopes(x);
+        const Unknowns        step = limited_step(J, x, r, result.directions);
+        const double          gain = (J * step).lpNorm<Eigen::Infinity>();
+        at_rest                    = step.lpNorm<Eigen::Infinity>() < last_step;
+        if (!go_along(step, x, r) && !at_rest)
+          {
+            at_rest = gain < round_off || gain < least_part * r.lpNorm<Eigen::Infinity>();
+            if (!at_rest)
+              result.unfinished =
+                "no part of the last step makes the deviations smaller; limit the "
+                "changes of the settings, or take fewer";
           }
       }
     result.settings = settings_of(x);
     result.turn     = turn_of(x);
     result.after.assign(r.data(), r.data() + r.size());
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      if (std::abs(x[i]) >= limits_[i] * (1. - 1e-9))
+        result.at_limit.push_back(free_[i].name);
     return result;
   }
 } // namespace vfife

@@ -13,6 +13,9 @@ namespace vfife
     /** The mean cone distance is printed with two decimals, the outer one often from the module. */
     constexpr double cone_distance_tolerance = 0.005;
 
+    /** Of bevel gears, and that up to which the customary factors of proposals hold. */
+    constexpr double largest_bevel_ratio = 10.;
+
     /** Numbers with units, for messages. */
     std::string degrees(const double angle)
     {
@@ -153,6 +156,62 @@ namespace vfife
   double pitch_angle_of(const double own_teeth, const double other_teeth, const double shaft_angle)
   {
     return std::atan2(std::sin(shaft_angle), other_teeth / own_teeth + std::cos(shaft_angle));
+  }
+
+  double
+  equivalent_ratio(const double pinion_teeth, const double gear_teeth, const double shaft_angle)
+  {
+    const double pinion = pitch_angle_of(pinion_teeth, gear_teeth, shaft_angle);
+    const double gear   = pitch_angle_of(gear_teeth, pinion_teeth, shaft_angle);
+    return std::sqrt(gear_teeth * std::cos(pinion) / (pinion_teeth * std::cos(gear)));
+  }
+
+  std::string find_ratio_fault(const unsigned int pinion_teeth,
+                               const unsigned int gear_teeth,
+                               const double       shaft_angle,
+                               std::string       &entry)
+  {
+    const auto fits = [&](const double angle) {
+      return equivalent_ratio(pinion_teeth, gear_teeth, angle) <= largest_bevel_ratio + 1e-9;
+    };
+    const double      ratio = static_cast<double>(gear_teeth) / pinion_teeth;
+    const std::string teeth = std::to_string(pinion_teeth) + "/" + std::to_string(gear_teeth);
+    if (ratio > largest_bevel_ratio)
+      {
+        entry = "gear teeth";
+        return text_of("the ratio of ",
+                       teeth,
+                       " teeth is ",
+                       ratio,
+                       ", above ",
+                       largest_bevel_ratio,
+                       ", the largest of bevel gears: at most ",
+                       largest_bevel_ratio * pinion_teeth,
+                       " teeth go with ",
+                       pinion_teeth,
+                       "; a larger ratio takes a second stage");
+      }
+    if (fits(shaft_angle))
+      return {};
+    entry = "shaft angle";
+    // Down in whole degrees to an angle that does.
+    double angle = std::floor(shaft_angle / degree);
+    while (!fits(angle * degree))
+      angle -= 1.;
+    const double pitch_angle = pitch_angle_of(gear_teeth, pinion_teeth, shaft_angle);
+    return text_of("a shaft angle of ",
+                   degrees(shaft_angle),
+                   " is too wide for ",
+                   teeth,
+                   " teeth: the gear's pitch angle would be ",
+                   degrees(pitch_angle),
+                   ", ",
+                   pitch_angle > pi / 2 + 1e-9   ? "that of an internal gear (beyond 90 deg)"
+                   : pitch_angle > pi / 2 - 1e-9 ? "that of a crown gear"
+                                                 : "nearly that of a crown gear (90 deg)",
+                   "; give at most ",
+                   angle,
+                   " deg, or fewer teeth of the gear");
   }
 
   double duplex_dedendum_angles(const Blank &gear,

@@ -6,7 +6,6 @@
 #include <Eigen/LU>
 
 #include <cmath>
-#include <sstream>
 
 namespace vfife
 {
@@ -22,17 +21,6 @@ namespace vfife
     Vector3 z_cross(const Vector3 &v)
     {
       return {-v[1], v[0], 0.};
-    }
-
-    /** Says at which cone distance and which other coordinate (@p name, @p value) no point is. */
-    [[noreturn]] void refuse(
-      const Blade blade, const char *surface, const double L, const char *name, const double value)
-    {
-      std::ostringstream message;
-      message << "the machine settings generate no "
-              << (blade == Blade::outside ? "concave " : "convex ") << surface
-              << " at cone distance L = " << L << " mm, " << name << " = " << value;
-      throw InputError(message.str());
     }
   } // namespace
 
@@ -229,40 +217,6 @@ namespace vfife
     return {z * cos_pitch_ + r * sin_pitch_, r * cos_pitch_ - z * sin_pitch_};
   }
 
-  Vector2 Flank::start(const double L) const
-  {
-    // from the cutter's centre S (cos q, sin q) to the point (L, 0) of the pitch generatrix
-    const double S = settings_.radial_distance, q = settings_.cradle_angle;
-    return {std::atan2(-S * std::sin(q), L - S * std::cos(q)), 0.};
-  }
-
-  GeneratedPoint Flank::point_at(const double L, const double h) const
-  {
-    // Two equations for (t, phi): the cone coordinates of the flank's point are (L, h). With
-    // r = |(X, Y)|,  dr = (X dX + Y dY) / r:
-    //   dL = dZ cos d + dr sin d,   dh = dr cos d - dZ sin d
-    const Vector2 target(L, h);
-    const auto    equations = [&](const Vector2 &x, Vector2 &residual, Eigen::Matrix2d &jacobian) {
-      const SurfaceDerivatives surface = derivatives(x[0], x[1]);
-      const Vector3           &X       = surface.point.position;
-      const double             r       = std::hypot(X[0], X[1]);
-      residual =
-        Vector2(X[2] * cos_pitch_ + r * sin_pitch_, r * cos_pitch_ - X[2] * sin_pitch_) - target;
-      const Vector3 *columns[2] = {&surface.position_t, &surface.position_phi};
-      for (unsigned int j = 0; j < 2; ++j)
-        {
-          const Vector3 &dX = *columns[j];
-          const double   dr = (X[0] * dX[0] + X[1] * dX[1]) / r;
-          jacobian(0, j)    = dX[2] * cos_pitch_ + dr * sin_pitch_;
-          jacobian(1, j)    = dr * cos_pitch_ - dX[2] * sin_pitch_;
-        }
-    };
-    Vector2 x = start(L);
-    if (!solve_newton<2>(equations, x))
-      refuse(settings_.blade, "flank", L, "height over the pitch cone h [mm]", h);
-    return evaluate(x[0], x[1]);
-  }
-
   Flank::EdgePoint Flank::edge_point(const double t, const double phi, const double lambda) const
   {
     // The rounded edge touches the blade at the distance edge_width() from the sharp tip and the
@@ -299,7 +253,7 @@ namespace vfife
     };
     Vector2 x = start(L);
     if (!solve_newton<2>(equations, x))
-      refuse(settings_.blade, "fillet", L, "blade edge angle lambda [rad]", lambda);
+      refuse("fillet", L, "blade edge angle lambda [rad]", lambda);
 
     const EdgePoint point = edge_point(x[0], x[1], lambda);
     GeneratedPoint  result;

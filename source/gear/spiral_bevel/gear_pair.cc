@@ -63,6 +63,8 @@ namespace vfife
         {
           errors.push_back(error);
         }
+    if (!errors.empty() && options.proposal.is_given())
+      refuse_proposal(options.proposal, options.shaft_angle, errors.front().what());
     if (errors.size() == 1)
       throw errors.front();
     if (!errors.empty())
@@ -127,8 +129,12 @@ namespace vfife
     // A proposal is checked as designed, before the errors of mounting.
     if (design_.options.proposal.is_given())
       for (const MeshSide side : {MeshSide::drive, MeshSide::coast})
-        check_proposed_contact(
-          design_.options.proposal, gear_.blank(), side, mean_contact(side), flank_contact(side));
+        check_proposed_contact(design_.options.proposal,
+                               options.shaft_angle,
+                               gear_.blank(),
+                               side,
+                               mean_contact(side),
+                               flank_contact(side));
     pinion_frame_ = mounted_pinion_frame(options);
     // the gear's only mounting error
     gear_frame_.translation[2] = options.gear_axial_shift;

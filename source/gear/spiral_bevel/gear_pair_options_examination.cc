@@ -58,6 +58,23 @@ namespace vfife
                            others));
     }
 
+    /** Whether numbers of teeth and shaft angle make an external pair; if not, says so. */
+    bool
+    examine_ratio(const GearPairOptions &options, const std::string &section, Findings &findings)
+    {
+      const unsigned int z1 = options.pinion.blank.teeth, z2 = options.gear.blank.teeth;
+      if (z1 == 0 || z2 == 0 || pitch_angle_of(z2, z1, options.shaft_angle) < pi / 2)
+        return true; // what is missing is reported as such
+      std::string       entry;
+      const std::string fault = find_ratio_fault(z1, z2, options.shaft_angle, entry);
+      findings.add(Findings::Action::stop,
+                   section + (entry == "shaft angle" ? "/Mounting/shaft angle"
+                                                     : "/Gear/Blank/number of teeth"),
+                   {},
+                   fault);
+      return false;
+    }
+
     /** A pitch angle that is given against the one that teeth and shaft angle ask for. */
     void examine_pitch_angle(const Blank       &own,
                              const Blank       &other,
@@ -186,7 +203,9 @@ namespace vfife
     const GearPairOptions options = completed();
     const Blank          &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
     const std::string     pinion_section = section + "/Pinion", gear_section = section + "/Gear";
-    // each member alone, then one against the other
+    // the ratio, from which all else follows; then each member alone, then one against the other
+    if (!examine_ratio(options, section, findings))
+      return findings;
     examine_pitch_angle(blank1, blank2, shaft_angle, "pinion", pinion_section, findings);
     examine_pitch_angle(blank2, blank1, shaft_angle, "gear", gear_section, findings);
     examine_hands(options, section, findings);

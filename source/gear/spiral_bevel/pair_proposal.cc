@@ -9,6 +9,7 @@
 #include <vfife/gear/spiral_bevel/pair_proposal.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace vfife
 {
@@ -227,7 +228,7 @@ namespace vfife
                             -(pinion.mean_addendum - gear.mean_addendum) / 2);
       double rot2 = -polar_angle(point.position);
       if (!find_meshing_rotation(point, one, gear_frame(), ratio, rot2))
-        throw InputError("Gear pair/Proposal", "the gear flank never meshes at its mean point");
+        throw InputError("the gear flank never meshes at its mean point");
       const Matrix3     R2 = turned_frame(gear_frame(), rot2).rotation;
       const LineContact contact(R2 * point.position,
                                 -(R2 * point.normal),
@@ -269,10 +270,7 @@ namespace vfife
       // 4. Newton from the gear's cutter and a machine without offset.
       Vector3 x(gear_options.cutter_diameter / (2. * A), 0., 0.);
       if (!solve_newton<3>(equations, x))
-        throw InputError(
-          "Gear pair/Proposal",
-          "no pinion settings were found for the contact asked for; try another path "
-          "angle, cutter radius or ellipse");
+        throw InputError("no settings were found that cut the pinion flank asked for");
       double t, rotation;
       return synthesis.settings(A * x, t, rotation);
     }
@@ -348,6 +346,13 @@ namespace vfife
                          " teeth, more than the gear with " + std::to_string(proposal.gear_teeth) +
                          "; the member with fewer teeth is the pinion (the gear may drive: "
                          "Operation/driving member)");
+    std::string       entry;
+    const std::string fault =
+      find_ratio_fault(proposal.pinion_teeth, proposal.gear_teeth, shaft_angle, entry);
+    if (!fault.empty())
+      throw InputError(std::string("Gear pair/") +
+                         (entry == "shaft angle" ? "Mounting/" : "Proposal/") + entry,
+                       fault);
     if (!(proposal.module > 0.))
       throw InputError("Gear pair/Proposal/module", "a proposal needs the outer transverse module");
     // The ellipse that is asked for is one of marking compound, whose film is too thick for smaller
@@ -367,12 +372,28 @@ namespace vfife
         settings->blade_angle        = proposal.pressure_angle;
         settings->machine_root_angle = pinion.blank.root_angle;
         settings->edge_radius        = edge;
-        *settings                    = propose_pinion_flank(proposal,
-                                         shaft_angle,
-                                         pinion.blank,
-                                         gear,
-                                         *settings,
-                                         settings == &pinion.concave ? gear.convex : gear.concave);
+        const MachineSettings &mate  = settings == &pinion.concave ? gear.convex : gear.concave;
+        try
+          {
+            *settings =
+              propose_pinion_flank(proposal, shaft_angle, pinion.blank, gear, *settings, mate);
+          }
+        catch (const InputError &error)
+          {
+            refuse_proposal(proposal, shaft_angle, error.what());
+          }
       }
+  }
+
+  void
+  refuse_proposal(const PairProposal &proposal, const double shaft_angle, const std::string &reason)
+  {
+    std::ostringstream text;
+    text << "no pair of " << proposal.pinion_teeth << "/" << proposal.gear_teeth
+         << " teeth is found at a shaft angle of " << shaft_angle / degree
+         << " deg and a spiral angle of " << proposal.spiral_angle / degree << " deg: " << reason
+         << ". Try a path angle near 25 deg, a larger cutter radius, more teeth of the pinion or "
+            "another spiral angle";
+    throw InputError("Gear pair/Proposal", text.str());
   }
 } // namespace vfife

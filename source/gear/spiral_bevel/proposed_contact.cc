@@ -7,6 +7,7 @@
 namespace vfife
 {
   void check_proposed_contact(const PairProposal &proposal,
+                              const double        shaft_angle,
                               const Blank        &gear,
                               const MeshSide      side,
                               const MeanContact  &mean,
@@ -19,8 +20,10 @@ namespace vfife
     const auto follow = [&](const double turn) {
       FlankContact::Unknowns x = mean.unknowns();
       if (!contact.follow(mean.rot1 + turn, x))
-        throw NumericalError("proposed pair: the flanks of the " + side_name(side) +
-                             " side do not touch next to the mean contact");
+        refuse_proposal(proposal,
+                        shaft_angle,
+                        "the flanks of the " + side_name(side) +
+                          " side do not touch next to the mean contact");
       return x;
     };
     const auto lag_at = [&](const double turn) {
@@ -40,11 +43,9 @@ namespace vfife
     if (is_like(lag, proposal.lag) && is_like(axis, asked_axis))
       return;
     std::ostringstream message;
-    message << "the " << side_name(side)
-            << " side of the proposed pair does not touch as designed: lag at half a pitch "
+    message << "the " << side_name(side) << " side does not touch as designed: lag at half a pitch "
             << lag / arcsecond << " arcsec instead of " << proposal.lag / arcsecond
-            << ", major semi-axis of the ellipse " << axis << " mm instead of " << asked_axis
-            << "; try a path angle nearer to 25 deg or another cutter radius";
-    throw InputError("Gear pair/Proposal/path angle", message.str());
+            << ", major semi-axis of the ellipse " << axis << " mm instead of " << asked_axis;
+    refuse_proposal(proposal, shaft_angle, message.str());
   }
 } // namespace vfife

@@ -48,6 +48,12 @@ namespace vfife
                                                       : std::atan2(L_h[0], -L_h[1]);
   }
 
+  bool ConicalWeb::leaves_wall(const BlankOutline &blank, const WebShape &shape)
+  {
+    // An angle just at the limit may miss it by round-off.
+    return std::abs(turn_from_wall(blank, shape)) <= 75. * degree + 1e-9;
+  }
+
   ConicalWeb::ConicalWeb(const BlankOutline &blank,
                          const WebShape     &shape,
                          const double        toe_root_height,

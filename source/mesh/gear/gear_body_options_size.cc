@@ -57,6 +57,7 @@ namespace vfife
   void GearBodyOptions::leave_sizes_open()
   {
     web_thickness = rim_thickness = hub_radius = hub_length = bore_radius = 0.;
+    web_direction                                                         = WebDirection::fitting;
   }
 
   double GearBodyOptions::foot_on_hub(const BlankOutline &blank) const
@@ -82,8 +83,17 @@ namespace vfife
     const double root  = blank.meridian_point({inner, -blank.dedendum(inner)})[0];
     const double module =
       2. * blank.meridian_point({blank.outer_cone_distance, 0.})[0] / blank.teeth;
-    fill(sized.web_thickness, 1.587 * module);
-    fill(sized.rim_thickness, 2.7 * module);
+    if (web_direction == WebDirection::fitting)
+      {
+        sized.web_direction = WebDirection::back;
+        if (!ConicalWeb::leaves_wall(blank, sized))
+          sized.web_direction = WebDirection::apex;
+      }
+    // The rim of a small gear leaves a third of the root's radius to web, hub and bore: the web
+    // must start outside the hub.
+    const double size = std::min(module, 0.34 / 2.7 * root / std::cos(blank.pitch_angle));
+    fill(sized.web_thickness, 1.587 * size);
+    fill(sized.rim_thickness, 2.7 * size);
     fill(sized.hub_radius, 0.632 * root);
     fill(sized.bore_radius, web == WebKind::solid ? 0.64 * root : sized.hub_radius * 5. / 6.);
     fill(sized.hub_length, std::max(0.379 * root, 1.2 * sized.foot_on_hub(blank)));

@@ -22,6 +22,35 @@ namespace vfife
       return {blank.coordinates_of(x)[1], near_angle + std::remainder(angle - near_angle, 2. * pi)};
     }
 
+    /** Throws InputError where the flank does not start where the fillet ends: the cutter's edge
+     * has taken its foot away. */
+    void check_start_of_flank(const GearGeometry &gear,
+                              const FlankSide     side,
+                              const double        L,
+                              const double        height)
+    {
+      // far above the round-off of points that an iteration finds
+      constexpr double tolerance = 1e-7;
+      const Vector3    end       = gear.fillet_point(side, L, gear.fillet_end(side)).position;
+      std::string      what;
+      try
+        {
+          if ((gear.flank_point(side, L, height).position - end).norm() < tolerance * L)
+            return;
+        }
+      catch (const InputError &error)
+        {
+          what = std::string(" (") + error.what() + ")";
+        }
+      std::ostringstream message;
+      message
+        << gear.name() << ": the tooth is undercut at cone distance " << L
+        << " mm: its flank and its fillet do not meet" << what
+        << ", and no body is made of it. More teeth of the pinion, a larger pressure angle or "
+           "a larger spiral angle avoid undercut";
+      throw InputError(message.str());
+    }
+
     /** Profile of a flank from the fillet's bottom to the tip, points (h, angle). */
     std::vector<Vector2> compute_profile(const GearGeometry &gear,
                                          const FlankSide     side,
@@ -49,6 +78,7 @@ namespace vfife
                   << start_height << " mm, not below the tip at " << tip_height << " mm";
           throw InputError(message.str());
         }
+      check_start_of_flank(gear, side, L, start_height);
       for (const double part : graded_places(flank_rows, grading))
         {
           const double  h = start_height + (tip_height - start_height) * part;

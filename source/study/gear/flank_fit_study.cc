@@ -64,6 +64,10 @@ namespace vfife
       void check() const override
       {
         pair_.check("Gear pair");
+        if (!options_.measured.empty() && !is_there(options_.measured))
+          throw InputError("Flank fit/measured flank",
+                           "there is no file \"" + options_.measured + "\"");
+        options_.limits("Flank fit");
       }
 
       void inspect(Communicator &, Log &log) override
@@ -117,6 +121,12 @@ namespace vfife
       "Points (columns x, y, z [mm], in the member's frame on tooth 0) or a grid of "
       "deviations from the flank as designed [um]; empty: grids alone are written");
     declare_names(prm, "settings", settings, "Machine settings that are found, by their entries");
+    declare_names(
+      prm,
+      "largest changes",
+      largest_changes,
+      "Largest change of each of the settings, in their order, such as 0.1 mm, 0.2 deg; "
+      "empty: without limits");
     declare_switch(prm,
                    "free turn",
                    free_turn,
@@ -128,6 +138,32 @@ namespace vfife
                    "one that changes it most stay as they are",
                    Range::between(0., 0.5));
     declare_section(prm, "Grid", grid);
+  }
+
+  std::vector<double> FlankFitOptions::limits(const std::string &section) const
+  {
+    const std::string entry = section + "/largest changes";
+    if (!largest_changes.empty() && largest_changes.size() != settings.size())
+      throw InputError(entry,
+                       "there are " + std::to_string(largest_changes.size()) + " for " +
+                         std::to_string(settings.size()) +
+                         " settings: expected one for each of them, in their order, or none");
+    std::vector<double> changes;
+    for (std::size_t i = 0; i < largest_changes.size(); ++i)
+      for (const FittedSetting &setting : fitted_settings())
+        if (setting.name == settings[i])
+          try
+            {
+              const bool has_unit = setting.unit == "mm" || setting.unit == "deg";
+              changes.push_back(read_quantity_in_range(largest_changes[i],
+                                                       has_unit ? setting.unit : "-",
+                                                       Range::positive()));
+            }
+          catch (const InputError &error)
+            {
+              throw InputError(entry, settings[i] + ": " + error.what());
+            }
+    return changes;
   }
 
   std::vector<Vector3> FlankFitStudy::read_points(const GearPair &pair) const
@@ -152,11 +188,13 @@ namespace vfife
                            options_.settings,
                            options_.free_turn,
                            options_.threshold,
-                           points);
+                           points,
+                           options_.limits("Flank fit"));
       }
     catch (const InputError &error)
       {
-        throw InputError("Flank fit/settings", error.what());
+        throw InputError(error.entry().empty() ? "Flank fit/settings" : error.entry(),
+                         error.what());
       }
   }
 
@@ -179,15 +217,21 @@ namespace vfife
              " um after (root mean square); largest ",
              largest(found.after) / micrometre,
              " um");
-    Json json      = figures_json({{"points", {double(found.before.size()), "-"}},
-                                   {"independent changes", {double(found.directions), "-"}},
-                                   {"root mean square before", {before, "um"}},
-                                   {"root mean square after", {after, "um"}},
-                                   {"largest before", {largest(found.before) / micrometre, "um"}},
-                                   {"largest after", {largest(found.after) / micrometre, "um"}},
-                                   {"turn about the axis", {found.turn / arcsecond, "arcsec"}}});
-    json["member"] = vfife::name_of(options_.member);
-    json["flank"]  = name_of(options_.side);
+    if (!found.unfinished.empty())
+      log.warning("flank fit: " + found.unfinished + ". The best settings that were met are kept");
+    for (const std::string &name : found.at_limit)
+      log.warning("flank fit: " + name + " stands at its largest change: the flank asks for more");
+    Json json                       = figures_json({{"points", {double(found.before.size()), "-"}},
+                                                    {"independent changes", {double(found.directions), "-"}},
+                                                    {"root mean square before", {before, "um"}},
+                                                    {"root mean square after", {after, "um"}},
+                                                    {"largest before", {largest(found.before) / micrometre, "um"}},
+                                                    {"largest after", {largest(found.after) / micrometre, "um"}},
+                                                    {"turn about the axis", {found.turn / arcsecond, "arcsec"}}});
+    json["came to rest"]            = found.unfinished.empty();
+    json["at their largest change"] = found.at_limit;
+    json["member"]                  = vfife::name_of(options_.member);
+    json["flank"]                   = name_of(options_.side);
     for (const FittedSetting &setting : fitted_settings())
       {
         const double is  = shown(setting, found.settings.*setting.value),

@@ -30,6 +30,11 @@ namespace vfife
     unsigned int        iterations = 0;
     unsigned int        directions = 0; ///< independent changes of the settings that points tell
     std::vector<double> before, after;  ///< of the points out of the flank, > 0 is metal [mm]
+    /** Settings that stand at their largest change. */
+    std::vector<std::string> at_limit;
+    /** Why the search ended before it came to rest: the settings are the best that it met. Empty
+     * where it came to rest. */
+    std::string unfinished;
   };
 
   /** Deviations of the points before and after [um], in their order: flank_fit.csv. */
@@ -47,18 +52,20 @@ namespace vfife
     /**
      * @p free: names of settings; @p free_turn: the flank's position about the axis is found too;
      * @p threshold: changes of the flank below this part of those that the best seen combination
-     * of settings makes are not told. Throws InputError for unknown names and fewer points than
-     * unknowns.
+     * of settings makes are not told; @p largest_changes: of the settings, in the order of
+     * @p free [internal units]; empty: without limit. Throws InputError for unknown names and fewer
+     * points than unknowns.
      */
     SettingsFit(const GearMember               &member,
                 FlankSide                       side,
                 const std::vector<std::string> &free,
                 bool                            free_turn,
                 double                          threshold,
-                std::vector<Vector3>            points);
+                std::vector<Vector3>            points,
+                const std::vector<double>      &largest_changes = {});
 
-    /** Throws NumericalError where no settings are found on the way, and InputError where points do
-     * not lie near the flank. */
+    /** The best settings that the search meets. Throws InputError where points do not lie near the
+     * flank. */
     SettingsFitResult solve() const;
 
   private:
@@ -70,12 +77,21 @@ namespace vfife
     /** Distances of the points out of the flank [mm]. */
     Eigen::VectorXd distances(const Unknowns &x) const;
     Eigen::MatrixXd slopes(const Unknowns &x) const;
+    /** The step of Gauss and Newton from @p x with distances @p r that keeps within the limits;
+     * @p directions: independent changes. */
+    Unknowns limited_step(const Eigen::MatrixXd &slopes,
+                          const Unknowns        &x,
+                          const Eigen::VectorXd &r,
+                          unsigned int          &directions) const;
+    /** Goes along @p step as far as the sum of squares falls; false where it does not. */
+    bool go_along(const Unknowns &step, Unknowns &x, Eigen::VectorXd &r) const;
 
     MachineSettings            given_;
     double                     pitch_angle_, own_turn_, turn_scale_, threshold_;
     std::vector<FittedSetting> free_;
     bool                       free_turn_;
     std::vector<Vector3>       points_;
+    Unknowns                   limits_; ///< largest changes over scales
   };
 } // namespace vfife
 

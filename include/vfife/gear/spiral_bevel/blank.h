@@ -47,6 +47,23 @@ namespace vfife
   double pitch_angle_of(double own_teeth, double other_teeth, double shaft_angle);
 
   /**
+   * Ratio of the pair at 90 deg whose teeth are like those of the pair at @p shaft_angle: square
+   * root of that of the virtual numbers of teeth, z / cos d. It grows without bound as the gear
+   * becomes a crown gear; not a number beyond (pitch angle of 90 deg or more).
+   */
+  double equivalent_ratio(double pinion_teeth, double gear_teeth, double shaft_angle);
+
+  /**
+   * Why numbers of teeth and shaft angle do not go together: the gear would be a crown gear or an
+   * internal one, or the ratio is larger than bevel gears have. Empty where they do. @p entry
+   * becomes the name of the entry to change, within the section of the pair.
+   */
+  std::string find_ratio_fault(unsigned int pinion_teeth,
+                               unsigned int gear_teeth,
+                               double       shaft_angle,
+                               std::string &entry);
+
+  /**
    * Sum of the dedendum angles with which slots cut by spread blades taper as the teeth do (duplex
    * taper) [rad]:
    *   (pi m / (2 A_m)) (1 - A_m sin b / r) / (tan al cos b),   m the transverse module at A_m

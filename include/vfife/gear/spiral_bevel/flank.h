@@ -7,6 +7,7 @@
 #include <vfife/gear/spiral_bevel/machine_settings.h>
 
 #include <optional>
+#include <string>
 
 namespace vfife
 {
@@ -54,13 +55,28 @@ namespace vfife
     /** The same with its first derivatives. */
     SurfaceDerivatives derivatives(double t, double phi) const;
 
-    /** The flank at cone coordinates (L, h); throws InputError when there is none. */
+    /**
+     * The flank at cone coordinates (L, h): the point that the cutter leaves, on the sheet of the
+     * generated surface that belongs to the tooth (clearing() > 0). Throws InputError where there
+     * is none.
+     */
     GeneratedPoint point_at(double L, double h) const;
     /**
      * The fillet at cone distance L, blade edge angle lambda in [0, 90 deg - blade angle]; throws
      * InputError when there is none.
      */
     GeneratedPoint fillet_at(double L, double lambda) const;
+
+    /**
+     * Second derivative by phi of the cutter's distance from a point of the generated surface
+     * [mm/rad^2]: positive where the positions of the cutter before and after leave the point, 0 on
+     * the surface's edge of regression, negative on its other sheet, which they cut away. The
+     * derivatives are those without deviation.
+     */
+    double clearing(const SurfaceDerivatives &surface) const;
+
+    /** Whether the cutter leaves a point of the generated surface: clearing() > 0. */
+    bool is_left(const GeneratedPoint &point) const;
 
     /** Principal curvatures k1 <= k2 [1/mm], + bends to the metal. */
     Vector2 principal_curvatures(const GeneratedPoint &point) const;
@@ -118,7 +134,19 @@ namespace vfife
     /** Newton's start: the cutter passes the pitch generatrix at distance L with the cradle at
      * rest. */
     Vector2 start(double L) const;
-    Vector3 into_blank_frame(const Vector3 &v) const;
+    /** The passage of the blade at the angle theta of the circle (L, h), counted about the blank's
+     * axis from the plane of the root generatrix. */
+    struct Passage;
+    Passage passage(const Vector2 &L_h, double theta) const;
+    /** (t, phi) of the passage that cuts the circle (L, h) last; none where no blade does. */
+    std::optional<Vector2> find_last_cut(const Vector2 &L_h) const;
+    /** Throws InputError: no such surface at cone distance @p L and the other coordinate. */
+    [[noreturn]] void refuse(const char        *surface,
+                             double             L,
+                             const char        *name,
+                             double             value,
+                             const std::string &reason = {}) const;
+    Vector3           into_blank_frame(const Vector3 &v) const;
 
     MachineSettings settings_;
     double          cos_pitch_, sin_pitch_;

@@ -5,6 +5,8 @@
 #include <vfife/base/types.h>
 #include <vfife/gear/spiral_bevel/gear_member_options.h>
 
+#include <string>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -47,6 +49,10 @@ namespace vfife
                double              shaft_angle,
                GearMemberOptions  &pinion,
                GearMemberOptions  &gear);
+
+  /** Throws InputError: no pair is found for these data, and @p reason. */
+  [[noreturn]] void
+  refuse_proposal(const PairProposal &proposal, double shaft_angle, const std::string &reason);
 } // namespace vfife
 
 #endif

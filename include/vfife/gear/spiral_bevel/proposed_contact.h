@@ -12,6 +12,7 @@ namespace vfife
    * contact has the flanks without errors of mounting.
    */
   void check_proposed_contact(const PairProposal &proposal,
+                              double              shaft_angle,
                               const Blank        &gear,
                               MeshSide            side,
                               const MeanContact  &mean,

@@ -10,8 +10,9 @@ namespace vfife
 {
   enum class WebDirection
   {
-    apex, ///< from the rim inward and towards the apex
-    back  ///< from the rim inward and towards the back
+    apex,   ///< from the rim inward and towards the apex
+    back,   ///< from the rim inward and towards the back
+    fitting ///< open: back where such a web leaves its wall steeply enough, otherwise apex
   };
 
   /** Where the web leaves the rim. */
@@ -78,6 +79,10 @@ namespace vfife
 
     /** Signed angle from the normal of the rim's end or underside to the web [rad]. */
     static double turn_from_wall(const BlankOutline &blank, const WebShape &shape);
+
+    /** Whether the web leaves its wall at 15 deg to it or more: a web steeper to the rim than this
+     * would leave no room for cells between it and the rim. */
+    static bool leaves_wall(const BlankOutline &blank, const WebShape &shape);
 
   private:
     /** Arc between the wall and a face of the web, both straight, that meet at @p corner. */

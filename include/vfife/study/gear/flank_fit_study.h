@@ -18,19 +18,23 @@ namespace vfife
     DrivingMember            member = DrivingMember::pinion;
     FlankSide                side   = FlankSide::concave;
     std::string              measured; ///< file; empty: grids alone are written
-    std::vector<std::string> settings  = {"point radius",
-                                          "blade angle",
-                                          "radial distance",
-                                          "blank offset",
-                                          "sliding base",
-                                          "machine center to back",
-                                          "machine root angle",
-                                          "ratio of roll"};
+    std::vector<std::string> settings = {"point radius",
+                                         "blade angle",
+                                         "radial distance",
+                                         "blank offset",
+                                         "sliding base",
+                                         "machine center to back",
+                                         "machine root angle",
+                                         "ratio of roll"};
+    std::vector<std::string> largest_changes;  ///< texts, one for each setting; empty: no limits
     bool                     free_turn = true; ///< the flank's place about the axis is found too
     double                   threshold = 1e-3; ///< of singular values, part of the largest
     MeasuringGrid            grid;
 
     void declare(dealii::ParameterHandler &prm);
+    /** The largest changes [internal units]; throws InputError (@p section: of the entries) where
+     * they are no positive quantities of the settings. */
+    std::vector<double> limits(const std::string &section) const;
   };
 
   /**
