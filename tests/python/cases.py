@@ -28,6 +28,15 @@ class Folder(unittest.TestCase):
         self.folder = Path(folder.name)
 
 
+class Values(unittest.TestCase):
+    def test_numpy(self):
+        """Values of numpy are written as those of Python."""
+        for value, text in ((np.bool_(False), "no"), (np.array([0., 0., 10.]), "0.0, 0.0, 10.0"), (np.float32(.5), "0.5"),
+                            (np.int64(3), "3"), (np.array(2.5), "2.5"), (np.array([True, False]), "yes, no"),
+                            ([np.bool_(True), np.float64(.1)], "yes, 0.1"), (np.array(["a", "b"]), "a, b")):
+            self.assertEqual(BARS.set("Section/entry", value).settings["Section/entry"], text)
+
+
 class Runs(Folder):
     def test_run(self):
         """Two bars exchange their velocities: the force is A rho c v/2 = 1005.3 N, the contact 2 L/c = 39.04 us long."""

@@ -113,6 +113,19 @@ class Periodicity(unittest.TestCase):
         self.assertEqual(find_lines(np.cos(2 * np.pi * MESHES) * 0, SAMPLES, 9000, 0, 9000, 3), [])
 
 
+    def test_half_the_sampling_rate(self):
+        """Ten samples a mesh: the fifth order is once in the transform, the others twice; near it no line is made up."""
+        place = np.arange(80)
+        values = 3 * np.cos(2 * np.pi * place / 10) + 0.7 * (-1.0) ** place
+        order, amplitude = compute_spectrum(values, 10)
+        np.testing.assert_allclose(amplitude[[8, 40]], [3, 0.7], rtol=1e-12)
+        self.assertEqual(order[40], 5)
+        self.assertLess(np.delete(amplitude, [8, 40]).max(), 1e-12)
+        np.testing.assert_allclose(find_harmonics(values, 10, 5), [3, 0, 0, 0, 0.7], atol=1e-12)
+        self.assertAlmostEqual(compute_spectrum(values, 10, points_per_line=4)[1][-1], 0.7)
+        # Of nine samples a mesh it is no harmonic, and nothing is told of a line that meets its image.
+        self.assertEqual(find_lines((-1.0) ** np.arange(90), 9, 1.0, 0, 5, 3), [])
+
     def test_points_between_lines(self):
         """Four points a line: the third order stays where it is, with its amplitude."""
         order, amplitude = compute_spectrum(2 * np.cos(2 * np.pi * 3 * MESHES)[:-1], SAMPLES, windowed=True,

@@ -2,6 +2,7 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """Geometry and averages of the plots against closed forms, and all plots and pictures of a small made-up
 run. Ends with 77 (skipped) without numpy or matplotlib."""
+import html
 import json
 import tempfile
 import unittest
@@ -24,8 +25,10 @@ from vfife_report.plots.bearings import draw_bearing_curves, draw_bearings, draw
 from vfife_report.plots.driven_waves import draw_driven_waves, draw_growth, draw_waves_met
 from vfife_report.plots.histories import draw_contact_force, draw_energies, draw_transmission_error
 from vfife_report.plots.meridian import draw_meridians, read_parts
+from vfife_report.plots.plot_data import list_curves
 from vfife_report.plots.root_stress import draw_sections
 from vfife_report.plots.run_up import compute_window_spectra, draw_orders
+from vfife_report.plots.style import add_legend, plt, save
 
 
 def make_block(cells):
@@ -352,6 +355,23 @@ class WholeRun(unittest.TestCase):
                 for axes, legend in legends:
                     self.assertGreaterEqual(legend.get_window_extent().x0, axes.get_window_extent().x1)
                     self.assertLessEqual(legend.get_window_extent().x1, plot.bbox.x1 + 1)
+
+    def test_names_of_users(self):
+        """An underscore in front or dollar signs make no name vanish, nor a formula of it."""
+        names = ["_tip", "$a$ and $b$", "50 %", "a & b <c>", "cost$", "_"]
+        plot, axes = plt.subplots()
+        for name in names:
+            axes.plot([0, 1], [0, 1], label=name)
+        axes.plot([0, 1], [1, 1])
+        axes.set_yticks([0, 1], ["$low$", "high"])
+        add_legend(axes)
+        self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()], names)
+        self.assertEqual([name for _, name, _ in list_curves(plot)], names + ["curve 1"])
+        with tempfile.TemporaryDirectory() as folder, plt.rc_context({"svg.fonttype": "none"}):
+            save(plot, Path(folder) / "names.svg")
+            text = html.unescape((Path(folder) / "names.svg").read_text(encoding="utf-8"))
+        for name in names[:-1] + ["$low$"]:
+            self.assertIn(f">{name}</text>", text)
 
     def test_names_of_tooth_pairs(self):
         """As far as there is room for them."""

@@ -80,10 +80,13 @@ class Case:
 
 
 def write_value(value):
-    """As it stands in a parameter file."""
+    """As it stands in a parameter file. numpy's values, whatever their type, are those of Python that tolist() makes of
+    them: a number, true or false, a text, a list."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, (list, tuple)):
         return ", ".join(map(write_value, value))
-    # repr() of a float is the shortest text that is that number; of numpy's numbers it has their type
+    # repr() of a float is the shortest text that is that number
     return repr(float(value)) if isinstance(value, float) else str(value)

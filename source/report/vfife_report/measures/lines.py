@@ -3,7 +3,7 @@
 import numpy as np
 
 from .periodicity import fold_meshes
-from .spectrum import find_peaks, hann_window
+from .spectrum import amplitudes_of, find_peaks, hann_window
 
 HIGHEST_LINE_ORDER = 12  # of the tooth mesh, up to which spectra are shown and lines are looked for
 
@@ -12,8 +12,7 @@ def find_harmonics(values, samples_per_mesh, largest):
     """Amplitudes of the orders 1 to `largest` of the tooth mesh: of the mean mesh, so that nothing
     leaks into them from lines that do not repeat."""
     mean = fold_meshes(values, samples_per_mesh).mean(axis=0)
-    amplitudes = 2 * np.abs(np.fft.rfft(mean)) / len(mean)
-    return amplitudes[1:largest + 1]
+    return amplitudes_of(mean)[1:largest + 1]
 
 
 def is_harmonic(frequency, mesh_frequency, resolution):
@@ -30,7 +29,7 @@ def find_lines(values, samples_per_mesh, mesh_frequency, lowest, highest, count,
     n = len(rest)
     if len(folded) < 4 or not np.any(rest):
         return []
-    amplitudes = 2 * np.abs(np.fft.rfft(rest * hann_window(n))) / n
+    amplitudes = amplitudes_of(rest * hann_window(n))
     lines = find_peaks(amplitudes, mesh_frequency / len(folded))
     lines = [line for line in lines if not is_harmonic(line.frequency, mesh_frequency, mesh_frequency / len(folded))]
     floor = least * max((line.amplitude for line in lines), default=0)

@@ -12,6 +12,16 @@ def hann_window(n):
     return 2 * np.hanning(n + 1)[:-1]
 
 
+def amplitudes_of(values):
+    """Amplitudes of the frequencies k/(n interval), k = 0 to n/2, of n values. Mean and, of an even number, the
+    frequency of half the sampling rate are once in the transform, all others twice, with both signs."""
+    amplitudes = 2 * np.abs(np.fft.rfft(values)) / len(values)
+    amplitudes[0] /= 2
+    if len(values) % 2 == 0:
+        amplitudes[-1] /= 2
+    return amplitudes
+
+
 def compute_spectrum(values, samples_per_mesh, windowed=False, points_per_line=1):
     """Orders of the mesh frequency and amplitudes of as many whole meshes as there are at the end.
 
@@ -26,7 +36,7 @@ def compute_spectrum(values, samples_per_mesh, windowed=False, points_per_line=1
         return np.empty(0), np.empty(0)
     part = values[-n:] - values[-n:].mean()
     window = hann_window(n) if windowed else 1
-    amplitudes = 2 * np.abs(np.fft.rfft(part * window, points_per_line * n)) / n
+    amplitudes = points_per_line * amplitudes_of(np.append(part * window, np.zeros((points_per_line - 1) * n)))
     return np.arange(len(amplitudes)) / (points_per_line * meshes), amplitudes
 
 
@@ -58,10 +68,11 @@ def find_peaks(amplitudes, spacing):
 
     A lone line d bins from its maximum towards the larger neighbour has the ratio r = (1 + d)/(2 - d)
     of that neighbour to the maximum, and sin(pi d)/(pi d)/(1 - d^2) of its amplitude there: both are
-    solved for. Below 1.5/T there is no maximum to be seen, and lines closer than 2/T are one.
+    solved for. Below 1.5/T there is no maximum to be seen, as near half the sampling rate, where a line meets its
+    image, and lines closer than 2/T are one.
     """
     peaks = []
-    for k in range(2, len(amplitudes) - 1):
+    for k in range(2, len(amplitudes) - 2):
         left, centre, right = amplitudes[k - 1:k + 2]
         if not left < centre >= right:
             continue

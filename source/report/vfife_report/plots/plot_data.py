@@ -5,6 +5,8 @@ import csv
 import numpy as np
 from matplotlib.collections import LineCollection
 
+from .style import is_name
+
 
 def list_curves(plot):
     """Panel, name and points (n, 2) of each curve."""
@@ -18,7 +20,7 @@ def list_curves(plot):
             else:
                 points = np.asarray(curve.get_xydata(), dtype=float)
             name = str(curve.get_gid() or curve.get_label())  # the former where no legend names it
-            if name.startswith("_"):
+            if not is_name(name):
                 unnamed += 1
                 name = f"curve {unnamed}"
             yield panel, name, points

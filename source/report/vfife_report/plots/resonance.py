@@ -5,7 +5,7 @@ import numpy as np
 from ..measures.critical_speeds import list_critical_speeds
 from ..measures.ripple import RIPPLES, find_steady_ripple, read_ripple
 from .curves import scale_axis
-from .style import COLOURS, GREY, name_decades, plt
+from .style import COLOURS, GREY, list_named, name_decades, plt
 
 # Of a run's statistics, of the columns of another model's response.
 KINDS = (("peak to peak", "peak to peak", COLOURS[1]), ("standard deviation", "rms", COLOURS[2]))
@@ -55,7 +55,7 @@ def draw_resonance(study):
         axes.set_xlim(limits)
         name_decades(axes)
     panels[0].set_xlabel("")
-    handles = dict(zip(*reversed(panels[0].get_legend_handles_labels())))
+    handles = dict(zip(*reversed(list_named(panels[0]))))
     panels[1].legend(handles.values(), handles.keys(), frameon=False, fontsize=8, ncol=3,
                      loc="upper center", bbox_to_anchor=(0.5, -0.14))
     return plot

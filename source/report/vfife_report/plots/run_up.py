@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..data.columns import CONTACT_FORCE, TRANSMISSION_ERROR
-from ..measures.spectrum import hann_window
+from ..measures.spectrum import amplitudes_of, hann_window
 from .plot_data import attach_numbers
 from .style import COLOURS, GREY, PRESSURE_MAP, add_legend, plt
 from .waterfalls import DECADES
@@ -41,7 +41,7 @@ def compute_window_spectra(time, values):
     for start in starts:
         part = values[start:start + n]
         slope = np.polyfit(np.arange(n), part, 1)
-        rows.append(2 * np.abs(np.fft.rfft((part - np.polyval(slope, np.arange(n))) * window)) / n)
+        rows.append(amplitudes_of((part - np.polyval(slope, np.arange(n))) * window))
     return (time[starts] + 0.5 * n * interval, np.fft.rfftfreq(n, interval)[1:],
             np.array(rows)[:, 1:])
 

@@ -1,11 +1,17 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 """How plots and pictures look: one place for fonts, colours and sizes."""
+import re
+
 import matplotlib
 import numpy as np
 
 matplotlib.use("Agg")  # no display is needed
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.collections import Collection  # noqa: E402
 from matplotlib.colors import LinearSegmentedColormap, to_rgb  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
+from matplotlib.patches import Patch  # noqa: E402
+from matplotlib.text import Text  # noqa: E402
 from matplotlib.ticker import AutoLocator, LogLocator, MaxNLocator, NullFormatter, ScalarFormatter  # noqa: E402
 from matplotlib.transforms import ScaledTranslation  # noqa: E402
 
@@ -63,10 +69,48 @@ def name_decades(axes):
         axes.yaxis.set_minor_formatter(NullFormatter())
 
 
+# What matplotlib calls curves without names. All other names with an underscore in front are a user's, though
+# matplotlib leaves them out of legends.
+NO_NAME = re.compile(r"_(child|line|collection|patch|image|container|nolegend)\d*_?")
+OF_LOGARITHMS = re.compile(r"\\math(default|regular)")  # formulas of matplotlib's own, at ticks
+
+
+def is_name(label):
+    return bool(label) and NO_NAME.fullmatch(label) is None
+
+
+def list_named(axes):
+    """Curves and areas that have names, and these."""
+    drawn = [artist for artist in axes.get_children() if isinstance(artist, (Line2D, Patch, Collection))]
+    named = [artist for artist in [*drawn, *axes.containers] if is_name(artist.get_label())]
+    return named, [artist.get_label() for artist in named]
+
+
+def has_dollar(text):
+    return "$" in text and OF_LOGARITHMS.search(text) is None
+
+
+def without_formulas(text):
+    """As matplotlib writes a text in which a dollar sign is a letter and begins no formula."""
+    return re.sub(r"(?<!\\)\$", r"\\$", text)
+
+
+def take_texts_literally(plot):
+    """Names of users in titles, legends and at ticks are no formulas."""
+    for axes in plot.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            names = [text.get_text() for text in axis.get_ticklabels()]
+            if any(has_dollar(name) for name in names):
+                axis.set_ticks(axis.get_ticklocs(), [without_formulas(name) for name in names])
+    for text in plot.findobj(lambda artist: isinstance(artist, Text) and has_dollar(artist.get_text())):
+        text.set_text(without_formulas(text.get_text()))
+
+
 def save(plot, path):
     """Writes the plot or picture beside its place and renames it, so that nobody meets half a file."""
     for axes in plot.axes:
         round_ticks(axes)
+    take_texts_literally(plot)
     temporary = path.with_name("." + path.name)
     metadata = {"Date": None} if path.suffix == ".svg" else None
     plot.savefig(temporary, format=path.suffix[1:], metadata=metadata)
@@ -77,7 +121,8 @@ def save(plot, path):
 def add_legend(axes, beside=True, **options):
     """A frameless legend of the curves that have names, where there are any and no curve is: beside the axes, above them
     where others stand there or `beside` is false."""
-    if not axes.get_legend_handles_labels()[0]:
+    named, names = list_named(axes)
+    if not named:
         return
     place = axes.get_subplotspec()
     if beside and (place is None or place.is_last_col()):
@@ -87,7 +132,10 @@ def add_legend(axes, beside=True, **options):
         above = ScaledTranslation(0, TITLE_ROOM if axes.get_title(loc="left") else 0.03, axes.figure.dpi_scale_trans)
         options = {"fontsize": 8, **options, "loc": "lower left", "bbox_to_anchor": (0, 1),
                    "bbox_transform": axes.transAxes + above}
-    axes.legend(frameon=False, borderaxespad=0, **options)
+    # With a blank, or matplotlib leaves out names with an underscore in front.
+    legend = axes.legend(named, [" " + name for name in names], frameon=False, borderaxespad=0, **options)
+    for text, name in zip(legend.get_texts(), names):
+        text.set_text(name)
 
 
 def label_orders(axes, orders, end, top, word="mesh order"):
