@@ -66,11 +66,11 @@ namespace vfife
     if (!where.empty())
       try
         {
-          // Anything but zero is true; there is no time yet.
+          // Anything but zero is true.
           const Expression condition(where);
           for (auto node = nodes.begin(); node != nodes.end();)
-            node = condition(selected_body.node_positions()[*node], 0.) != 0. ? std::next(node)
-                                                                              : nodes.erase(node);
+            node = condition.holds(selected_body.node_positions()[*node]) ? std::next(node)
+                                                                          : nodes.erase(node);
         }
       catch (const InputError &error)
         {

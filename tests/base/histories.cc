@@ -131,6 +131,53 @@ namespace
                 1e-12);
   }
 
+  /** What muParser reads otherwise than it is written, and what has no value somewhere. */
+  void expressions()
+  {
+    const auto value = [](const char *formula, const double x) {
+      return Expression(formula)(Vector3(x, 0, 0), 0.);
+    };
+    check("expression: arguments of functions",
+          value("max(x, 0.5) + pow (x, 3) + if(x > 1, 2, 3) + sum(1,5,x)", 2.) ==
+            2. + 8. + 2. + 8.);
+    check("expression: conditions in conditions", value("x < 1 ? 0 : x <= 3 ? 1 : 2", 2.) == 1.);
+    check("expression: brackets around comparisons", value("(x < 5) == (x != 7)", 2.) == 1.);
+    check("expression: a division by zero that has a limit", value("exp(-1/x)", 0.) == 0.);
+    check("expression: a condition leaves a place out",
+          value("x > 1 ? sqrt(x - 1) : 7", 0.) == 7. &&
+            Expression("x > 1 && sqrt(x - 1) > 1").holds(Vector3(5, 0, 0)) &&
+            !Expression("x > 1 && sqrt(x - 1) > 1").holds(Vector3::Zero()));
+    for (const char *formula : {"0,5*x",
+                                "(0,5)*x",
+                                "2*(x > 9,5)",
+                                "sin(0,5*x)",
+                                "x = 5",
+                                "x > 1 && x = 5",
+                                "0 < x < 5",
+                                "x > 1 == 1"})
+      print_refusal([formula] { const Expression refused(formula); });
+    for (const char *formula :
+         {"sqrt(x - 10)*100", "1/x", "log(x - 1)", "x/x", "(x - 1)^0.5", "min(5, sqrt(-1 - x))"})
+      print_refusal([formula] { Expression(formula, "Section/entry")(Vector3::Zero(), 0.); });
+    for (const char *formula : {"1/x > 2", "sqrt(x - 10) > 2", "log(x)"})
+      print_refusal([formula] { Expression(formula).holds(Vector3::Zero()); });
+    // A history that has no value later on names its entry.
+    ParameterHistory         history;
+    dealii::ParameterHandler prm;
+    history.declare(prm);
+    prm.set("history", "sqrt(1e-3 - t)");
+    history.check("Model/Load pull");
+    check_close("history: as long as it has a value", history.value(0.), std::sqrt(1e-3), 1e-18);
+    try
+      {
+        history.value(2e-3);
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.entry() << ": " << error.what() << std::endl;
+      }
+  }
+
   void refusals()
   {
     std::ofstream("back.csv") << "0,1000\n1,2000\n1,3000\n";
@@ -141,6 +188,8 @@ namespace
                              "20000 mm",
                              "-3 rpm",
                              "1000 + * t",
+                             "1000 + 0,5*t",
+                             "1000/t",
                              "1e5*t",
                              "missing.csv",
                              "back.csv",
@@ -158,6 +207,7 @@ int main()
   tables();
   spellings();
   formulas();
+  expressions();
   refusals();
   return 0;
 }

@@ -12,7 +12,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -22,19 +21,6 @@ namespace vfife
 {
   namespace
   {
-    /** Whether a text speaks of time: t stands in it as a word. */
-    bool is_formula_of_time(const std::string &text)
-    {
-      const auto in_word = [&text](const std::size_t i) {
-        return i < text.size() &&
-               (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
-      };
-      for (std::size_t i = 0; i < text.size(); ++i)
-        if (text[i] == 't' && !in_word(i + 1) && !(i > 0 && in_word(i - 1)))
-          return true;
-      return false;
-    }
-
     using Quadrature = boost::math::quadrature::gauss<double, 10>;
 
     /** Of what has the integral @p whole by the rule on the whole: halved until both halves add up
@@ -72,7 +58,7 @@ namespace vfife
   {
     try
       {
-        read(text_, "-");
+        read(text_, "-", section + "/history");
       }
     catch (const InputError &error)
       {
@@ -80,8 +66,10 @@ namespace vfife
       }
   }
 
-  void ParameterHistory::read(const std::string &text, const std::string &unit)
+  void
+  ParameterHistory::read(const std::string &text, const std::string &unit, const std::string &entry)
   {
+    text_ = text;
     formula_.reset();
     rows_.clear();
     areas_.clear();
@@ -89,7 +77,7 @@ namespace vfife
     scale_ = parse_quantity("1", unit);
     if (!names_a_table(text))
       {
-        formula_.emplace(text);
+        formula_.emplace(text, entry);
         return;
       }
     rows_ = read_time_table(text, unit);
@@ -222,14 +210,14 @@ namespace vfife
     const std::string default_text  = quantity_text(start, unit);
     const auto        read          = [=](const std::string &text) {
       std::pair<double, ParameterHistory> both;
-      if (!names_a_table(text) && !is_formula_of_time(text))
+      if (!names_a_table(text) && !has_word(text, "t"))
         {
           both.first =
             text == default_text ? default_start : read_quantity_in_range(text, unit, range);
           return both;
         }
       ParameterHistory &history = both.second;
-      history.read(text, unit);
+      history.read(text, unit, name);
       both.first = history.value(0.);
       // Each number that is given, in the unit in which its range is stated.
       std::vector<std::pair<double, double>> given = history.rows_;

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/file_names.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/text/shown_text.h>
@@ -143,7 +144,8 @@ namespace vfife
     const std::string name = "the table \"" + path + "\"";
     std::ifstream     file(path);
     if (!file)
-      throw InputError(name + " cannot be read");
+      throw InputError(name + " cannot be read" +
+                       (is_there(path) ? "" : ": there is no such file"));
     TextLines                              lines(file);
     std::vector<std::pair<double, double>> rows;
     try

@@ -219,7 +219,7 @@ namespace vfife
     for (unsigned int c = 0; c < 3; ++c)
       try
         {
-          formulas.emplace_back(initial_velocity[c]);
+          formulas.emplace_back(initial_velocity[c], section + "/initial velocity " + "xyz"[c]);
           moves = moves || initial_velocity[c] != "0";
         }
       catch (const InputError &error)

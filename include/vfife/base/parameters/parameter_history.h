@@ -37,13 +37,19 @@ namespace vfife
     /** Whether it is the factor 1 by default, neither formula nor table. */
     bool is_constant() const;
 
+    /** What the user gave: "1" by default. */
+    const std::string &text() const
+    {
+      return text_;
+    }
+
     /** Whether it is a formula. */
     bool is_formula() const;
 
     /** The time from which on the factor is constant [s]: of a table its last row's, else 0. */
     double end() const;
 
-    /** The factor at @p time [s]. */
+    /** The factor at @p time [s]. Throws InputError for a formula without a value there. */
     double value(double time) const;
 
     /** The integral of the factor from time zero to @p time [s]: of a table exact, of a formula by
@@ -68,8 +74,9 @@ namespace vfife
                                            const Range              &range);
 
     /** Reads a formula, or a table whose values are in @p unit where a heading states no other;
-     * factors are then values in internal units. Throws InputError. */
-    void read(const std::string &text, const std::string &unit);
+     * factors are then values in internal units. Throws InputError; one of a value names @p entry.
+     */
+    void read(const std::string &text, const std::string &unit, const std::string &entry);
     /** Of a table from its first row on. */
     double table_integral(double time) const;
     double formula_integral(double begin, double end) const;
