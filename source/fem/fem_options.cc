@@ -1,7 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
-#include <vfife/base/text/quantity.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/fem/fem_options.h>
+
+#include <algorithm>
 
 namespace vfife
 {
@@ -64,10 +66,11 @@ namespace vfife
                    "Whether a second factorization counts the modes below the highest one found "
                    "(shift-invert only)");
     declare_names(prm, "bodies", bodies, "Bodies whose modes are wanted; none: all");
-    declare_names(prm,
-                  "speeds",
-                  speeds,
-                  "Speeds of the bodies about their own axes at which modes are wanted [rpm]");
+    declare_number_list(
+      prm,
+      "speeds",
+      speeds,
+      "Speeds of the bodies about their own axes at which modes are wanted [rpm]");
     declare_switch(
       prm,
       "coriolis",
@@ -96,10 +99,7 @@ namespace vfife
 
   std::vector<double> FemOptions::rates() const
   {
-    std::vector<double> values;
-    for (const std::string &speed : speeds)
-      values.push_back(parse_quantity(speed, "rpm"));
-    return values;
+    return read_number_list(speeds, "rpm");
   }
 
   void FemOptions::check(const std::string &section) const
@@ -107,8 +107,12 @@ namespace vfife
     try
       {
         // Parsed already here: a speed that is no quantity is named with its entry.
-        if (rates().empty())
+        std::vector<double> values = rates();
+        if (values.empty())
           throw InputError("at least one speed is needed (0 for bodies at rest)");
+        std::sort(values.begin(), values.end());
+        if (std::adjacent_find(values.begin(), values.end()) != values.end())
+          throw InputError("a speed is given twice");
       }
     catch (const InputError &error)
       {

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
@@ -32,17 +33,14 @@ namespace vfife
                                    const std::vector<std::string> &texts,
                                    const std::string              &unit)
     {
-      std::vector<double> values;
-      for (const std::string &text : texts)
-        try
-          {
-            values.push_back(parse_quantity(text, unit));
-          }
-        catch (const InputError &error)
-          {
-            throw InputError("Lumped/" + entry, error.what());
-          }
-      return values;
+      try
+        {
+          return read_number_list(texts, unit);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Lumped/" + entry, error.what());
+        }
     }
 
     /** Throws where an entry is neither given nor taken from a gear pair. */
@@ -107,16 +105,16 @@ namespace vfife
                    "the tangent stiffness, or as one of both lines");
     declare_quantity(
       prm, "stiffness", stiffness, "N m/rad", "Mean mesh stiffness", Range::not_negative());
-    declare_names(prm,
-                  "stiffness cosines",
-                  stiffness_cosines,
-                  "Of mesh orders 1, 2..., over the mean stiffness [-]");
-    declare_names(prm, "stiffness sines", stiffness_sines, "The same with sines [-]");
-    declare_names(prm,
-                  "error cosines",
-                  error_cosines,
-                  "Transmission error without load, mesh orders 1, 2... [arcsec]");
-    declare_names(prm, "error sines", error_sines, "The same with sines [arcsec]");
+    declare_number_list(prm,
+                        "stiffness cosines",
+                        stiffness_cosines,
+                        "Of mesh orders 1, 2..., over the mean stiffness [-]");
+    declare_number_list(prm, "stiffness sines", stiffness_sines, "The same with sines [-]");
+    declare_number_list(prm,
+                        "error cosines",
+                        error_cosines,
+                        "Transmission error without load, mesh orders 1, 2... [arcsec]");
+    declare_number_list(prm, "error sines", error_sines, "The same with sines [arcsec]");
     declare_quantity(prm,
                      "backlash",
                      backlash,

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/model/transmission.h>
@@ -35,6 +36,8 @@ namespace vfife
         const double value = parse_quantity(text, "-");
         if (!(value >= 0 && value <= 1000) || value != std::floor(value))
           throw InputError("\"" + text + "\" is no number of nodal diameters: 0, 1, 2, 3 ...");
+        if (std::find(numbers.begin(), numbers.end(), value) != numbers.end())
+          throw InputError("\"" + text + "\" is given twice");
         numbers.push_back(static_cast<unsigned int>(value));
       }
     return numbers;
@@ -69,14 +72,15 @@ namespace vfife
                     "Tooth meshes of which these amplitudes are taken, in windows half of which "
                     "overlap",
                     2);
-    declare_names(
+    declare_number_list(
       prm,
       "stress waves",
       stress_waves,
       "Of a gear pair: numbers of nodal diameters of waves of stress over the sectors of "
       "the driven member, at its probes (probe_waves.csv) and in its fillets "
       "(fillet_waves.csv, with Fillets/teeth), at the start and over the last tooth "
-      "mesh");
+      "mesh",
+      ListNumbers::whole);
     declare_quantity(
       prm,
       "checkpoint every",

@@ -2,6 +2,7 @@
 // Parameter files: values reach their variables, and each kind of mistake gives its message with
 // the right line.
 
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/types.h>
@@ -11,6 +12,7 @@
 #include "../refusal.h"
 #include "../tests.h"
 
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -232,11 +234,93 @@ void check_wrong_structure()
   print_refusal([] { ParameterFile("nothing.prm"); });
 }
 
+/** Lists of numbers: what may be one number with a comma is none, whatever a blank makes plain is.
+ */
+void check_number_lists()
+{
+  const auto read = [](const std::string &text, const ListNumbers numbers = ListNumbers::any) {
+    std::vector<std::string> value;
+    dealii::ParameterHandler prm;
+    declare_number_list(prm, "list", value, "numbers", numbers);
+    prm.set("list", text);
+    return read_number_list(value, numbers == ListNumbers::whole ? "-" : "rpm");
+  };
+  using Numbers  = std::vector<double>;
+  const auto rpm = [](Numbers numbers) {
+    for (double &number : numbers)
+      number *= pi / 30.;
+    return numbers;
+  };
+  check("lists with blanks",
+        read("0, 5, 10 rpm") == rpm({0, 5, 10}) && read("9, 000 rpm") == rpm({9, 0}) &&
+          read("1.5, 2,  1e3") == rpm({1.5, 2, 1e3}) && read("").empty() &&
+          read("0, 0, 10") == rpm({0, 0, 10}));
+  check("lists without blanks that are no number",
+        read("0,5,10 rpm") == rpm({0, 5, 10}) && read("0,4000,9000") == rpm({0, 4000, 9000}) &&
+          read("1.5,2") == rpm({1.5, 2}) && read("1,2.5") == rpm({1, 2.5}) &&
+          read("-5,-6") == rpm({-5, -6}) && read("0,100,200") == rpm({0, 100, 200}));
+  check("lists of whole numbers",
+        read("2,3", ListNumbers::whole) == Numbers({2, 3}) &&
+          read("0,100", ListNumbers::whole) == Numbers({0, 100}));
+  check("the last unit is that of bare numbers",
+        read("0, 100, 200 rad/s") == Numbers({0, 100, 200}));
+  check("units of their own", read("60 rpm, 2 rad/s") == Numbers({60 * (pi / 30.), 2}));
+  for (const char *text : {"9,000 rpm",
+                           "1,5",
+                           "-1,5 rpm, 2 rpm",
+                           "1000, 2,5",
+                           "10,000,000",
+                           "1,500.5",
+                           "1,,2",
+                           "1, 2 mm"})
+    print_refusal([&] { read(text); });
+  print_refusal([&] { read("1,000", ListNumbers::whole); });
+  for (const char *text : {"9,000, 0, 0 mm", "9,000, 0 mm", "0,5, 10 mm, 1", "05, 0, 0"})
+    print_refusal([text] {
+      Vector3                  value = Vector3::Zero();
+      dealii::ParameterHandler prm;
+      declare_vector(prm, "place", value, "mm", "a place");
+      prm.set("place", text);
+    });
+  Vector3                  value = Vector3::Zero();
+  dealii::ParameterHandler prm;
+  declare_vector(prm, "place", value, "mm", "a place");
+  prm.set("place", "0, 0,10 cm");
+  check("three numbers are three numbers", value == Vector3(0, 0, 100));
+}
+
+/** An entry that stands a section off its own: the nearest sections that have it. */
+void check_misplaced_entries()
+{
+  dealii::ParameterHandler prm;
+  std::array<double, 4>    values = {{1, 2, 3, 4}};
+  const std::string        entry  = "web thickness";
+  std::string              kind;
+  {
+    const Subsection pair(prm, "Pair");
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const Subsection member(prm, b == 0 ? "Pinion" : "Gear");
+        declare_quantity(prm, "diameter", values[2 * b], "mm", "size");
+        const Subsection body(prm, "Body");
+        declare_quantity(prm, entry, values[2 * b + 1], "mm", "size");
+      }
+    const Subsection proposal(prm, "Proposal");
+    declare_text(prm, "kind", kind, "kind");
+  }
+  write_file("case.prm", "");
+  for (const char *section : {"Pair/Gear", "Pair/Proposal", "Pair", "Pair/Pinion"})
+    print_refusal(
+      [&] { ParameterFile("case.prm", {std::string(section) + "/web thickness=8"}).read(prm); });
+}
+
 int main()
 {
   check_good_file();
   check_first_pass();
   check_wrong_values();
   check_wrong_structure();
+  check_number_lists();
+  check_misplaced_entries();
   return 0;
 }

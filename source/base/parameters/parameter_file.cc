@@ -52,6 +52,29 @@ namespace vfife
       throw InputError(message);
     }
 
+    /** How many sections two paths begin with that are the same. */
+    std::size_t count_common(const std::string &a, const std::string &b)
+    {
+      const std::string whole_a = a + "/", whole_b = b + "/";
+      const auto        differ =
+        std::mismatch(whole_a.begin(), whole_a.end(), whole_b.begin(), whole_b.end()).first;
+      return std::count(whole_a.begin(), differ, '/');
+    }
+
+    /** Those of the sections that have most of the way to @p path in common with it. */
+    std::vector<std::string> find_nearest(const std::vector<std::string> &sections,
+                                          const std::string              &path)
+    {
+      std::size_t most = 0;
+      for (const std::string &section : sections)
+        most = std::max(most, count_common(section, path));
+      std::vector<std::string> nearest;
+      for (const std::string &section : sections)
+        if (count_common(section, path) == most)
+          nearest.push_back(section);
+      return nearest;
+    }
+
     /**
      * Throws for an entry that is not declared in @p section, with the most helpful hint there is.
      */
@@ -63,13 +86,17 @@ namespace vfife
       const std::string              hint  = did_you_mean(statement.name, known);
       std::string message = statement.place + ": \"" + statement.name + "\" is not an entry of " +
                             quoted_section(statement.section_path()) + hint;
-      // Beside a name spelt alike: a section of that name; without any hint so far the only section
-      // elsewhere that has this entry, or else all entries of this section.
-      const std::vector<std::string> others = top.sections_with_entry(statement.name);
+      // Beside a name spelt alike: a section of that name; without any hint so far the sections
+      // elsewhere that have this entry, or else all entries of this section.
+      const std::vector<std::string> others =
+        find_nearest(top.sections_with_entry(statement.name), statement.section_path());
+      constexpr std::size_t most_named = 4;
       if (section.find_section(statement.name) != nullptr)
         message += "; it is a section: subsection " + statement.name + " ... end";
       else if (hint.empty() && others.size() == 1)
         message += "; it is one of " + quoted_section(others[0]);
+      else if (hint.empty() && !others.empty() && others.size() <= most_named)
+        message += "; it is one of the sections " + list_of(others, true);
       else if (hint.empty())
         message +=
           known.empty() ? "; no entries are allowed there" : "; allowed: " + list_of(known);

@@ -137,10 +137,18 @@ namespace vfife
       const std::size_t first = text.find(','), second = text.find(',', first + 1);
       if (first == std::string::npos || second == std::string::npos ||
           text.find(',', second + 1) != std::string::npos)
-        throw InputError("must be three numbers separated by commas");
-      return {{trimmed(text.substr(0, first)),
-               trimmed(text.substr(first + 1, second - first - 1)),
-               trimmed(text.substr(second + 1))}};
+        throw InputError("must be three numbers separated by commas; the decimal sign is a point");
+      const std::array<std::string, 3> parts = {
+        {trimmed(text.substr(0, first)),
+         trimmed(text.substr(first + 1, second - first - 1)),
+         trimmed(text.substr(second + 1))}};
+      // Of "9,000, 0 N", which has a number too few.
+      for (const std::string &part : parts)
+        if (part.size() > 1 && part[0] == '0' && part[1] >= '0' && part[1] <= '9')
+          throw InputError("\"" + part +
+                           "\" begins with zeros: nothing divides thousands, and the decimal sign "
+                           "is a point");
+      return parts;
     }
 
     /** The names of "a, b, c". Throws InputError for empty and repeated ones. */

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameter_grid.h>
 #include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
@@ -162,10 +163,11 @@ namespace vfife
                       topography,
                       "Grid of deviations normal to the flank, > 0 is metal [um]: rows from tip to "
                       "root, columns from toe to heel");
-    declare_names(prm,
-                  "topography teeth",
-                  topography_teeth,
-                  "Numbers of the teeth that have the grid; empty: all");
+    declare_number_list(prm,
+                        "topography teeth",
+                        topography_teeth,
+                        "Numbers of the teeth that have the grid; empty: all",
+                        ListNumbers::whole);
     margins.declare(prm);
     const auto term = [&](const char *name, double &value, const char *meaning) {
       declare_quantity(prm, name, value, "um", meaning);

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
@@ -66,12 +67,13 @@ namespace vfife
   void InstantOptions::declare(dealii::ParameterHandler &prm)
   {
     const Subsection subsection(prm, section);
-    declare_names(prm,
-                  "instants",
-                  instants,
-                  "Instants at which pressures of all teeth in contact are found on grids of "
-                  "their own, which neither mesh nor penalty makes: tooth meshes since the start, "
-                  "as 12.5, or times, as 1.4 ms");
+    declare_number_list(
+      prm,
+      "instants",
+      instants,
+      "Instants at which pressures of all teeth in contact are found on grids of "
+      "their own, which neither mesh nor penalty makes: tooth meshes since the start, "
+      "as 12.5, or times, as 1.4 ms");
     declare_number(prm,
                    "every",
                    every,

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
@@ -70,10 +71,25 @@ namespace vfife
     return split(entry, ';');
   }
 
+  void SweepStudy::Parameter::check_commas(const char *list, const std::string &text) const
+  {
+    try
+      {
+        check_list_commas(text, ListNumbers::any);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("Sweep/Parameter " + name + "/" + list, error.what());
+      }
+  }
+
   std::vector<std::string> SweepStudy::Parameter::list_values() const
   {
     // Vectors have commas of their own.
-    return split(values, values.find(';') == std::string::npos ? ',' : ';');
+    if (values.find(';') != std::string::npos)
+      return split(values, ';');
+    check_commas("values", values);
+    return split(values, ',');
   }
 
   std::vector<std::string> SweepStudy::Parameter::list_parts(const std::string &value) const
@@ -84,6 +100,7 @@ namespace vfife
   std::vector<double> SweepStudy::Parameter::list_sizes() const
   {
     std::vector<double> list;
+    check_commas("sizes", sizes);
     for (const std::string &text : split(sizes, ','))
       list.push_back(plain_number(text).value_or(0.)); // no size, as zero
     return list;

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/output/output_options.h>
@@ -31,11 +32,12 @@ namespace vfife
                      "rpm",
                      "Of the pinion: up to here, and speed at which the bodies are reduced",
                      Range::not_negative());
-    declare_names(prm,
-                  "diameters",
-                  diameters,
-                  "Numbers of nodal diameters of the gear's waves; 0: all sectors move alike, as "
-                  "an umbrella");
+    declare_number_list(prm,
+                        "diameters",
+                        diameters,
+                        "Numbers of nodal diameters of the gear's waves; 0: all sectors move "
+                        "alike, as an umbrella",
+                        ListNumbers::whole);
     declare_integer(prm,
                     "wave orders",
                     wave_orders,
@@ -64,10 +66,10 @@ namespace vfife
       solvers,
       "What is driven: the reduced pair; or whole bodies, an explicit run of this file "
       "at each speed in a folder of its own, with the reduced pair beside it");
-    declare_names(prm,
-                  "offsets",
-                  offsets,
-                  "Of the speeds around each predicted one, over it: at least three [-]");
+    declare_number_list(prm,
+                        "offsets",
+                        offsets,
+                        "Of the speeds around each predicted one, over it: at least three [-]");
     declare_number(prm,
                    "decay times",
                    decay_times,

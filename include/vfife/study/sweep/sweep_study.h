@@ -53,6 +53,8 @@ namespace vfife
 
       std::vector<std::string> list_entries() const;
       std::vector<std::string> list_values() const;
+      /** Throws InputError, see check_list_commas(). */
+      void check_commas(const char *list, const std::string &text) const;
       /** What each of the entries is set to. */
       std::vector<std::string> list_parts(const std::string &value) const;
       /** Those that are stated; nothing where they are to be derived. */
