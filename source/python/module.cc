@@ -93,6 +93,8 @@ namespace
       MPI_Initialized(&started);
       if (started == 0)
         {
+          if (const Failure obstacle = find_start_obstacle(); obstacle.exit_code != 0)
+            throw std::runtime_error(obstacle.message);
           static char  name[]      = "vfife";
           static char *arguments[] = {name, nullptr};
           int          n           = 1;

@@ -6,8 +6,13 @@
 #include <deal.II/base/mpi.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 #include <thread>
 
 namespace vfife
@@ -72,6 +77,34 @@ namespace vfife
   Communicator &MpiSession::world()
   {
     return implementation_->world;
+  }
+
+  Failure find_start_obstacle()
+  {
+#ifdef OPEN_MPI
+    namespace fs     = std::filesystem;
+    std::string name = "/tmp", set_by;
+    for (const char *variable : {"TMP", "TEMP", "TMPDIR", "OMPI_MCA_orte_tmpdir_base"})
+      if (const char *const value = std::getenv(variable); value != nullptr && *value != '\0')
+        {
+          name   = value;
+          set_by = variable;
+        }
+    // Tried and not asked for: root has all rights, also where the file system takes nothing.
+    std::error_code error;
+    fs::path        folder = fs::absolute(name, error).lexically_normal();
+    while (!fs::exists(folder, error) && folder.has_parent_path() && folder != folder.parent_path())
+      folder = folder.parent_path();
+    std::string attempt = (folder / "vfife-XXXXXX").string();
+    if (mkdtemp(attempt.data()) == nullptr)
+      return {2,
+              "the folder for temporary files \"" + name + "\" cannot be written to (" +
+                std::strerror(errno) + "), and MPI needs it; " +
+                (set_by.empty() ? "name another one by TMPDIR"
+                                : set_by + " names it: name another one there")};
+    fs::remove(attempt, error);
+#endif
+    return {};
   }
 
   int MpiSession::finish(const Failure &failure, const double patience)

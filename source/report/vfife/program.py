@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import tempfile
 from pathlib import Path
 
 from .errors import ProgramNotFound
@@ -59,12 +60,29 @@ def call(program, arguments, ranks=1, show=False):
     command = [str(program), *arguments]
     environment = {**ENVIRONMENT, **(AS_ROOT if os.geteuid() == 0 else {}), **os.environ}
     if ranks > 1:
+        obstacle = find_start_obstacle(environment)
+        if obstacle:
+            return 2, "", obstacle
         command = ["mpirun", "-np", str(ranks), *command]
     if not show:
         environment["VFIFE_TERMINAL"] = "no"
     done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, stdout=None if show else subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, errors="replace", check=False)
     return done.returncode, done.stdout or "", find_message(done.stderr)
+
+
+def find_start_obstacle(environment):
+    """Why mpirun cannot start, which would report a page of its own; empty where nothing is in its way. The program says
+    so by itself."""
+    names = ("OMPI_MCA_orte_tmpdir_base", "TMPDIR", "TEMP", "TMP")
+    folder = next((environment[name] for name in names if environment.get(name)), "/tmp")
+    try:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        os.rmdir(tempfile.mkdtemp(prefix="vfife-", dir=folder))
+    except OSError as error:
+        return (f'the folder for temporary files "{folder}" cannot be written to ({error.strerror}), and MPI needs it; '
+                "name another one by TMPDIR")
+    return ""
 
 
 def find_message(text):

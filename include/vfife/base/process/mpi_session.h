@@ -38,6 +38,11 @@ namespace vfife
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
   };
+
+  /** Why MPI cannot start, by which it would end the process with a report of its own; exit code 0
+   * where nothing is known to be in its way. Open MPI keeps files of a session in the folder for
+   * temporary files ($TMPDIR, else $TEMP, $TMP, /tmp), which it makes where it is missing. */
+  Failure find_start_obstacle();
 } // namespace vfife
 
 #endif
