@@ -56,6 +56,14 @@ namespace vfife
         others = find_other_sections(file, prm, runner);
         file.read(prm, others);
       }
+
+      /** What no single entry shows: files that are not there, values that contradict each other.
+       */
+      void check() const
+      {
+        check_files(prm);
+        study->check();
+      }
     };
 
     /** A study that goes on is not finished until it has written its last file again, by which it
@@ -146,9 +154,8 @@ namespace vfife
             print_parameters(std::cout, prm);
           return;
         }
-      // Values that contradict each other, which no single entry shows; still before any folder is
-      // made.
-      study->check();
+      // Still before any folder is made.
+      read.check();
       const std::optional<PairGeometry> geometry = find_geometry(file, prm);
       if (command_line.check)
         {
@@ -227,7 +234,7 @@ namespace vfife
         const ParameterFile file(line.parameter_file, line.overrides);
         return explained(file, [&]() -> CaseFile {
           ReadStudy parsed(file, *this);
-          parsed.study->check();
+          parsed.check();
           const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
           return {find_declared(parsed.prm).list_values(), parsed.options.kind.last_file};
         });
@@ -259,7 +266,7 @@ namespace vfife
     explained(file, [&] {
       const StudyRunner runner;
       ReadStudy         read(file, runner);
-      read.study->check();
+      read.check();
       OutputFolder folder(keeper, communicator);
       log_passed_over(read.others, log);
       if (const auto geometry = find_geometry(file, read.prm))
@@ -276,7 +283,7 @@ namespace vfife
     return explained(file, [&] {
       const StudyRunner runner;
       const ReadStudy   read(file, runner);
-      read.study->check();
+      read.check();
       GearPairOptions options;
       file.read_known(
         [&](dealii::ParameterHandler &known) { declare_section(known, "Gear pair", options); });

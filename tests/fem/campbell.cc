@@ -109,7 +109,8 @@ namespace
   void mode_table()
   {
     ModesAtSpeed at_speed;
-    at_speed.rate = 200.;
+    at_speed.rate       = 200.;
+    at_speed.axis_point = Vector3(7., 8., 9.);
     at_speed.modes.push_back(mode(3, true, .9, 700.));
     at_speed.modes.push_back(mode(3, true, .1, 800.));
     RotatingMode &first  = at_speed.modes[0];
@@ -149,6 +150,8 @@ namespace
                     value(("effective inertia " + axis).c_str()),
                     1e3 * (4 + c),
                     1e-9);
+        check("modes: about the axis' point [mm]",
+              value(("axis point " + axis).c_str()) == at_speed.axis_point[c]);
       }
   }
 

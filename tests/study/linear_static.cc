@@ -337,6 +337,12 @@ end
             world);
     refused(bar("set kind = fixed", force) + "subsection Fem\nset cyclic symmetry = yes\nend\n",
             world);
+    // Nothing is left to be solved for, whatever solves.
+    std::string       held  = bar("set kind = fixed", force);
+    const std::string nodes = "set nodes = x-";
+    held.replace(held.find(nodes), nodes.size(), "set nodes = all");
+    for (const char *solver : {"direct", "multigrid"})
+      refused(held + "subsection Fem\nset linear solver = " + solver + "\nend\n", world);
   }
 } // namespace
 

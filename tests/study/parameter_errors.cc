@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What a user reads whose parameter file is wrong: file, line, what is wrong, and what may be
-// meant.
+// meant; what --check says of one that is right, and of materials that are none.
 #include "../refusal.h"
 #include "../tests.h"
 
@@ -69,6 +69,153 @@ namespace
     return "subsection Gear pair\n  subsection Gear\n    subsection Body\n      set web = "
            "conical\n      " +
            entry + "\n    end\n  end\nend\n";
+  }
+
+  /** Prints the lines of --check that begin with one of the words. */
+  void show(const std::string              &name,
+            Communicator                   &communicator,
+            const std::vector<std::string> &words,
+            const std::vector<std::string> &overrides = {})
+  {
+    CommandLine line;
+    line.parameter_file = name;
+    line.overrides      = overrides;
+    line.check          = true;
+    std::ostringstream said;
+    Log                log(said, true);
+    run_study(line, communicator, log);
+    std::istringstream lines(said.str());
+    for (std::string one; std::getline(lines, one);)
+      for (const std::string &word : words)
+        if (one.compare(0, word.size(), word) == 0)
+          std::cout << one << std::endl;
+  }
+
+  /** One body on all that can hold and load it. */
+  std::string write_held_model()
+  {
+    const std::string name = "held.prm";
+    std::ofstream(name) << R"(
+subsection Study
+  set kind = linear static
+end
+subsection Model
+  set bodies = shaft
+  set constraints = left, end, drive, soft
+  set loads = pull
+  set probes = tip
+  subsection Body shaft
+    set mesh = stepped shaft
+    set sections = 0 60 20
+    set cells around = 8
+    set axial cell size = 20 mm
+    set radial cell size = 10 mm
+    set bearing = yes
+    set axis direction = 0, 0, 1
+  end
+  subsection Constraint left
+    set kind = bearing
+    set nodes = section 1
+    set where = z < 1
+    set radial stiffness = 5000 N/mm
+    set axial stiffness = 3 N/um
+    set radial damping = 2 N s/mm
+  end
+  subsection Constraint end
+    set kind = displacement
+    set nodes = section 1
+    set where = z > 59
+    set directions = x
+    set displacement = 0.1, 0, 0 mm
+  end
+  subsection Constraint drive
+    set kind = coupling
+    set nodes = section 1
+    set where = z > 59
+    set torsional stiffness = 1000 N m/rad
+  end
+  subsection Constraint soft
+    set kind = spring
+    set nodes = section 1
+    set stiffness = 1, 2, 3
+  end
+  subsection Load pull
+    set kind = force
+    set nodes = section 1
+    set where = z > 59
+    set force = 0, 0, 1 kN
+    set history = t
+  end
+  subsection Probe tip
+    set point = 10, 0, 60
+  end
+end
+)";
+    return name;
+  }
+
+  /** Formulas and lists that would be misread, or that have no value somewhere. */
+  void formulas_and_lists(Communicator &world)
+  {
+    for (const char *where :
+         {"x > 9,5", "(9,5) < x", "x = 5", "0 < x < 5", "sqrt(x-5) > 1", "1/x > 2", "log(x)"})
+      refuse(write_model(
+               "set mesh = block\n  end\n  set constraints = foot\n  subsection Constraint foot\n"
+               "    set kind = fixed\n    set nodes = all\n    set where = " +
+               std::string(where)),
+             world);
+    for (const char *speed : {"9,5*x", "sqrt(x-5)*100", "1/x"})
+      refuse(write_model("set mesh = block\n    set initial velocity y = " + std::string(speed)),
+             world);
+    for (const char *speeds : {"9,000 rpm", "1,5 Hz", "0,5", "1000, 2,5", "100,200,300", "0, 0"})
+      refuse(write_model("set mesh = block"),
+             world,
+             {"Study/kind=modal", "Fem/speeds=" + std::string(speeds)});
+  }
+
+  void files_and_sections(Communicator &world)
+  {
+    refuse(write_case(""), world, {"Gear pair/Errors/Pinion/Concave flank/topography=no.csv"});
+    refuse(write_case(""), world, {"Study/kind=flank fit", "Flank fit/measured flank=no.csv"});
+    refuse(write_case(""), world, {"Operation/torque=no.csv"});
+    refuse(write_case(""),
+           world,
+           {"Gear pair/Housing/stiffness=no.mtx",
+            "Gear pair/Errors/Gear/Convex flank/pitch table=no.csv"});
+    refuse(write_case(""), world, {"Gear pair/Gear/web thickness=8 mm"});
+    refuse(write_case(""), world, {"Gear pair/Proposal/web thickness=8 mm"});
+    std::ofstream("none.prm")
+      << "subsection Operation\n  set speed = 9000 rpm\n  set torque = 600 N m\nend\n";
+    refuse("none.prm", world);
+    refuse("none.prm", world, {"Gear pair/mesh=coarse"});
+    refuse("none.prm", world, {"Gear pair/Proposal/module=4 mm"});
+  }
+
+  void materials(Communicator &world)
+  {
+    // Lead, rubber, beryllium, tungsten, foam, cork, diamond; then what no solid has.
+    for (const char *solid :
+         {"11340 16000", "1100 1", "1850 303000", "19300 411000", "20 5", "200 20", "3515 1.2e6"})
+      {
+        const std::string text = solid;
+        const std::size_t gap  = text.find(' ');
+        show(write_model("set mesh = block"),
+             world,
+             {"warning"},
+             {"Material steel/density=" + text.substr(0, gap),
+              "Material steel/Young's modulus=" + text.substr(gap)});
+      }
+    for (const char *entry : {"density=7.85e-9",
+                              "density=7.85",
+                              "density=7850 g/cm^3",
+                              "Young's modulus=2.06e11",
+                              "Young's modulus=206",
+                              "Young's modulus=206000 GPa",
+                              "density=0.284"})
+      show(write_model("set mesh = block"),
+           world,
+           {"warning"},
+           {"Material steel/" + std::string(entry)});
   }
 } // namespace
 
@@ -140,5 +287,18 @@ int main(int argc, char **argv)
          {"Gear pair/Pinion/Shaft/sections=90 200 40 20",
           "Gear pair/Pinion/Shaft/axial cell size=1 um",
           "Gear pair/Pinion/Shaft/radial cell size=1 um"});
+
+  formulas_and_lists(world);
+  files_and_sections(world);
+  materials(world);
+  show(write_held_model(),
+       world,
+       {"constraint", "bearing", "coupling", "spring", "load"});
+  show(write_case(""),
+       world,
+       {"Gear pair", "constraint", "torque", "contact"},
+       {"Study/kind=modal",
+        "Gear pair/Errors/Gear/eccentricity=20 um",
+        "Gear pair/Mounting/offset=0.02 mm"});
   return 0;
 }

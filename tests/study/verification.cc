@@ -204,7 +204,7 @@ namespace
     const std::string  text = message_of([&] { run_study(line, communicator, log); });
     check("a mesh file that is not there is named",
           text.find("(Model/Body plate/file)") != std::string::npos &&
-            text.find("verification/nothing.msh cannot be opened") != std::string::npos);
+            text.find("verification/nothing.msh\"") != std::string::npos);
   }
 } // namespace
 

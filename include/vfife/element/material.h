@@ -3,6 +3,7 @@
 #define vfife_element_material_h
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -26,6 +27,14 @@ namespace vfife
 
     /** Throws InputError when a value is not possible (entries named relative to @p section). */
     void check(const std::string &section) const;
+
+    /**
+     * Sentences about entries of section "Material NAME" whose values no solid has, and about the
+     * speed of sound in a bar, sqrt(E/rho), where density and modulus do not go together. Each
+     * states the range of solids, from soft gels, foams and rubber to osmium, beryllium and
+     * diamond, and the units in which the number would be that of a solid.
+     */
+    std::vector<std::string> find_doubts() const;
 
     /** First Lame constant, E nu / ((1 + nu)(1 - 2 nu)) [MPa]. */
     double lambda() const

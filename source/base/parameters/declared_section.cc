@@ -60,6 +60,30 @@ namespace vfife
     }
   } // namespace
 
+  std::string DeclaredSection::Entry::unit() const
+  {
+    const std::size_t start = description.rfind('[');
+    if (start == std::string::npos || description.back() != ']')
+      return "";
+    return description.substr(start + 1, description.size() - start - 2);
+  }
+
+  std::vector<std::string> DeclaredSection::list_differences(const DeclaredSection &other) const
+  {
+    std::vector<std::string> found;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      if (entries[i].value != other.entries[i].value)
+        {
+          const std::string unit = entries[i].unit();
+          found.push_back(entries[i].name + " = " + entries[i].value +
+                          (unit.empty() || unit == "-" ? "" : " " + unit));
+        }
+    for (std::size_t i = 0; i < sections.size(); ++i)
+      for (const std::string &below : sections[i].list_differences(other.sections[i]))
+        found.push_back(sections[i].name + "/" + below);
+    return found;
+  }
+
   const DeclaredSection::Entry *DeclaredSection::find_entry(const std::string &entry) const
   {
     return find_named(entries, entry);

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameters.h>
 
@@ -73,6 +74,16 @@ namespace vfife
           set_file_names(inner, make, prm);
         }
     }
+    void add_missing_files(const DeclaredSection   &section,
+                           const std::string       &path,
+                           std::vector<InputError> &missing)
+    {
+      for (const DeclaredSection::Entry &entry : section.entries)
+        if (names_a_file(entry.pattern, entry.value) && !is_there(entry.value))
+          missing.emplace_back(path + entry.name, "there is no file \"" + entry.value + "\"");
+      for (const DeclaredSection &inner : section.sections)
+        add_missing_files(inner, path + inner.name + "/", missing);
+    }
   } // namespace
 
   void declare_file_name(dealii::ParameterHandler &prm,
@@ -126,6 +137,16 @@ namespace vfife
     const fs::path  beside = (fs::path(folder) / name).lexically_normal();
     std::error_code error;
     return fs::exists(beside, error) || !fs::exists(name, error) ? beside.string() : name;
+  }
+
+  void check_files(const dealii::ParameterHandler &prm)
+  {
+    std::vector<InputError> missing;
+    add_missing_files(find_declared(prm), "", missing);
+    if (missing.size() == 1)
+      throw missing[0];
+    if (!missing.empty())
+      throw InputErrors(missing);
   }
 
   AbsoluteFileNames::AbsoluteFileNames(dealii::ParameterHandler &prm)

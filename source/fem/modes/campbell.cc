@@ -71,6 +71,8 @@ namespace vfife
       table.add_column(std::string("effective mass ") + axis, "kg");
     for (const char *axis : {"x", "y", "z"})
       table.add_column(std::string("effective inertia ") + axis, "kg mm^2");
+    for (const char *axis : {"x", "y", "z"})
+      table.add_column(std::string("axis point ") + axis, "mm");
     table.add_column(column::damping_ratio, "-");
     return table;
   }
@@ -98,6 +100,8 @@ namespace vfife
                                          d.tangential};
         for (const double value : mode.effective_mass)
           row.emplace_back(1e3 * value); // t -> kg
+        for (unsigned int c = 0; c < 3; ++c)
+          row.emplace_back(modes.axis_point[c]);
         row.emplace_back(mode.damping_ratio(zeta));
         table.add_row(row);
       }

@@ -42,11 +42,20 @@ namespace vfife
     , options_(options)
     , matrices_(assembly, options.mass, options.strain)
   {
-    const unsigned int n = assembly.unknowns().n();
-    if (options.n_modes > largest_number(n))
-      throw InputError("Fem/modes",
-                       std::to_string(options.n_modes) + " modes are too many for " +
-                         std::to_string(n) + " unknowns; ask for fewer modes or take a finer mesh");
+    const unsigned int n = assembly.unknowns().n(), most = largest_number(n);
+    if (options.n_modes > most)
+      throw InputError(
+        "Fem/modes",
+        "the eigenvalue solver needs " + std::to_string(least_unknowns(options.n_modes)) +
+          " unknowns for " + std::to_string(options.n_modes) +
+          (options.n_modes == 1 ? " mode" : " modes") + ", and the mesh has " + std::to_string(n) +
+          "; " + (most > 0 ? "ask for at most " + std::to_string(most) + " modes or " : "") +
+          "take a finer mesh");
+  }
+
+  unsigned int ModalSolver::least_unknowns(const unsigned int n_modes)
+  {
+    return 2 * (n_modes + n_guards + 10) + 1;
   }
 
   unsigned int ModalSolver::largest_number(const unsigned int n_unknowns)

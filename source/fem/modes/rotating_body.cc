@@ -197,7 +197,8 @@ namespace vfife
   ModesAtSpeed RotatingBody::find_modes(const double rate) const
   {
     ModesAtSpeed result;
-    result.rate = rate;
+    result.axis_point = model_.bodies[body_].axis.point;
+    result.rate       = rate;
     std::vector<double> equilibrium;
     if (rate != 0)
       {

@@ -1,9 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/fem/system/point_constraints.h>
 #include <vfife/fem/system/unknowns.h>
 #include <vfife/model/body_frame.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -20,6 +22,15 @@ namespace vfife
     {
       const Body &body = discretization.model().bodies[discretization.parts()[0].body];
       return rotation_about(compute_sector_axis(body).direction, discretization.sector_angle());
+    }
+    [[noreturn]] void refuse_held_bodies(const Discretization &discretization)
+    {
+      std::vector<std::string> names;
+      for (const Discretization::Part &part : discretization.parts())
+        names.push_back(discretization.model().bodies[part.body].name());
+      throw InputError("Model/constraints",
+                       "nothing is free to move: all nodes of " + list_of(names, true) +
+                         " are held in all directions; leave some of them free");
     }
   } // namespace
 
@@ -59,6 +70,8 @@ namespace vfife
     std::vector<LocalAxes> axes = make_axes(discretization, options);
     number(discretization, options.padded, n_ranks, axes);
     fill_terms(discretization, options, axes);
+    if (std::find(padding_.begin(), padding_.end(), 0) == padding_.end())
+      refuse_held_bodies(discretization);
   }
 
   void Unknowns::refuse_led_directions(const Discretization &discretization, const Options &options)

@@ -200,6 +200,25 @@ namespace vfife
         examine_proposal(*this, section, findings);
         return findings;
       }
+    std::vector<std::string> given;
+    add_given(pinion, "", given);
+    add_given(gear, "", given);
+    if (given.empty())
+      {
+        findings.add(Findings::Action::stop,
+                     section + "/Proposal",
+                     {},
+                     "there is no gear pair: neither blanks and machine settings (sections Pinion "
+                     "and Gear) nor the basic data of which Proposal makes them, as\n"
+                     "subsection Gear pair\n"
+                     "  subsection Proposal\n"
+                     "    set pinion teeth = 17\n"
+                     "    set gear teeth   = 43\n"
+                     "    set module       = 4.5 mm\n"
+                     "  end\n"
+                     "end");
+        return findings;
+      }
     const GearPairOptions options = completed();
     const Blank          &blank1 = options.pinion.blank, &blank2 = options.gear.blank;
     const std::string     pinion_section = section + "/Pinion", gear_section = section + "/Gear";

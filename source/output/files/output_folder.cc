@@ -73,22 +73,12 @@ namespace vfife
         throw std::runtime_error(reason);
     }
 
-    /** The unit that ends a description, "meaning [unit]"; empty where it states none. */
-    std::string unit_of(const std::string &description)
-    {
-      const std::size_t start = description.rfind('[');
-      if (start == std::string::npos || description.back() != ']')
-        return "";
-      return description.substr(start + 1, description.size() - start - 2);
-    }
-
     /** All entries at or below @p section by path, "A/B/name"; @p before leads here, "A/". */
     void add_entries(const DeclaredSection &section, const std::string &before, Json &entries)
     {
       for (const DeclaredSection::Entry &entry : section.entries)
-        entries[before + entry.name] = Json{{"value", entry.value},
-                                            {"unit", unit_of(entry.description)},
-                                            {"default", entry.default_value}};
+        entries[before + entry.name] =
+          Json{{"value", entry.value}, {"unit", entry.unit()}, {"default", entry.default_value}};
       for (const DeclaredSection &below : section.sections)
         add_entries(below, before + below.name + "/", entries);
     }

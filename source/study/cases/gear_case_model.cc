@@ -113,7 +113,9 @@ namespace vfife
     add_probes(model);
     for (const BodyFigures &figures : measure_bodies(model))
       figures.write_to(log);
+    log_parts(model, log);
     warn_of_unused_entries(model, log);
+    warn_of_materials(model, log);
     return model;
   }
 

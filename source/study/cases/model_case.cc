@@ -55,7 +55,9 @@ namespace vfife
     Model model = options_.make_model();
     log_bodies(model, log);
     options_.log_probes(model, log);
+    log_parts(model, log);
     warn_of_unused_entries(model, log);
+    warn_of_materials(model, log);
     return model;
   }
 

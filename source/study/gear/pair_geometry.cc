@@ -1,8 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/nearest_name.h>
 #include <vfife/base/types.h>
 #include <vfife/gear/spiral_bevel/gear_pair_options.h>
 #include <vfife/study/gear/pair_geometry.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 #include <nlohmann/json.hpp>
 
@@ -72,8 +76,31 @@ namespace vfife
     }
   } // namespace
 
+  namespace
+  {
+    DeclaredSection declared(GearPairOptions options)
+    {
+      dealii::ParameterHandler prm;
+      options.declare(prm);
+      return find_declared(prm);
+    }
+  } // namespace
+
   PairGeometry::PairGeometry(const GearPairOptions &options, const std::optional<Bodies> &bodies)
   {
+    const DeclaredSection given = declared(options), defaults = declared(GearPairOptions());
+    for (const char *name : {"Mounting", "Errors"})
+      {
+        const std::vector<std::string> differences =
+          given.find_section(name)->list_differences(*defaults.find_section(name));
+        if (!differences.empty())
+          settings_.push_back(std::string("Gear pair/") + name + ": " + list_of(differences));
+      }
+    for (unsigned int b = 0; bodies && b < 2; ++b)
+      if ((*bodies)[b].shaft.present())
+        settings_.push_back(std::string("shaft of the ") + (b == 0 ? "pinion" : "gear") +
+                            ": sections " + (*bodies)[b].shaft.text +
+                            " (from, to, outer, inner diameter, mm)");
     const GearPairOptions o = options.completed();
     members_ = {{{"pinion", name_of(o.pinion.blank.hand), list_member(o.pinion, o.gear)},
                  {"gear", name_of(o.gear.blank.hand), list_member(o.gear, o.gear)}}};
@@ -109,6 +136,8 @@ namespace vfife
     const auto named = [](const auto &figure) {
       return figure.first + (figure.second.unit == "-" ? "" : " [" + figure.second.unit + "]");
     };
+    for (const std::string &setting : settings_)
+      log.line(setting);
     log.line("geometry, with everything derived:");
     for (const auto &figure : pair_)
       row(named(figure), number(figure.second.value), "");

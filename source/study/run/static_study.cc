@@ -71,6 +71,19 @@ namespace vfife
     };
   } // namespace
 
+  namespace
+  {
+    /** Why a load step has no equilibrium, and what helps. */
+    std::string
+    explain_failure(const std::string &reason, const State &state, const unsigned int n_steps)
+    {
+      // In the state is the last step whose equilibrium was found.
+      return "load step " + std::to_string(state.step + 1) + " of " + std::to_string(n_steps) +
+             ": " + reason + "; large loads, displacements and angles need more load steps " +
+             "(Dynamics/Relaxation/load steps = " + std::to_string(4 * n_steps) + ")";
+    }
+  } // namespace
+
   Model StaticStudy::make_model(Log &log) const
   {
     Model model = case_.make_model(log);
@@ -149,9 +162,9 @@ namespace vfife
     catch (const NumericalError &error)
       {
         summary.status  = "failed";
-        summary.failure = error.what();
+        summary.failure = explain_failure(error.what(), state, n_steps);
         finish();
-        throw;
+        throw NumericalError(summary.failure);
       }
     for (const auto &observer : observers)
       observer->finish(model, state);

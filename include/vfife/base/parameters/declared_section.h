@@ -26,6 +26,9 @@ namespace vfife
       std::string default_value;
       std::string description;
       std::string pattern; ///< words for what is allowed
+
+      /** The unit that ends the description, "meaning [unit]"; empty where it states none. */
+      std::string unit() const;
     };
 
     std::string                  name;
@@ -48,6 +51,10 @@ namespace vfife
     /** The same of their defaults, in the same order. */
     std::vector<std::pair<std::string, std::string>>
     list_defaults(const std::string &path = "") const;
+
+    /** "A/B/name = value unit" of all entries at or below this section that have another text than
+     * in @p other, where the same is declared. */
+    std::vector<std::string> list_differences(const DeclaredSection &other) const;
 
     /** Paths ("A/B") of all sections at or below this one, the top level, that have an entry of
      * that name; a message names the section where it is the only one. */

@@ -55,6 +55,10 @@ namespace vfife
    * is not there. */
   bool is_there(const std::string &path);
 
+  /** Throws InputError (InputErrors of several) for each entry in force in @p prm that names a file
+   * which is not there. */
+  void check_files(const dealii::ParameterHandler &prm);
+
   /** As long as it lives all names of files in force in a handler are absolute, so that its text
    * means the same files from any folder; then they are again what the user wrote, as messages
    * show them. */

@@ -14,7 +14,8 @@ namespace vfife
    * A row a mode: body, speed [rpm], mode, frequency [Hz] (turning axes), residual [-], nodal
    * diameter and circles [-] (-1: the body is not made of sectors), share of that diameter [-],
    * direction of travel, shares of axial, radial and tangential motion [-], effective masses x y z
-   * [kg] and inertias x y z [kg mm^2] (fixed axes), damping ratio [-] under @p zeta [1/s].
+   * [kg] and inertias x y z [kg mm^2] (fixed axes, about the point of the body's axis), that point
+   * x y z [mm], damping ratio [-] under @p zeta [1/s].
    */
   Table make_mode_table();
   void  add_modes(const std::string &body, const ModesAtSpeed &modes, double zeta, Table &table);

@@ -88,6 +88,8 @@ namespace vfife
 
     /** How many modes can be asked for of a system with that number of unknowns. */
     static unsigned int largest_number(unsigned int n_unknowns);
+    /** The least number of unknowns of which so many modes can be found. */
+    static unsigned int least_unknowns(unsigned int n_modes);
 
     static bool needs_padding(const FemOptions &options)
     {

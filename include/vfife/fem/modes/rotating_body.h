@@ -37,8 +37,10 @@ namespace vfife
   /** All modes of one body at one speed. */
   struct ModesAtSpeed
   {
-    double                    rate = 0; ///< [rad/s]
-    std::vector<RotatingMode> modes;    ///< ascending
+    double rate = 0; ///< [rad/s]
+    /** Of the body's axis, about which effective inertias are (fixed frame) [mm]. */
+    Vector3                   axis_point = Vector3::Zero();
+    std::vector<RotatingMode> modes; ///< ascending
     unsigned int              n_rigid = 0, n_unknowns = 0;
     bool                      counted = false;
     double                    growth  = 0; ///< largest displacement under spin [mm]

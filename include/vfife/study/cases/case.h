@@ -105,6 +105,13 @@ namespace vfife
      */
     virtual std::string find_cause() const;
   };
+
+  /** A line for each constraint, torque, load, bearing with its stiffness and damping, coupling,
+   * housing, wall and pair of surfaces: what a user has to look at before a run. */
+  void log_parts(const Model &model, Log &log);
+
+  /** Warns of materials that are none of a solid (Material::find_doubts()). */
+  void warn_of_materials(const Model &model, Log &log);
 } // namespace vfife
 
 #endif

@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vfife
 {
@@ -29,7 +30,8 @@ namespace vfife
      * nothing is said of them. */
     PairGeometry(const GearPairOptions &options, const std::optional<Bodies> &bodies);
 
-    /** A table of both members. */
+    /** A line for the shafts, mounting and errors of manufacture that are given; then a table of
+     * both members. */
     void show(Log &log) const;
 
     /** {"pair": {figures}, "pinion": {"hand of spiral": , figures}, "gear": likewise} */
@@ -42,8 +44,10 @@ namespace vfife
       NamedFigures figures; ///< the same names for both
     };
 
-    NamedFigures          pair_;
-    std::array<Member, 2> members_;
+    /** What of the input no model shows. */
+    std::vector<std::string> settings_;
+    NamedFigures             pair_;
+    std::array<Member, 2>    members_;
   };
 } // namespace vfife
 
