@@ -173,6 +173,7 @@ build_targets() {
   if [ ! -w "${CCACHE_DIR:-${HOME:-/nonexistent}}" ]; then
     export CCACHE_DIR=$PWD/build/ccache
   fi
+  export CCACHE_PCH_EXTSUM=true # cmake/precompiled_header.cmake
   mkdir -p $build
   exec 9>build/lock # two runs may start at once
   if ! flock -n 9; then
