@@ -1,9 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/declared_section.h>
-#include <vfife/base/parameters/parameter_files.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/output/files/checkpoint.h>
+#include <vfife/output/folder/input_files.h>
 #include <vfife/study/continuation.h>
 
 #include <algorithm>

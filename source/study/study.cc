@@ -3,7 +3,6 @@
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/parameters/parameter_files.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
 #include <vfife/base/process/command_line.h>
@@ -15,6 +14,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/folder/earlier_results.h>
 #include <vfife/output/folder/folder_lock.h>
+#include <vfife/output/folder/input_files.h>
 #include <vfife/study/case_runner.h>
 #include <vfife/study/gear/pair_geometry.h>
 #include <vfife/study/other_sections.h>

@@ -291,9 +291,7 @@ int main(int argc, char **argv)
   formulas_and_lists(world);
   files_and_sections(world);
   materials(world);
-  show(write_held_model(),
-       world,
-       {"constraint", "bearing", "coupling", "spring", "load"});
+  show(write_held_model(), world, {"constraint", "bearing", "coupling", "spring", "load"});
   show(write_case(""),
        world,
        {"Gear pair", "constraint", "torque", "contact"},

@@ -2,13 +2,13 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/parameter_file.h>
-#include <vfife/base/parameters/parameter_files.h>
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/json.h>
 #include <vfife/base/text/table.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/folder/file_list.h>
+#include <vfife/output/folder/input_files.h>
 
 #include <nlohmann/json.hpp>
 

@@ -20,8 +20,8 @@
 #include <vfife/reduced/resonance/static_passage.h>
 #include <vfife/study/case_runner.h>
 #include <vfife/study/cases/gear_case.h>
-#include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/cases/run_plan.h>
+#include <vfife/study/nearest_wave_summary.h>
 #include <vfife/study/reduced/fillet_readings.h>
 #include <vfife/study/reduced/pair_reduction.h>
 #include <vfife/study/run/run_penalties.h>

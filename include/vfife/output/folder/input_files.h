@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_base_parameters_parameter_files_h
-#define vfife_base_parameters_parameter_files_h
+#ifndef vfife_output_folder_input_files_h
+#define vfife_output_folder_input_files_h
 
 #include <string>
 #include <utility>

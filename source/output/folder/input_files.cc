@@ -1,8 +1,8 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/parameters/declared_section.h>
 #include <vfife/base/parameters/file_names.h>
-#include <vfife/base/parameters/parameter_files.h>
 #include <vfife/base/parameters/parameter_statement.h>
+#include <vfife/output/folder/input_files.h>
 
 #include <boost/crc.hpp>
 
