@@ -17,6 +17,7 @@
 #include <vfife/reduced/resonance/nearest_wave.h>
 #include <vfife/study/nearest_wave_summary.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -37,7 +38,12 @@ namespace vfife
       const ReducedOptions     options;
       const Transmission      &t         = *model.transmission;
       const double             frequency = t.driver_rate * t.driver_teeth / (2. * pi);
-      const double             cutoff    = 2. * pi * options.find_cutoff(frequency);
+      // As a free ring at the mean contact: the waves are those of the whole gear.
+      const Material &material = model.bodies[t.driven].material();
+      const double    ring     = std::sqrt(material.youngs_modulus / material.density) / t.arm;
+      const double    cutoff =
+        2. * pi *
+        options.find_cutoff(frequency, ReducedOptions::rings_of_waves * ring / (2. * pi));
       std::vector<ReducedBody> bodies;
       for (unsigned int b = 0; b < model.bodies.size(); ++b)
         bodies.push_back(reduce_body(model,

@@ -215,7 +215,7 @@ namespace vfife
   {
     std::string refusal;
     if (communicator_.is_root())
-      for (const std::string &name : FileList(folder_).names())
+      for (const std::string &name : std::set<std::string>(FileList(folder_).names()))
         {
           const std::string plain = name.substr(0, name.find('/'));
           const fs::path    path  = fs::path(folder_) / plain;
@@ -250,7 +250,7 @@ namespace vfife
     settle();
     const fs::path folder(folder_), to = folder / copies;
     fs::create_directories(to);
-    for (const std::string &name : FileList(folder_).names())
+    for (const std::string &name : std::set<std::string>(FileList(folder_).names()))
       // Checkpoints are replaced only when the study goes on.
       if (fs::is_regular_file(folder / name) && fs::path(name).extension() != ".bin")
         fs::copy_file(folder / name, to / name, fs::copy_options::overwrite_existing);
