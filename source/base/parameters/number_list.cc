@@ -1,7 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/number_list.h>
-#include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
@@ -115,6 +114,14 @@ namespace vfife
       ListNumbers numbers_;
     };
   } // namespace
+
+  std::vector<std::string> split_at_commas(const std::string &text)
+  {
+    std::vector<std::string> parts = parts_of(text);
+    for (std::string &part : parts)
+      part = trimmed(part);
+    return parts;
+  }
 
   void check_list_commas(const std::string &text, const ListNumbers numbers)
   {

@@ -2,11 +2,10 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
 #include <vfife/base/parameters/parameter_history.h>
+#include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
-
-#include "parameter_time_table.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/toms748_solve.hpp>

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/number_or_word.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/text/nearest_name.h>
@@ -131,17 +132,11 @@ namespace vfife
     }
 
     /** The three parts between two commas. */
-    std::array<std::string, 3> split_three(const std::string &text)
+    std::vector<std::string> split_three(const std::string &text)
     {
-      // Two commas, no less and no more.
-      const std::size_t first = text.find(','), second = text.find(',', first + 1);
-      if (first == std::string::npos || second == std::string::npos ||
-          text.find(',', second + 1) != std::string::npos)
+      const std::vector<std::string> parts = split_at_commas(text);
+      if (parts.size() != 3)
         throw InputError("must be three numbers separated by commas; the decimal sign is a point");
-      const std::array<std::string, 3> parts = {
-        {trimmed(text.substr(0, first)),
-         trimmed(text.substr(first + 1, second - first - 1)),
-         trimmed(text.substr(second + 1))}};
       // Of "9,000, 0 N", which has a number too few.
       for (const std::string &part : parts)
         if (part.size() > 1 && part[0] == '0' && part[1] >= '0' && part[1] <= '9')
@@ -155,20 +150,16 @@ namespace vfife
     std::vector<std::string> split_names(const std::string &text)
     {
       std::vector<std::string> names;
-      std::size_t              begin = 0;
       if (trimmed(text).empty())
         return names;
       // Also a comma at the end has a name missing behind it.
-      while (begin <= text.size())
+      for (const std::string &name : split_at_commas(text))
         {
-          const std::size_t end  = std::min(text.find(',', begin), text.size());
-          const std::string name = trimmed(text.substr(begin, end - begin));
           if (name.empty())
             throw InputError("a name is missing beside a comma");
           if (std::find(names.begin(), names.end(), name) != names.end())
             throw InputError("the name \"" + name + "\" stands twice");
           names.push_back(name);
-          begin = end + 1;
         }
       return names;
     }

@@ -12,6 +12,9 @@ namespace dealii
 
 namespace vfife
 {
+  /** The parts of a text between its commas, without blanks around them; one at least. */
+  std::vector<std::string> split_at_commas(const std::string &text);
+
   /** What the numbers of a list are: whole ones have no decimals. */
   enum class ListNumbers
   {

@@ -6,6 +6,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace vfife
 {
@@ -24,6 +26,16 @@ namespace vfife
                                   const std::string &path,
                                   std::string_view   name,
                                   const std::string &unit);
+
+  /**
+   * Time [s] and value [internal units] of the rows of a table of two columns, times increasing.
+   * Numbers are in seconds and @p unit, or in the units that lines of headings in front of the rows
+   * state, as "time [ms],speed [rpm]". Columns are divided as split_row() does; lines that begin
+   * with # are comments.
+   * @throws InputError naming file and line for a row that is not two numbers.
+   */
+  std::vector<std::pair<double, double>> read_time_table(const std::string &path,
+                                                         const std::string &unit);
 } // namespace vfife
 
 #endif

@@ -1,12 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/parameter_table.h>
 #include <vfife/base/text/number_text.h>
 #include <vfife/base/text/quantity.h>
 #include <vfife/base/text/shown_text.h>
 #include <vfife/base/text/text_lines.h>
-
-#include "parameter_time_table.h"
 
 #include <algorithm>
 #include <array>
