@@ -121,6 +121,13 @@ class Failures(Folder):
             PAIR.set("Gear pair/Proposal/modul", 4).run(output=self.folder / "none", ranks=2)
         self.assertRegex(str(caught.exception), '^--set "Gear pair/Proposal/modul=4": .* did you mean "module"[?]$')
 
+    def test_no_temporary_folder(self):
+        """It is the machine and not the input, whoever starts MPI."""
+        for ranks in (1, 2):
+            with mock.patch.dict(os.environ, TMPDIR="/proc/none"), \
+                    self.assertRaisesRegex(vfife.ComputationFailed, '"/proc/none" cannot be written to'):
+                BARS.run(output=self.folder / "none", ranks=ranks)
+
     def test_message(self):
         """What mpirun adds, Open MPI 5 always, is no part of it."""
         said = "a word\nvfife: file.prm:3: wrong\n  and more\n"

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // Study kind linear static against closed forms: loads, springs, histories, reactions, prescribed
-// displacements, spin; what it refuses; a gear pair's members in their turning axes.
+// displacements, spin; what it refuses; a gear pair's members in their turning axes. Of kind
+// static, what its message says where one step is too large.
 #include "../model_sections.h"
 #include "../parts.h"
 #include "../refusal.h"
@@ -344,10 +345,56 @@ end
     for (const char *solver : {"direct", "multigrid"})
       refused(held + "subsection Fem\nset linear solver = " + solver + "\nend\n", world);
   }
+
+  /** A bar of 50 mm whose foot turns by half a turn about its middle: the tip moves by its length.
+   */
+  void half_turn(Communicator &world)
+  {
+    const auto text = [](const unsigned int steps) {
+      return R"(
+subsection Study
+  set kind = static
+end
+subsection Model
+  set bodies      = bar
+  set constraints = foot
+  set probes      = tip
+)" + model_text::block("bar", {{50, 5, 5}}, {{10, 2, 2}}) +
+             model_text::section("Constraint foot",
+                                 "set nodes = x-\nset kind = angle\nset angle = 180 deg\n") +
+             model_text::probe("tip", "50, 0, 0 mm") + R"(
+end
+subsection Dynamics
+  subsection Relaxation
+    set load steps = )" +
+             std::to_string(steps) + R"(
+  end
+end
+subsection Output
+  set pictures = no
+  set verbosity = quiet
+end
+)";
+    };
+    std::string message;
+    try
+      {
+        run_text("half_turn", text(1), world);
+      }
+    catch (const NumericalError &error)
+      {
+        message = error.what();
+      }
+    check("half a turn at once: load steps are named",
+          message.find("Dynamics/Relaxation/load steps = 4") != std::string::npos);
+    auto h = run_text("half_turn", text(4), world);
+    check_close("half a turn in four steps [mm]", h["tip displacement x"].back(), -50., 1e-5);
+    check_below("half a turn, across [mm]", std::abs(h["tip displacement z"].back()), 1e-5);
+  }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {pulled, bent, spun, prescribed_ring_cases, pair, errors});
+  run_parts(argc, argv, {pulled, bent, spun, prescribed_ring_cases, pair, errors, half_turn});
   return 0;
 }

@@ -55,7 +55,8 @@ class Case:
         if code == 1:
             raise InputError(message)
         if code == 2:
-            raise ComputationFailed(message, Result(folder))
+            # The machine may not have let the program begin: there is no folder then.
+            raise ComputationFailed(message, Result(folder) if folder.is_dir() else None)
         if code == 3:
             raise Stopped(message, Result(folder))
         if code != 0:
