@@ -6,8 +6,8 @@ python3 contrib/fuzz [options]      makes mutants of good input, runs each, and 
 
 Kinds of mutants: parameters (files of prm/), command (arguments), mesh (files of meshes), checkpoint (of a run that
 goes on), table (csv and json that the program reads), report (csv, json and vtu that the report reads), disk (a full
-one). The mutant of a number is the same for the same seed. What is found goes to a folder each, with a line that
-shows it again. Exit code 0: nothing was found; 1: something was; 2: the fuzzer cannot work.
+one), spelling (meshes and tables that mean the same, with the same answer). The mutant of a number is the same for the
+same seed. What is found goes to a folder each, with a line that shows it again. Exit code 0: nothing was found; 1: something was; 2: the fuzzer cannot work.
 """
 import argparse
 import shutil
@@ -27,6 +27,7 @@ import disks  # noqa: E402
 import meshes  # noqa: E402
 import parameters  # noqa: E402
 import reports  # noqa: E402
+import spellings  # noqa: E402
 import tables  # noqa: E402
 from job import ROOT, make_generator  # noqa: E402
 from runner import Runner  # noqa: E402
@@ -34,7 +35,8 @@ from verdict import judge  # noqa: E402
 
 # In the order of turns: most of all mutants are parameter files and meshes.
 KINDS = {"parameters": (parameters, 4), "mesh": (meshes, 4), "checkpoint": (checkpoints, 2),
-         "command": (commands, 1), "table": (tables, 1), "report": (reports, 1), "disk": (disks, 1)}
+         "command": (commands, 1), "table": (tables, 1), "report": (reports, 1), "disk": (disks, 1),
+         "spelling": (spellings, 2)}
 
 
 def read_arguments():

@@ -23,6 +23,7 @@ class Job:
     report: bool = False  # the report's script instead of the program
     names: tuple = ()  # one of these must stand in a message of failure
     fails: bool = False  # success would be wrong
+    same: tuple = ()  # figures that the program must print, of the same input in another spelling
 
     def show(self, asked):
         """As a line for the shell."""

@@ -27,7 +27,11 @@ WORDS = ["$Nodes", "$EndNodes", "$Elements", "$EndElements", "$Entities", "$EndE
          "*ELEMENT, TYPE=C3D4", "*NSET, NSET=A, GENERATE", "1, 99999999999, 1", "1, 1000000000, 1", "*ELSET, ELSET=ALL",
          "*SURFACE, NAME=A", "1, S7", "1, S1", "*INCLUDE, INPUT=mesh.inp", "*", "**", "*,", "*NODE, =", "CELLS 3 27",
          "CELL_TYPES 3", "POINTS 36 float", "DATASET STRUCTURED_GRID", "ASCII", "BINARY", "CELL_DATA 12", "SCALARS a int 1",
-         "LOOKUP_TABLE default", "hex", "tet", "quad", "12", "9", "POINT_DATA 36", "36 12 0 0 0", *NUMBERS]
+         "LOOKUP_TABLE default", "hex", "tet", "quad", "12", "9", "POINT_DATA 36", "36 12 0 0 0", "*NODE, SYSTEM=C",
+         "*SYSTEM", "*NGEN", "*ELGEN, ELSET=ALL", "1, 2, 3, 4, 5", "*ELCOPY, OLD SET=ALL, CHANGE NUMBER=100", "*PART, NAME=P",
+         "*END PART", "*INSTANCE, NAME=I, PART=P", "*END INSTANCE", "*NSET, NSET=B, ELSET=ALL", "*SURFACE, NAME=B, TYPE=NODE",
+         "ALL,", "*ELEMENT, TYPE=SC8R", "*SHELL SECTION, ELSET=SHELL", "*STEP", "*MATERIAL, NAME=M", "*TIE", "OFFSETS vtktypeint64",
+         "CONNECTIVITY vtktypeint64", "METADATA", "FIELD FieldData 1", "mat_id 1 12 int", "LOOKUP_TABLE a 4", *NUMBERS]
 
 
 def make_block():

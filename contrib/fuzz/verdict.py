@@ -14,6 +14,23 @@ NOT_A_NUMBER = re.compile(r"(?<![\w-])[-+]?(nan|inf)\b(?! ?[(=])", re.I)
 LONGEST = 20000  # of a message
 
 
+# Counts, mass, displacement and energy of a body.
+FIGURES = (re.compile(r"(\d+) elements, (\d+) nodes, mass (\S+) kg"),
+           re.compile(r"largest displacement (\S+) um.* strain energy (\S+) mJ"))
+
+
+def figures(output):
+    """What the program prints of a body and its answer; empty where something of it is missing."""
+    found = [pattern.search(output) for pattern in FIGURES]
+    return () if None in found else tuple(float(number) for match in found for number in match.groups())
+
+
+def agree(wanted, output):
+    """Six digits are printed; formats write places with as many."""
+    found = figures(output)
+    return len(found) == len(wanted) and all(abs(a - b) <= 1e-4 * abs(b) for a, b in zip(found, wanted))
+
+
 def judge(job, ending):
     """The class of a finding; empty where all is as it should be."""
     if ending.crashed:
@@ -25,7 +42,11 @@ def judge(job, ending):
     if ending.code == 0:
         if job.fails:
             return "accepted"
+        if job.same and not agree(job.same, ending.output):
+            return "read otherwise than written"
         return "stray message" if ending.errors.strip() else "not a number" if says_nan(job, ending.output) else ""
+    if job.same:
+        return "refused in another spelling"
     message = ending.errors
     if not message.strip():
         return "empty message"

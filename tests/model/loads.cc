@@ -8,6 +8,7 @@
 #include <vfife/bearing/mean_motion.h>
 #include <vfife/mesh/primitives/primitives.h>
 #include <vfife/model/load_shares.h>
+#include <vfife/model/node_selection.h>
 #include <vfife/model/state.h>
 #include <vfife/model/tooth_contact.h>
 
@@ -63,6 +64,32 @@ namespace
     load.nodes.resize(body.n_nodes());
     std::iota(load.nodes.begin(), load.nodes.end(), 0U);
     check("acceleration: the masses", compute_load_shares(load, body) == body.node_masses());
+  }
+
+  /** Surfaces of a plate of one layer, whose narrow sides have no other nodes. */
+  void surfaces()
+  {
+    const Body    body("plate", make_block(Vector3(6., 4., 1.), {{3, 2, 1}}), Material());
+    NodeSelection selection;
+    const auto    area = [&](const std::vector<std::string> &sets, const std::string &where) {
+      selection.sets   = sets;
+      selection.where  = where;
+      const auto nodes = selection.find_nodes(body, "Load");
+      return sum(compute_nodal_areas(body, nodes, selection.find_faces(body, nodes, "Load")));
+    };
+    check_close("both skins", area({"z-", "z+"}, ""), 48., 1e-13);
+    check_close("the faces of them on whose nodes a condition holds",
+                area({"z-", "z+"}, "x > 1"),
+                32.,
+                1e-13);
+    check_close("all nodes", area({"all"}, ""), 48. + 20., 1e-13);
+    check("all nodes: no faces are selected", !selection.find_faces(body, {}, "Load"));
+    Load load;
+    load.name  = "press";
+    load.kind  = LoadKind::pressure;
+    load.nodes = body.node_set("z-");
+    load.faces = std::set<std::array<unsigned int, 4>>();
+    refuse(load, body);
   }
 
   /** The nodes of an end face that carry a moment. */
@@ -296,6 +323,7 @@ namespace
 int main()
 {
   shares();
+  surfaces();
   moments();
   power_of_a_moment();
   transmission();

@@ -181,6 +181,41 @@ end
                 5e-3);
   }
 
+  /** Both skins of a plate of one layer under a pressure p, all nodes of its narrow sides among
+   * theirs: it grows by nu p/E in its plane. */
+  void pressed(Communicator &world)
+  {
+    using model_text::section;
+    const auto held = [](const std::string &direction) {
+      return section("Constraint " + direction,
+                     "set kind = displacement\nset nodes = " + direction +
+                       "-\nset directions = " + direction + "\n");
+    };
+    for (const std::string &kind : {std::string("linear static"), std::string("static")})
+      {
+        const bool linear = kind == "linear static";
+        auto       h =
+          run_text("pressed",
+                   section("Study", "set kind = " + kind + "\n") +
+                     section("Model",
+                             "set bodies = plate\nset constraints = x, y, z\nset loads = press\n"
+                             "set probes = corner\n" +
+                               model_text::block("plate", {{60, 60, 2}}, {{6, 6, 1}}) + held("x") +
+                               held("y") + held("z") +
+                               section("Load press",
+                                       "set kind = pressure\nset nodes = z-, z+\n"
+                                       "set pressure = 10 MPa\n") +
+                               model_text::probe("corner", "60, 60, 2 mm")) +
+                     section("Material steel", "set Poisson's ratio = 0.3\n") +
+                     (linear ? section("Output", "set verbosity = quiet\n") : quiet_output(1)),
+                   world);
+        check_close(kind + ": plate pressed on its skins, growth over nu p/E",
+                    h["corner displacement x"].back() / (0.3 * 10 / E * 60),
+                    1.,
+                    linear ? 1e-8 : 1e-3);
+      }
+  }
+
   /** u_theta = B (1/r - r/b^2), tau = -2 G B/r^2; torque 4 pi G B h. */
   void twisted(Communicator &world)
   {
@@ -240,6 +275,6 @@ end
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {hanging, sizes_and_places, late_and_falling, released, twisted});
+  run_parts(argc, argv, {hanging, sizes_and_places, late_and_falling, released, twisted, pressed});
   return 0;
 }

@@ -55,7 +55,11 @@ namespace vfife
       {
         place_ = 0;
         if (!std::getline(in_, read_))
-          return false;
+          {
+            // At the end of a file without a line feed it leaves the text as it is.
+            read_.clear();
+            return false;
+          }
         if (number_ == 0)
           remove_byte_order_mark(read_);
         if (!read_.empty() && read_.back() == '\r')

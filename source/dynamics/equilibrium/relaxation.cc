@@ -41,6 +41,28 @@ namespace vfife
       }
     };
 
+    /** Forces that may be round-off alone: they are where no step makes them smaller any more. */
+    class Stagnation
+    {
+    public:
+      /** Whether @p force has not fallen for many calls. */
+      bool lasts(const double force)
+      {
+        if (force < .9 * least_)
+          {
+            least_ = force;
+            calls_ = 0;
+          }
+        return ++calls_ > most_calls;
+      }
+
+    private:
+      static constexpr unsigned int most_calls = 100;
+
+      double       least_ = std::numeric_limits<double>::infinity();
+      unsigned int calls_ = 0;
+    };
+
     /** The sums over this rank's nodes. */
     StepSums add_steps(const Partition           &partition,
                        const std::vector<double> &masses,
@@ -280,6 +302,7 @@ namespace vfife
     const bool       adaptive = !(options_.virtual_damping > 0);
     double           damping  = adaptive ? 1. : options_.virtual_damping * state.dt;
     RelaxationReport report;
+    Stagnation       stagnation;
     std::string      history;
     for (;; ++report.steps)
       {
@@ -310,7 +333,8 @@ namespace vfife
         if (report.residual < loads.looseness * options_.tolerance)
           break;
         // Round-off is no imbalance: both may be small, as of a rigid turn or a slow spin.
-        report.at_round_off = unbalanced < loads.looseness * round_off;
+        report.at_round_off =
+          unbalanced < loads.looseness * round_off && stagnation.lasts(unbalanced);
         if (report.at_round_off)
           break;
         watch(report, damping, history);

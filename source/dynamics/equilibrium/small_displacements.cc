@@ -12,9 +12,10 @@ namespace vfife
 {
   namespace
   {
-    /** Of the gradient of s u: its square is what is left out, and round-off is some 1e-16 over it.
-     * A scale is kept while its gradient stays above a quarter. */
-    constexpr double largest_gradient = 5e-4;
+    /** Of the gradient of s u. Its square is left out, of slender bodies times that of their length
+     * over their height; round-off is some 1e-16 over it. A scale is kept while its gradient stays
+     * above a half. */
+    constexpr double largest_gradient = 5e-5;
     constexpr double largest_exponent = 100;
   } // namespace
 
@@ -100,7 +101,7 @@ namespace vfife
         return;
       }
     const double gradient = compute_gradient(), scaled = scale_ * gradient;
-    if (scale_ > 1 && scaled <= largest_gradient && scaled >= .25 * largest_gradient)
+    if (scale_ > 1 && scaled <= largest_gradient && scaled >= .5 * largest_gradient)
       return;
     // A power of two changes no digit; undeformed bodies have no forces with a large one.
     scale_ = std::max(1.,
