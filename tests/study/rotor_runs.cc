@@ -212,7 +212,7 @@ namespace
     // In two parts: it goes on with the turns that it has.
     std::filesystem::remove_all(name);
     const std::string kept = "Output/checkpoint every=600 s";
-    run_pair(name + ".prm", name, world, {"Dynamics/largest number of steps=8000", kept});
+    run_pair(name + ".prm", name, world, {"Dynamics/largest number of steps=4000", kept});
     run_pair(name + ".prm", name, world, {kept}, true);
     const Columns run   = read_columns(name + "/history.csv");
     const double  omega = std::sqrt(torsional / rotor.axial);

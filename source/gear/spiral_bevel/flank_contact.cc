@@ -198,21 +198,33 @@ namespace vfife
     const double       start        = x[rot1];
     const unsigned int n_steps =
       std::max(1u, static_cast<unsigned int>(std::ceil(std::abs(rotation - start) / longest_step)));
-    const double step = (rotation - start) / n_steps;
-
     // Secant prediction; before the first step the gear is taken to follow at the exact ratio.
-    Unknowns previous = x;
-    previous[rot2] += speed_ratio_ * step;
-    for (unsigned int i = 1; i <= n_steps; ++i)
+    const auto go = [&](const unsigned int n, Unknowns &y) {
+      const double step     = (rotation - start) / n;
+      Unknowns     previous = y;
+      previous[rot2] += speed_ratio_ * step;
+      for (unsigned int i = 1; i <= n; ++i)
+        {
+          const Unknowns last = y;
+          y += y - previous;
+          y[rot1] = start + i * step;
+          if (!solve_at_rotation(y))
+            return false;
+          previous = last;
+        }
+      return true;
+    };
+    // Where a step finds no solution the same way is gone in smaller ones.
+    for (const unsigned int parts : {1u, 3u, 9u})
       {
-        const Unknowns last = x;
-        x += x - previous;
-        x[rot1] = start + i * step;
-        if (!solve_at_rotation(x))
-          return false;
-        previous = last;
+        Unknowns trial = x;
+        if (go(n_steps * parts, trial))
+          {
+            x = trial;
+            return true;
+          }
       }
-    return true;
+    return false;
   }
 
   ContactEllipse FlankContact::ellipse(const Unknowns &x, const double separation) const

@@ -42,13 +42,17 @@ namespace vfife
     const double t = surface.point.t, phi = surface.point.phi;
     const double radius = settings_.point_radius + settings_.sigma() * surface.point.s * sin_blade_;
     const double ratio  = settings_.roll_rate(phi);
-    const Vector3 across(-std::sin(t), std::cos(t), 0.);
     const Vector3 turning(ratio * cos_root_, 0., 1. - ratio * sin_root_);
-    // the cutter's tilt turns with the cradle
-    const Vector3 direction = rotation_about(Vector3::UnitZ(), phi) * settings_.tilt_direction();
-    const double  slope = turning.dot(rotation_about(direction, settings_.cutter_tilt) * across);
-    return surface.point.normal.dot(surface.position_t.cross(surface.position_phi)) * slope /
-           radius;
+    Vector3       across(-std::sin(t), std::cos(t), 0.);
+    if (settings_.cutter_tilt != 0.)
+      {
+        // the direction of the tilt turns with the cradle
+        const Vector3 direction =
+          rotation_about(Vector3::UnitZ(), phi) * settings_.tilt_direction();
+        across = rotation_about(direction, settings_.cutter_tilt) * across;
+      }
+    return surface.point.normal.dot(surface.position_t.cross(surface.position_phi)) *
+           turning.dot(across) / radius;
   }
 
   bool Flank::is_left(const GeneratedPoint &point) const
@@ -170,14 +174,18 @@ namespace vfife
           jacobian(1, j)    = dr * cos_pitch_ - dX[2] * sin_pitch_;
         }
     };
-    const auto is_found = [&](Vector2 &x) {
-      return solve_newton<2>(equations, x) && clearing(generate(x[0], x[1])) > 0.;
+    // A point that another position of the cutter takes away is none of the tooth's.
+    SurfaceDerivatives found;
+    const auto         is_found = [&](Vector2 &x) {
+      if (!solve_newton<2>(equations, x))
+        return false;
+      found = generate(x[0], x[1]);
+      return clearing(found) > 0.;
     };
-    // A point that another position of the cutter takes away is none of the tooth's: then from
-    // where the blade cuts last.
     Vector2 x = start(L);
     if (!is_found(x))
       {
+        // Then from where the blade cuts last.
         const std::optional<Vector2> last = find_last_cut(target);
         if (last)
           x = *last;
@@ -189,6 +197,6 @@ namespace vfife
                  passage(target, 0.).exists ? ": the tooth is undercut there"
                                             : ": the cutter does not come there");
       }
-    return evaluate(x[0], x[1]);
+    return deviation_ ? evaluate(x[0], x[1]) : found.point;
   }
 } // namespace vfife

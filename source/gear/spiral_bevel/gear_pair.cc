@@ -99,6 +99,8 @@ namespace vfife
       }
     catch (const InputError &error)
       {
+        if (design.options.proposal.is_given())
+          refuse_proposal(design.options.proposal, design.options.shaft_angle, error.what());
         // Throws where no tooth is left without backlash either: then something else is wrong.
         const double taken =
           design.backlash_angle * design.options.gear.blank.teeth / own.blank.teeth;

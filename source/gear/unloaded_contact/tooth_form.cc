@@ -192,6 +192,10 @@ namespace vfife
           examine_fillet(forms.pinion[i], "Pinion", forms.findings);
           examine_fillet(forms.gear[i], "Gear", forms.findings);
         }
+    for (auto *member : {&forms.pinion, &forms.gear})
+      for (ToothSection &section : *member)
+        if (std::isinf(section.fillet_distance))
+          section.fillet_distance = not_known;
     // Play: the gear's rotations on both sides, pinion held; the arm makes a length of it.
     const UnloadedContact drive(pair, MeshSide::drive), coast(pair, MeshSide::coast);
     const double          rot1 = pair.rot1_reference();
@@ -232,7 +236,17 @@ namespace vfife
     result.pitches              = (rot1 - mean.rot1) / pair.pinion().pitch();
     result.pinion_L_h           = contact.pinion().cone_coordinates(conjugate);
 
-    GeneratedPoint actual = contact.pinion().point_at(result.pinion_L_h[0], result.pinion_L_h[1]);
+    GeneratedPoint actual;
+    try
+      {
+        actual = contact.pinion().point_at(result.pinion_L_h[0], result.pinion_L_h[1]);
+      }
+    catch (const InputError &)
+      {
+        // Beyond what the cutter leaves of the pinion's flank.
+        result.ease_off = not_known;
+        return result;
+      }
     // the body's rotations repeat: bring both to the same one
     const double turn =
       std::remainder(polar_angle(conjugate) - polar_angle(actual.position), 2. * pi);
@@ -264,7 +278,7 @@ namespace vfife
             const double       low   = fillet_end_height(pair.gear(), pair.gear_side(side), L);
             const double       h     = low + j * (two.addendum(L) - low) / n_height;
             const EaseOffPoint point = measure_ease_off(pair, side, {L, h});
-            if (!point.exists)
+            if (!point.exists || std::isnan(point.ease_off))
               continue;
             const double L1 = point.pinion_L_h[0], h1 = point.pinion_L_h[1];
             const bool   on_pinion =

@@ -228,7 +228,12 @@ namespace vfife
                                    [](const double a, const double b) {
                                      return b - a < tolerance;
                                    });
-      return (direction > 0. ? ends.first : ends.second) * pitch();
+      const double last   = direction > 0. ? ends.first : ends.second;
+      const double beyond = direction > 0. ? ends.second : ends.first;
+      // Where the flanks do not even touch beyond, the last point keeps clear of round-off.
+      constexpr double clear = 1e-9;
+      return (find(reference() + beyond * pitch(), 0, point) ? last : last - clear * direction) *
+             pitch();
     };
     return {border(-1.), border(1.)};
   }

@@ -34,16 +34,18 @@ namespace vfife
     for (const auto *member : {&forms.pinion, &forms.gear})
       for (const ToothSection &section : *member)
         {
-          char row[128];
+          char row[128], over_fillet[32] = "not known";
+          if (std::isfinite(section.fillet_distance))
+            std::snprintf(over_fillet, sizeof over_fillet, "%.3f", section.fillet_distance);
           std::snprintf(row,
                         sizeof row,
-                        "  %-7s %-7s %14.3f %9.3f %15.3f %16.3f %11.2f",
+                        "  %-7s %-7s %14.3f %9.3f %15.3f %16s %11.2f",
                         member == &forms.pinion ? "pinion" : "gear",
                         section.place.c_str(),
                         section.thickness,
                         section.tip_land,
                         section.root_clearance,
-                        section.fillet_distance,
+                        over_fillet,
                         section.regularity);
           log.line(row);
         }
