@@ -235,7 +235,7 @@ namespace
     // speeds excesses of 40 and -20 Hz meet at 2/3, between the others -20 and 140 Hz at 1/8.
     const CampbellBranch bent  = {2, 1, f, {0., 20. * pi, 40. * pi}, {40., 60., 300.}};
     Table                table = make_resonance_table();
-    add_resonances("gear", {bent}, teeth, 1, table);
+    add_resonances("gear", {bent}, teeth, 1, 1., table);
     check("bent branch: two crossings", table.n_rows() == 2);
     check_close("bent branch: first [rpm]", table.numbers("speed")[0], 400., 1e-10);
     check_close("bent branch: first [Hz]", table.numbers("frequency")[0], 160. / 3., 1e-11);

@@ -40,8 +40,8 @@ void check_missing_entries()
   using Options = GearPairOptions;
   expect("nothing given",
          [](Options &o) { o = Options(); },
-         "Pinion/Blank/number of teeth",
-         {"missing"});
+         "Proposal",
+         {"there is no gear pair", "set pinion teeth"});
   expect("missing face width",
          [](Options &o) { o.gear.blank.face_width = 0; },
          "Gear/Blank/face width",

@@ -323,18 +323,18 @@ namespace
       std::ofstream(older + "/" + name) << name;
     FileList list(older);
     check("without a list",
-          list.names() == std::set<std::string>(
-                            {"fields/", "history.csv", "parameters.prm", "run.log", "run_01/"}));
+          list.names() == std::set<std::string>{
+                            "fields/", "history.csv", "parameters.prm", "run.log", "run_01/"});
     list.add("modes/gear.vtu");
     list.add("modes/pinion.vtu");
     check("with the list that is begun",
-          FileList(older).names() == std::set<std::string>({"fields/",
+          FileList(older).names() == std::set<std::string>{"fields/",
                                                             "files.txt",
                                                             "history.csv",
                                                             "modes/",
                                                             "parameters.prm",
                                                             "run.log",
-                                                            "run_01/"}));
+                                                            "run_01/"});
     check("nothing in a folder of another kind", FileList(older + "/fields").names().empty());
   }
 } // namespace

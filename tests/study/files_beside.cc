@@ -87,7 +87,7 @@ end
     return ending;
   }
 
-  /** The text of a message on one line. */
+  /** Shows what it has said where it has not said that. */
   bool says(const Ending &ending, const std::string &words)
   {
     const bool found = ending.text.find(words) != std::string::npos;
@@ -126,7 +126,7 @@ end
             std::string::npos);
   }
 
-  /** Cases of a comparison whose mesh is made longer: u = F L/(E A) at the end. */
+  /** Cases of a comparison whose mesh is made twice as high: u = F L/(E A) at the end. */
   void compared_content()
   {
     std::ofstream("case/compare.prm") << R"(
@@ -136,13 +136,14 @@ end
 subsection Compare
   set cases    = one, two
   set pictures = no
-  set entries  = Study/kind = linear static; Model/Load push/history = 1; Output/pictures = no
+  set entries  = Model/Load push/history = 1; Material steel/Poisson's ratio = 0
   subsection Case one
-    set base = push.prm
+    set base    = push.prm
+    set entries = Study/kind = static
   end
   subsection Case two
     set base    = push.prm
-    set entries = Material steel/Poisson's ratio = 0
+    set entries = Study/kind = linear static
   end
 end
 )";
@@ -168,23 +169,23 @@ end
     };
     check("compared", compare().exit_code == 0);
     const double E = 206000;
-    check_close("end of a bar of 1 mm", displacement() / (10 / E), 1., 1e-6);
+    check_close("end of a bar of 1 mm^2", displacement() / (10 / E), 1., 1e-6);
     const Ending again = compare();
     check("finished cases are taken over",
           again.exit_code == 0 && says(again, "two finished: was finished before"));
 
-    // As long again: all x of 1 become 2.
-    std::string longer = read_text("case/parts/block.inp");
-    for (const char *node : {"2, 1, 0", "3, 1, 1", "6, 1, 0", "7, 1, 1"})
-      longer.replace(longer.find(node) + 3, 1, "2");
-    std::ofstream("case/parts/block.inp") << longer;
+    // All y of 1 become 2.
+    std::string higher = read_text("case/parts/block.inp");
+    for (const char *node : {"3, 1, 1", "4, 0, 1", "7, 1, 1", "8, 0, 1"})
+      higher.replace(higher.find(node) + 6, 1, "2");
+    std::ofstream("case/parts/block.inp") << higher;
     const Ending other = compare();
     check("another mesh of the same name: computed again",
           other.exit_code == 0 &&
             says(other,
                  "two finished: computed again: Model/Body block/file: expected the content"));
-    check_close("end of a bar of 2 mm", displacement() / (20 / E), 1., 1e-6);
-    check("results of the shorter one are put away",
+    check_close("end of a bar of 2 mm^2", displacement() / (5 / E), 1., 1e-6);
+    check("results of the lower one are put away",
           fs::exists("case/compared/two/previous/summary.json"));
   }
 

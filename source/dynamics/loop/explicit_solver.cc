@@ -182,6 +182,8 @@ namespace vfife
     state.dt   = dt_ * n_substeps_;
     constraints_.read(state, MotionFrame::fixed);
     rigid_ = compute_rigid_rates(state);
+    for (DampingReference &reference : references_)
+      reference.take_place(state, operator_.masses(), communicator_);
     energy_.reset();
     damping_watch_.reset(rigid_);
     contact_watch_.reset();

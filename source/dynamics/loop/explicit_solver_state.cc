@@ -257,6 +257,12 @@ namespace vfife
       for (RigidVelocity &rate : rigid_)
         part.pass(rate.velocity, rate.omega);
     });
+    if (!common.pass_part("damping references", [&](ByteStream &part) {
+          for (DampingReference &reference : references_)
+            reference.serialize(part);
+        }))
+      for (DampingReference &reference : references_)
+        reference.take_place(state, operator_.masses(), communicator_);
     common.pass_part("counted turns", [&](ByteStream &part) {
       std::vector<double> windings = bearings_.windings();
       part.pass_known(windings);

@@ -1,8 +1,12 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/process/communicator.h>
+#include <vfife/base/text/byte_stream.h>
 #include <vfife/dynamics/motion/damping_reference.h>
+#include <vfife/model/state.h>
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <algorithm>
 
@@ -12,6 +16,7 @@ namespace vfife
     : body_(&model.bodies[body])
     , freedom_(model, body)
     , axis_(UpdateAxis::of(*body_))
+    , b_(body)
   {
     axis_.use_axis = axis_.use_axis && freedom_.is_held_across();
   }
@@ -23,6 +28,42 @@ namespace vfife
            std::any_of(prescribed.begin(), prescribed.end(), [](const PrescribedMotion &one) {
              return one.constraint->kind == ConstraintKind::prescribed_rotation;
            });
+  }
+
+  void DampingReference::take_place(const State               &state,
+                                    const std::vector<double> &masses,
+                                    const Communicator        &communicator)
+  {
+    if (axis_.use_axis || freedom_.opposed().empty())
+      return;
+    // The rotation R nearest to the nodes' places, least sum m |x - x_0 - R (X - X_0)|^2: the polar
+    // factor of sum m x (X - X_0)^T.
+    std::vector<double> sums(15, 0.);
+    for (const std::uint32_t i : state.partition->owned_nodes(b_))
+      {
+        const Vector3 &X =
+          body_->node_positions()[state.partition->global_node[i] - body_->first_node];
+        const Vector3 x = state.node_position(i) - body_->axis.point;
+        Eigen::Map<Vector3>(sums.data()) += masses[i] * x;
+        Eigen::Map<Vector3>(sums.data() + 3) += masses[i] * X;
+        Eigen::Map<Matrix3>(sums.data() + 6) += masses[i] * x * X.transpose();
+      }
+    communicator.sum(sums);
+    const Vector3 x0 = Eigen::Map<const Vector3>(sums.data()) / body_->mass(),
+                  X0 = Eigen::Map<const Vector3>(sums.data() + 3) / body_->mass();
+    const Matrix3 second =
+      Eigen::Map<const Matrix3>(sums.data() + 6) - body_->mass() * x0 * X0.transpose();
+    const Eigen::JacobiSVD<Matrix3> svd(second, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Matrix3                   rotation = svd.matrixU() * svd.matrixV().transpose();
+    const RigidMotion              &now      = state.body_motion[b_];
+    offset_.rotation                         = now.rotation.transpose() * rotation;
+    offset_.translation =
+      now.rotation.transpose() * (body_->axis.point + x0 - rotation * X0 - now.translation);
+  }
+
+  void DampingReference::serialize(ByteStream &stream)
+  {
+    stream.pass(offset_);
   }
 
   double DampingReference::rate_of(const PrescribedMotion &prescribed,
@@ -66,8 +107,8 @@ namespace vfife
 
     // 2. Equations W t = g for t = (velocity of the centre, omega), at the present place.
     RigidMotion moved;
-    moved.rotation       = now.rotation * body_->placement.rotation.transpose();
-    moved.translation    = now.translation - moved.rotation * body_->placement.translation;
+    moved.rotation       = now.rotation * offset_.rotation * body_->placement.rotation.transpose();
+    moved.translation    = now(offset_.translation) - moved.rotation * body_->placement.translation;
     const Vector3 centre = moved(freedom_.centre());
     const Vector6 led    = [&] {
       Vector6 t = prescribed;

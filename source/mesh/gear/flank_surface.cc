@@ -22,6 +22,29 @@ namespace vfife
       SurfacePoint point;
     };
 
+    /** The flank at (L, h); a chord of a facet may lead under the start of the flank, where the
+     * cutter leaves nothing of it: then the flank's first point at L, and @p is_beyond. */
+    SurfacePoint nearest_flank_point(const GearGeometry &gear,
+                                     const FlankSide     side,
+                                     const Vector2      &L_h,
+                                     bool               &is_beyond)
+    {
+      is_beyond = false;
+      try
+        {
+          return gear.flank_point(side, L_h[0], L_h[1]);
+        }
+      catch (const InputError &)
+        {
+          const Vector3 end   = gear.fillet_point(side, L_h[0], gear.fillet_end(side)).position;
+          const double  start = gear.blank().coordinates_of(end)[1];
+          is_beyond           = L_h[1] < start;
+          if (!is_beyond)
+            throw;
+          return gear.flank_point(side, L_h[0], start);
+        }
+    }
+
     /**
      * From @p point along the unit vector @p direction to the flank. Newton: intersect the tangent
      * plane, then take the flank point at the (L, h) reached.
@@ -34,12 +57,14 @@ namespace vfife
       double delta = 0.;
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
         {
-          const Vector3      y    = point + delta * direction;
-          const Vector2      L_h  = gear.blank().coordinates_of(y);
-          const SurfacePoint x    = gear.flank_point(side, L_h[0], L_h[1]);
-          const double       step = (x.position - y).dot(x.normal) / direction.dot(x.normal);
+          const Vector3      y         = point + delta * direction;
+          const Vector2      L_h       = gear.blank().coordinates_of(y);
+          bool               is_beyond = false;
+          const SurfacePoint x         = nearest_flank_point(gear, side, L_h, is_beyond);
+          const double       step      = (x.position - y).dot(x.normal) / direction.dot(x.normal);
           delta += step;
-          if (std::abs(step) < offset_tolerance)
+          // Beyond the flank's start its tangent plane goes on.
+          if (is_beyond || std::abs(step) < offset_tolerance)
             return {delta, -direction.dot(x.normal), x};
         }
       throw NumericalError(gear.name() + ": no offset from a facet to the true flank found");

@@ -35,7 +35,7 @@ namespace vfife
       std::string      what;
       try
         {
-          if ((gear.flank_point(side, L, height).position - end).norm() < tolerance * L)
+          if ((gear.flank_point(side, L, height).position - end).norm() < tolerance * end.norm())
             return;
         }
       catch (const InputError &error)

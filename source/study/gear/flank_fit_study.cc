@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/file_names.h>
+#include <vfife/base/parameters/number_list.h>
 #include <vfife/base/parameters/parameter_file.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/parameters/section_of_options.h>
@@ -121,12 +122,11 @@ namespace vfife
       "Points (columns x, y, z [mm], in the member's frame on tooth 0) or a grid of "
       "deviations from the flank as designed [um]; empty: grids alone are written");
     declare_names(prm, "settings", settings, "Machine settings that are found, by their entries");
-    declare_names(
-      prm,
-      "largest changes",
-      largest_changes,
-      "Largest change of each of the settings, in their order, such as 0.1 mm, 0.2 deg; "
-      "empty: without limits");
+    declare_text(prm,
+                 "largest changes",
+                 largest_changes,
+                 "Largest change of each of the settings, in their order, such as 0.1 mm, 0.2 deg; "
+                 "empty: without limits");
     declare_switch(prm,
                    "free turn",
                    free_turn,
@@ -142,22 +142,23 @@ namespace vfife
 
   std::vector<double> FlankFitOptions::limits(const std::string &section) const
   {
-    const std::string entry = section + "/largest changes";
-    if (!largest_changes.empty() && largest_changes.size() != settings.size())
+    const std::string              entry = section + "/largest changes";
+    const std::vector<std::string> texts =
+      largest_changes.empty() ? std::vector<std::string>() : split_at_commas(largest_changes);
+    if (!texts.empty() && texts.size() != settings.size())
       throw InputError(entry,
-                       "there are " + std::to_string(largest_changes.size()) + " for " +
+                       "there are " + std::to_string(texts.size()) + " for " +
                          std::to_string(settings.size()) +
                          " settings: expected one for each of them, in their order, or none");
     std::vector<double> changes;
-    for (std::size_t i = 0; i < largest_changes.size(); ++i)
+    for (std::size_t i = 0; i < texts.size(); ++i)
       for (const FittedSetting &setting : fitted_settings())
         if (setting.name == settings[i])
           try
             {
               const bool has_unit = setting.unit == "mm" || setting.unit == "deg";
-              changes.push_back(read_quantity_in_range(largest_changes[i],
-                                                       has_unit ? setting.unit : "-",
-                                                       Range::positive()));
+              changes.push_back(
+                read_quantity_in_range(texts[i], has_unit ? setting.unit : "-", Range::positive()));
             }
           catch (const InputError &error)
             {

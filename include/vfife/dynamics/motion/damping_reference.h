@@ -7,6 +7,10 @@
 
 namespace vfife
 {
+  class ByteStream;
+  class Communicator;
+  struct State;
+
   /**
    * The rigid motion of a body that its damping is relative to: of all rigid motions that
    * constraints, springs, bearings and couplings allow or prescribe the one nearest to the body's
@@ -28,6 +32,18 @@ namespace vfife
     bool turns() const;
 
     /**
+     * Takes where the body is in @p state: State::body_motion begins with the undeformed place, a
+     * shaft that its load displaces does not. Of all nodes with the @p masses of this rank's.
+     * Collective.
+     */
+    void take_place(const State               &state,
+                    const std::vector<double> &masses,
+                    const Communicator        &communicator);
+
+    /** For checkpoints: the place. */
+    void serialize(ByteStream &stream);
+
+    /**
      * At @p time, between steps of length @p dt [s], of a body that is where @p now takes its body
      * frame; @p own is the rigid motion with the body's momenta.
      */
@@ -43,6 +59,8 @@ namespace vfife
     const Body  *body_;
     RigidFreedom freedom_;
     UpdateAxis   axis_;
+    unsigned int b_;
+    RigidMotion  offset_; ///< of the body in the axes of State::body_motion, which goes with it
   };
 } // namespace vfife
 

@@ -26,7 +26,7 @@ namespace vfife
                                          "machine center to back",
                                          "machine root angle",
                                          "ratio of roll"};
-    std::vector<std::string> largest_changes;  ///< texts, one for each setting; empty: no limits
+    std::string              largest_changes;  ///< one for each setting; empty: no limits
     bool                     free_turn = true; ///< the flank's place about the axis is found too
     double                   threshold = 1e-3; ///< of singular values, part of the largest
     MeasuringGrid            grid;
