@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <tuple>
 
 namespace vfife
 {
@@ -41,11 +42,17 @@ namespace vfife
     const auto speed_of = [ratio](const ContactMeeting &meeting) {
       return std::abs(meeting.rate.real()) / ratio;
     };
+    // As far apart as is said; of those the lowest order, which drives most.
+    const auto key = [&](const ContactMeeting &meeting) {
+      return std::make_tuple(std::lround(1e3 * std::abs(speed_of(meeting) / speed - 1.)),
+                             meeting.mesh_order,
+                             -meeting.share);
+    };
     const ContactMeeting &nearest =
       *std::min_element(meetings.begin(),
                         meetings.end(),
                         [&](const ContactMeeting &a, const ContactMeeting &b) {
-                          return std::abs(speed_of(a) - speed) < std::abs(speed_of(b) - speed);
+                          return key(a) < key(b);
                         });
     return NearestWave{nearest, speed_of(nearest), std::abs(speed_of(nearest) / speed - 1.)};
   }

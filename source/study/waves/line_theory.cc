@@ -46,9 +46,7 @@ namespace vfife
                               turning))
   {
     for (NamedMeeting &named : name_meetings())
-      if (const ContactMeeting &meeting = meetings_[named.place];
-          meeting.mesh_order <= options.mesh_orders && is_between(meeting) &&
-          is_asked_for(named.wave))
+      if (is_asked_for(named.wave))
         lines_.push_back(std::move(named));
     std::sort(lines_.begin(), lines_.end(), [](const NamedMeeting &a, const NamedMeeting &b) {
       return a.place < b.place;
@@ -97,7 +95,8 @@ namespace vfife
         {
           const ContactMeeting &meeting = meetings_[m];
           const unsigned int    n       = body.harmonics[k].number;
-          if (body.harmonics[k].n_modes() == 0 || 2 * n == body.n_sectors ||
+          if (!is_between(meeting) || meeting.mesh_order > options_.mesh_orders ||
+              body.harmonics[k].n_modes() == 0 || 2 * n == body.n_sectors ||
               !(meeting.harmonic_share(k, body) > least_share))
             continue;
           for (BodyWave &wave : find_waves(body, k, meeting.rate.real(), linear_.sense()))
@@ -110,17 +109,19 @@ namespace vfife
     std::sort(all.begin(), all.end(), [](const NamedMeeting &a, const NamedMeeting &b) {
       return a.share > b.share;
     });
-    // A pole has one wave, and a wave one pole for each mesh order: the largest shares first.
+    // A pole has one wave, and a wave one pole for each mesh order: the largest shares first. A
+    // wave that is parted among the poles of others is at the one with most of it as well.
     const auto is_same_wave = [this](const NamedMeeting &a, const NamedMeeting &b) {
       return meetings_[a.place].mesh_order == meetings_[b.place].mesh_order &&
              a.wave.diameters == b.wave.diameters && a.wave.direction == b.wave.direction &&
              a.wave.order == b.wave.order;
     };
-    for (NamedMeeting &one : all)
-      if (std::none_of(named.begin(), named.end(), [&](const NamedMeeting &other) {
-            return other.place == one.place || is_same_wave(one, other);
-          }))
-        named.push_back(std::move(one));
+    for (const bool alone : {true, false})
+      for (const NamedMeeting &one : all)
+        if (std::none_of(named.begin(), named.end(), [&](const NamedMeeting &other) {
+              return (alone && other.place == one.place) || is_same_wave(one, other);
+            }))
+          named.push_back(one);
     return named;
   }
 

@@ -57,6 +57,7 @@ namespace vfife
       BodyWave    wave;
       double      share;
     };
+    /** Those between the speeds of the orders that the options ask for. */
     std::vector<NamedMeeting> name_meetings() const;
     bool                      is_asked_for(const BodyWave &wave) const;
     double                    speed_of(const ContactMeeting &meeting) const; ///< [rad/s]

@@ -12,6 +12,7 @@ MARKS_OF_SOLVER = {"reduced": FULL, "run": OPEN, None: FULL}
 DASHES_OF_WAVE = {"forward": "--", "backward": "-"}
 LARGEST_BUBBLE = 900  # area of the marker of the largest amplitude [points^2]
 PANELS_IN_ROW = 2
+ON_CURVE = 5e-3  # of the frequency
 
 
 def name_line(lines, row):
@@ -47,24 +48,28 @@ def draw_waves_met(run):
     plot, axes = plt.subplots(figsize=(8, 6))
     draw_frequencies(axes, frequencies)
     end = frequencies["speed"].max()
-    top = 1.05e-3 * frequencies["fixed frequency"].max()
+    # Tables of earlier versions have no frequency of what is met in contact.
+    met = met if met is not None and met.n_rows and "mesh frequency" in met else None
+    table, speed = (met, "speed") if met is not None else (lines, "speed in contact")
+    heights = frequencies["fixed frequency"]
+    if table is not None and table.n_rows:
+        heights = np.append(heights, table["mesh order"] * table["mesh frequency"])
+    top = 1.05e-3 * heights.max()
+    if table is not None and table.n_rows:
+        slope = np.median(table["mesh frequency"] / table[speed])
+        label_orders(axes, [(order, 1e-3 * order * slope) for order in np.unique(table["mesh order"])], end, top)
     if lines is not None and lines.n_rows:
-        slope = np.median(lines["mesh frequency"] / lines["speed in contact"])
-        label_orders(axes, [(order, 1e-3 * order * slope) for order in np.unique(lines["mesh order"])], end, top)
-        draw_bubbles(axes, lines)
-    if met is not None and met.n_rows and "mesh frequency" in met:
-        draw_meetings(axes, met, end, top, lines is None or not lines.n_rows)
+        draw_bubbles(axes, lines, frequencies)
+    if met is not None:
+        draw_meetings(axes, met)
     axes.set(xlim=(0, end), ylim=(0, top), xlabel="pinion speed [rpm]", ylabel="frequency [kHz]")
     axes.set_title("Waves and mesh orders as an observer at rest sees them", pad=16)
     axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.13, 1.), frameon=False)
     return plot
 
 
-def draw_meetings(axes, met, end, top, with_orders):
+def draw_meetings(axes, met):
     """Resonances in contact, those of the swing apart."""
-    if with_orders:
-        slope = np.median(met["mesh frequency"] / met["speed"])
-        label_orders(axes, [(order, 1e-3 * order * slope) for order in np.unique(met["mesh order"])], end, top)
     height = 1e-3 * met["mesh order"] * met["mesh frequency"]
     swing = met["share of the turn"] > met["share of the wave"]
     for rows, mark, size, name in ((~swing, ".", 12, "resonance in contact"), (swing, "*", 90, "swing in contact")):
@@ -89,9 +94,28 @@ def draw_frequencies(axes, frequencies):
                       gid=f"{name}, order {order}, in contact", **style)
 
 
-def draw_bubbles(axes, lines):
-    """Areas in proportion to the amplitudes measured, rings where waves were predicted only."""
-    shown = list_lines(lines)
+def lies_on_curve(frequencies, lines, row):
+    """Whether a line lies on the curve of its wave in contact. A wave that is parted between two vibrations has one curve, and
+    orders may meet most of it at the other vibration."""
+    if "fixed frequency in contact" not in frequencies:
+        return True
+    mine = np.isfinite(frequencies["fixed frequency in contact"])
+    for column in ("wave", "nodal diameter", "order"):
+        mine &= frequencies[column] == lines[column][row]
+    if not np.any(mine):
+        return False
+    along = np.argsort(frequencies["speed"][mine])
+    curve = np.interp(lines["speed in contact"][row], frequencies["speed"][mine][along],
+                      frequencies["fixed frequency in contact"][mine][along])
+    return abs(lines["mesh order"][row] * lines["mesh frequency"][row] / curve - 1) < ON_CURVE
+
+
+def draw_bubbles(axes, lines, frequencies):
+    """Areas in proportion to the amplitudes measured, rings at the crossings of waves that were predicted only."""
+    shown = [row for row in list_lines(lines)
+             if np.isfinite(lines["amplitude"][row]) or lies_on_curve(frequencies, lines, row)]
+    if not shown:
+        return
     amplitude = lines["amplitude"][shown]
     measured = np.isfinite(amplitude)
     contact = lines["speed in contact"][shown]
