@@ -76,6 +76,15 @@ end
     for (const double speed : read_columns("predicted/waves_in_contact.csv").at("speed"))
       distance = std::min(distance, 100 * std::abs(speed / 10000 - 1));
     check_close("distance to the nearest resonance [%]", figures[2].second.value, distance, .1);
+    std::ifstream file("predicted/summary.json");
+    const auto    summary = nlohmann::json::parse(file);
+    const double  named =
+      summary.at("figures").at("speed of the nearest wave").at("value").get<double>();
+    check_close("as the speed in the summary", 100 * std::abs(named / 10000 - 1), distance, .1);
+    check("and its words",
+          summary.at("nearest wave")
+              .get<std::string>()
+              .find(std::to_string(std::lround(named)) + " rpm, ") != std::string::npos);
     for (std::size_t k = 0; k < 2; ++k)
       {
         // Against the spin 79 + 4 times the gear's speed, with it 79 - 4 times.
