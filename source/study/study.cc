@@ -234,7 +234,8 @@ namespace vfife
         const ParameterFile file(line.parameter_file, line.overrides);
         return explained(file, [&]() -> CaseFile {
           ReadStudy parsed(file, *this);
-          parsed.check();
+          // Its files may be results of cases that come before it.
+          parsed.study->check();
           const AbsoluteFileNames absolute(parsed.prm); // as in the parameters that are kept
           return {find_declared(parsed.prm).list_values(), parsed.options.kind.last_file};
         });

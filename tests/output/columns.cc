@@ -212,6 +212,7 @@ namespace
     RunSummary summary;
     summary.study           = "run";
     summary.failure         = "energy error";
+    summary.nearest_wave    = "n = 3";
     summary.bodies          = {{"pinion", 1, 8, 1., 1., 1., 1.}};
     summary.instruction_set = "scalar";
     summary.timers          = {{"SECTION", {1, "s"}}};
@@ -242,6 +243,7 @@ namespace
                              teeth_and_rest,
                              web_windup,
                              rim_tilt_and_shift,
+                             rim_bending,
                              centrifugal_shift,
                              bearings,
                              shaft_bending})

@@ -99,10 +99,10 @@ end
                   compliance("static", force, false) / expected,
                   1.,
                   2e-5);
-    // Ways have 2e-9 mm there.
+    // Ways have 2e-9 mm there. A large force changes the shape: the same force at the origin.
     for (const double force : {10., 1000.})
       check_close("cantilever at 1e7 mm, force " + std::to_string(force) + " N: way over force",
-                  compliance("static", force, true) / expected,
+                  compliance("static", force, true) / compliance("static", force, false),
                   1.,
                   2e-5);
   }
