@@ -53,32 +53,6 @@ namespace vfife
     return static_cast<unsigned int>(std::min(1e9, meshes + least));
   }
 
-  void use_work_of_drive(const Table &history, const Model &model, SteadyPart &part)
-  {
-    const Transmission &t      = *model.transmission;
-    const std::string   torque = column::contact_torque_on(model.bodies[t.driven].name());
-    const std::size_t   first = part.first_row, last = part.end_row - 1;
-    const auto          gain = [&](const std::string &name) {
-      const std::vector<double> &values = history.numbers(name);
-      return values[last] - values[first];
-    };
-    if (last <= first)
-      return;
-    // Work [mJ] over the turn [rad]: N mm; the table has N m.
-    const double turn = t.ratio() * degree * gain(column::angle_of(model.bodies[t.driver].name()));
-    const double mean = 1e-3 * (gain("work of the drive") - gain("contact loss")) / turn;
-    double       factor = 1;
-    for (ColumnStatistics &column : part.columns)
-      if (column.name == torque && std::isfinite(mean) && column.mean != 0)
-        {
-          factor      = mean / column.mean;
-          column.mean = mean;
-        }
-    for (ColumnStatistics &column : part.columns)
-      if (column.name == column::contact_force_total)
-        column.mean *= factor;
-  }
-
   void
   check_lengths(const Case &run_case, const DynamicsOptions &dynamics, const OutputOptions &output)
   {

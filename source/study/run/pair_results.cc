@@ -198,7 +198,6 @@ namespace vfife
     // torque nothing is steady.
     const double period = model_.transmission->mesh_frequency() / swing_frequency;
     summary.steady      = find_steady_part(history, output_.history_every, period, ramp_end);
-    use_work_of_drive(history, model_, *summary.steady);
     log.line(summary.steady->explain());
     const unsigned int needed =
       count_steady_meshes(model_.transmission->mesh_frequency(), period, dynamics);

@@ -34,15 +34,6 @@ namespace vfife
   unsigned int
   count_steady_meshes(double mesh_frequency, double swing_period, const DynamicsOptions &dynamics);
 
-  /**
-   * Sets the means of contact torque and contact force of a steady part to those of all steps.
-   * Samples lie at the same places of every tooth mesh, so orders that are multiples of their
-   * number in a mesh fall on the mean of the samples. The contact torque has the work of the drive,
-   * less what the contact loses, over the turn of the driven member; the force has in each instant
-   * nearly the ratio of the torque, so its mean is corrected by the same factor.
-   */
-  void use_work_of_drive(const Table &history, const Model &model, SteadyPart &part);
-
   /** Throws InputError where a case has lengths (Case::list_lengths()) and its run no checkpoints.
    */
   void

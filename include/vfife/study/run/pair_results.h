@@ -70,9 +70,8 @@ namespace vfife
     /** What is known before the first step: speeds, torque, penalty, Case::arm_range(). */
     NamedFigures list_figures(double penalty, const std::optional<Vector2> &arm_range) const;
 
-    /** Adds the steady part of the @p history to the summary; @p swing_frequency [Hz]. Its mean
-     * torque and force are those of all steps (use_work_of_drive()). Says how many tooth meshes a
-     * steady part needs (count_steady_meshes()). */
+    /** Adds the steady part of the @p history to the summary; @p swing_frequency [Hz]. Says how
+     * many tooth meshes a steady part needs (count_steady_meshes()). */
     void find_steady(const Table           &history,
                      double                 swing_frequency,
                      const DynamicsOptions &dynamics,
