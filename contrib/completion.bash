@@ -48,7 +48,7 @@ compare"
   esac
   if [[ $current == -* ]]; then
     # those of the program itself
-    mapfile -t COMPREPLY < <(compgen -W "$("${COMP_WORDS[0]}" --help 2>/dev/null | grep -o -e '--[a-z-]*')" -- "$current")
+    mapfile -t COMPREPLY < <(compgen -W "$("${COMP_WORDS[0]}" --help 2>/dev/null | grep -o -e '--[a-z-]*' | sort -u)" -- "$current")
     return
   fi
   # Parameter files and the folders on the way to them, or to one to go on in.

@@ -35,15 +35,14 @@ namespace vfife
       fem.mass    = MassKind::lumped; // as the mass points of the run
       fem.element = dynamics.stiffness == StiffnessKind::full ? FemElement::full
                                                               : FemElement::incompatible_modes;
-      const ReducedOptions     options;
-      const Transmission      &t         = *model.transmission;
-      const double             frequency = t.driver_rate * t.driver_teeth / (2. * pi);
+      const ReducedOptions options;
+      const Transmission  &t         = *model.transmission;
+      const double         frequency = t.driver_rate * t.driver_teeth / (2. * pi);
       // As a free ring at the mean contact: the waves are those of the whole gear.
       const Material &material = model.bodies[t.driven].material();
       const double    ring     = std::sqrt(material.youngs_modulus / material.density) / t.arm;
       const double    cutoff =
-        2. * pi *
-        options.find_cutoff(frequency, ReducedOptions::rings_of_waves * ring / (2. * pi));
+        2. * pi * options.find_cutoff(frequency, ReducedOptions::rings_of_waves * ring / (2. * pi));
       std::vector<ReducedBody> bodies;
       for (unsigned int b = 0; b < model.bodies.size(); ++b)
         bodies.push_back(reduce_body(model,

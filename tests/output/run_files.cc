@@ -327,14 +327,11 @@ namespace
                             "fields/", "history.csv", "parameters.prm", "run.log", "run_01/"});
     list.add("modes/gear.vtu");
     list.add("modes/pinion.vtu");
-    check("with the list that is begun",
-          FileList(older).names() == std::set<std::string>{"fields/",
-                                                            "files.txt",
-                                                            "history.csv",
-                                                            "modes/",
-                                                            "parameters.prm",
-                                                            "run.log",
-                                                            "run_01/"});
+    check(
+      "with the list that is begun",
+      FileList(older).names() ==
+        std::set<std::string>{
+          "fields/", "files.txt", "history.csv", "modes/", "parameters.prm", "run.log", "run_01/"});
     check("nothing in a folder of another kind", FileList(older + "/fields").names().empty());
   }
 } // namespace

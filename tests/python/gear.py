@@ -35,6 +35,11 @@ end
 """
 
 
+def figures_of(summary):
+    """All but those of the process that computes: its memory, its ranks, its time."""
+    return {name: value for name, value in summary.items() if not name.startswith("run/")}
+
+
 def compute_in_copy(queue):
     """In a process that is a copy of one that has computed."""
     try:
@@ -75,7 +80,7 @@ class Values(unittest.TestCase):
             result = vfife.Case(file).run(output=self.folder / file.stem)
             analysis = gear.Pair(file).unloaded()
             self.assert_tables(analysis, result, 0)
-            self.assertEqual(analysis.summary, result.summary)
+            self.assertEqual(figures_of(analysis.summary), figures_of(result.summary))
             self.assertEqual(analysis.json("tca"), result.json("tca"))
             self.assertEqual(analysis.texts["pair.prm"], (result.path / "pair.prm").read_text(encoding="utf-8"))
             log = (result.path / "run.log").read_text(encoding="utf-8")
@@ -132,7 +137,7 @@ class Texts(unittest.TestCase):
         """A text stands for a file: what it includes is beside it."""
         text = "include proposed_17_43.prm\n"
         here = gear.Pair.from_text(text, PROPOSED.with_name("none.prm"))
-        self.assertEqual(here.unloaded().summary, gear.Pair(PROPOSED).unloaded().summary)
+        self.assertEqual(figures_of(here.unloaded().summary), figures_of(gear.Pair(PROPOSED).unloaded().summary))
         with self.assertRaisesRegex(vfife.InputError, '^text:1: the parameter file "proposed_17_43.prm" cannot be read'):
             gear.Pair.from_text(text).unloaded()
 
@@ -186,8 +191,8 @@ class Lock(unittest.TestCase):
     def test_threads(self):
         """Others go on while it computes; two threads that compute get what one gets."""
         pair, found = gear.Pair(PROPOSED), []
-        expected = pair.unloaded().summary
-        threads = [threading.Thread(target=lambda: found.append(pair.unloaded().summary)) for _ in range(2)]
+        expected = figures_of(pair.unloaded().summary)
+        threads = [threading.Thread(target=lambda: found.append(figures_of(pair.unloaded().summary))) for _ in range(2)]
         for thread in threads:
             thread.start()
         turns = 0

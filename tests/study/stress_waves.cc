@@ -122,7 +122,7 @@ namespace
   void refusals(Communicator &world)
   {
     std::ofstream("stress_waves_run.prm") << text() << "subsection Study\n  set kind = run\nend\n";
-    for (const char *diameters : {"4, 11", "0", "4, 4"})
+    for (const char *diameters : {"4, 11", "-1", "4, 4"})
       print_refusal([&]() {
         run_pair("stress_waves_run.prm",
                  "refused",

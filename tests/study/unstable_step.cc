@@ -73,8 +73,9 @@ namespace
       nullptr, end_time, end_time, *start, [] {}, [] {});
 
     Result result;
-    result.history    = read_columns(name + "/history.csv");
-    result.warnings   = stepping.summary().warnings;
+    result.history = read_columns(name + "/history.csv");
+    for (const Log::Warning &warning : log.warnings())
+      result.warnings.push_back(warning.text);
     result.n_substeps = stepped.solver.n_substeps();
 
     // What the checkpoint of such a run says.

@@ -300,13 +300,12 @@ namespace vfife
     const auto read = [=, number = value.number](const std::string &text) {
       if (text == word)
         return NumberOrWord{number, true};
-      std::string  rest;
-      const double found = read_number(text, rest);
-      if (!rest.empty() || found != std::floor(found))
+      const std::optional<double> found = plain_number(text);
+      if (!found || *found != std::floor(*found))
         throw InputError("must be a whole number, or \"" + word + "\"");
-      if (found < lowest || found > highest)
+      if (*found < lowest || *found > highest)
         throw InputError("must be " + range);
-      return NumberOrWord{static_cast<unsigned int>(found), false};
+      return NumberOrWord{static_cast<unsigned int>(*found), false};
     };
     declare(
       prm,

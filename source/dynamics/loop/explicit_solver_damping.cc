@@ -11,17 +11,27 @@ namespace vfife
   {
     for (unsigned int b = 0; b < model_.bodies.size(); ++b)
       {
-        // -zeta m (v - u): u is the rigid motion that supports leave to the body, on a fixed axis
-        // at the rate of its momentum or of its mean speed.
+        // -zeta m (v - u): u is the rigid motion that supports leave to the body, about its axis at
+        // the rate of its momentum or of its mean speed.
         const Body &body  = model_.bodies[b];
         damping_[b].zeta  = options_.mass_damping();
         damping_[b].rigid = rigid_[b];
         if (damping_[b].zeta > 0)
-          damping_[b].rigid =
-            options_.damping_rate == DampingRate::mean_speed && references_[b].axis().use_axis &&
-                references_[b].turns()
-              ? compute_mean_speed_rate(body, state, b, communicator_)
-              : references_[b].find(state.time, dt_, state.body_motion[b], rigid_[b]);
+          damping_[b].rigid = references_[b].find(state.time, dt_, state.body_motion[b], rigid_[b]);
+        if (damping_[b].zeta > 0 && options_.damping_rate == DampingRate::mean_speed &&
+            UpdateAxis::of(body).use_axis && references_[b].turns())
+          {
+            // A body that nothing holds across its axis turns about its centre.
+            RigidVelocity &u      = damping_[b].rigid;
+            const Vector3 &axis   = body.axis.direction;
+            const Vector3  point  = references_[b].axis().use_axis
+                                      ? body.axis.point
+                                      : Vector3(sums_[b].update.first_moment / body.mass());
+            const Vector3  change = compute_mean_speed_rate(body, state, b, communicator_).omega -
+                                   axis.dot(u.omega) * axis;
+            u.omega += change;
+            u.velocity -= change.cross(point);
+          }
 
         // slip = zeta_k (omega - omega_kinematic) axis x r on the driven body of a gear pair
         damping_[b].mesh = RigidVelocity();
