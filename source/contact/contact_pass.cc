@@ -29,7 +29,7 @@ namespace vfife
                            const double          area_factor)
     : slave_(slave, options.surface, EdgeRelief(slave, options))
     , master_(master, options.surface, EdgeRelief(master, options))
-    , rule_(facet_quadrature(options.discretization, options.points_per_facet))
+    , rule_(facet_quadrature(options.discretization, options.points_per_facet.number))
     , area_factor_(area_factor)
     , edge_fading_(options.edge_fading)
     , skin_(options.search_skin > 0. ? options.search_skin : 0.2 * master_.mean_facet_size())

@@ -205,7 +205,7 @@ namespace
     for (const bool relieved : {true, false})
       {
         ContactOptions options   = options_for(relieved ? width : 0., relieved ? depth : 0.);
-        options.points_per_facet = 1;
+        options.points_per_facet.number = 1;
         Bodies       bodies(slave, master, options);
         const double full = penalty * penetration * 4e-4, move = 2e-4;
         double       step = 0., deviation = 0., last = full;

@@ -83,7 +83,7 @@ int main()
                               "set search skin = 50 um\n");
   check("discretization", options.discretization == ContactDiscretization::two_pass);
   check("surface", options.surface == ContactSurfaceKind::flat_facets);
-  check("points per facet", options.points_per_facet == 4);
+  check("points per facet", options.points_per_facet.number == 4);
   check_close("friction coefficient", options.friction.coefficient, 0.08, 0.);
   check_close("search skin [mm]", options.search_skin, 0.05, 1e-15);
   check_close("edge fading keeps its default", options.edge_fading, 0.15, 0.);
@@ -93,7 +93,7 @@ int main()
   check_close("penalty from the step", options.penalty.value_for_step(2e-9, 5e-8), 4e5, 1e-4);
 
   check("no points are refused",
-        refused([](ContactOptions &o) { o.points_per_facet = 0; }, "Contact/points per facet"));
+        refused([](ContactOptions &o) { o.points_per_facet.number = 0; }, "Contact/points per facet"));
   check("an unstable fraction is refused",
         refused([](ContactOptions &o) { o.penalty.fraction = 3.; }, "Contact/penalty fraction"));
   check("so is one that leaves a step of a tenth",

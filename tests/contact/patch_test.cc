@@ -232,7 +232,7 @@ namespace
   {
     ContactOptions options   = with_penalty(penalty);
     options.discretization   = discretization;
-    options.points_per_facet = points;
+    options.points_per_facet.number = points;
     options.edge_fading      = 0.;
     return options;
   }

@@ -29,7 +29,7 @@ namespace
                    const double                        depth_limit,
                    std::map<Key, std::vector<double>> &found)
   {
-    const auto   rule   = facet_quadrature(options.discretization, options.points_per_facet);
+    const auto   rule   = facet_quadrature(options.discretization, options.points_per_facet.number);
     const double reach2 = std::pow(1.5 * master.mean_facet_size(), 2);
     for (unsigned int f = 0; f < slave.n_facets(); ++f)
       for (const auto &q : rule)
@@ -191,7 +191,7 @@ namespace
   {
     MovingSurface  slave(sphere_patch_down(30., 0.1, 9)), master(sphere_patch(50., 0.2, 8));
     ContactOptions options;
-    options.points_per_facet = 3; // 9 x 9 facets: the middle point of the middle one is the pole
+    options.points_per_facet.number = 3; // 9 x 9 facets: the middle point of the middle one is the pole
     Contact     contact(slave.surface, master.surface, options);
     RigidMotion motion;
     motion.translation[2] = 80. + 0.4;
@@ -215,7 +215,7 @@ namespace
   {
     MovingSurface  slave(sphere_patch_down(30., 0.2, 24)), master(sphere_patch(50., 0.12, 20));
     ContactOptions options;
-    options.points_per_facet = 3;
+    options.points_per_facet.number = 3;
     Contact      contact(slave.surface, master.surface, options);
     RigidMotion  motion;
     const double open = 0.01, reach = 0.3;

@@ -17,7 +17,7 @@ namespace
   {
     ContactOptions options   = with_penalty(penalty);
     options.surface          = kind;
-    options.points_per_facet = points;
+    options.points_per_facet.number = points;
     options.depth_limit      = 0.5; // the slider of one point is smaller than its depth
     return options;
   }

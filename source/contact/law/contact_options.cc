@@ -2,6 +2,9 @@
 #include <vfife/base/errors.h>
 #include <vfife/contact/law/contact_options.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vfife
 {
   namespace
@@ -10,6 +13,8 @@ namespace vfife
      * reliefs of this slope (at the edge twice the ratio) lengthen that motion by 8 %, of 25 % that
      * the search allows. */
     constexpr double steepest_edge_relief = 0.1;
+
+    constexpr unsigned int most_points = 20; ///< of a facet per direction
   } // namespace
 
 
@@ -55,8 +60,15 @@ namespace vfife
                    contact_surface_kinds(),
                    "What the facets stand for: the true surface by offsets and true normals, "
                    "quadratic patches with the nodal normals, or themselves");
-    declare_integer(
-      prm, "points per facet", points_per_facet, "Gauss points of a facet per direction", 1, 10);
+    declare_number_or_word(
+      prm,
+      "points per facet",
+      points_per_facet,
+      "auto",
+      "Gauss points of a facet per direction; auto: four across the width of Hertz's contact of a "
+      "gear pair (3 to 12), 3 in other models",
+      1,
+      most_points);
     declare_choice(prm,
                    "integration",
                    time,
@@ -120,8 +132,10 @@ namespace vfife
     const auto entry = [&section](const std::string &name) {
       return section.empty() ? name : section + "/" + name;
     };
-    if (points_per_facet < 1 || points_per_facet > 10)
-      throw InputError(entry("points per facet"), "1 to 10 points per direction are possible");
+    if (points_per_facet.number < 1 || points_per_facet.number > most_points)
+      throw InputError(entry("points per facet"),
+                       "1 to " + std::to_string(most_points) +
+                         " points per direction are possible");
     penalty.check(section);
     if (!(damping_ratio >= 0. && damping_ratio <= 1.))
       throw InputError(entry("damping ratio"), "the damping ratio must lie between 0 and 1");
@@ -141,5 +155,12 @@ namespace vfife
     if (!(penetration_limit > 0. && penetration_limit <= 1.))
       throw InputError(entry("penetration limit"),
                        "the penetration limit must be positive and at most 1");
+  }
+
+
+  unsigned int points_across(const double facet, const double contact)
+  {
+    constexpr double least = 3, most = 12, across = 4;
+    return static_cast<unsigned int>(std::clamp(std::ceil(across * facet / contact), least, most));
   }
 } // namespace vfife

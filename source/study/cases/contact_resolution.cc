@@ -32,7 +32,7 @@ namespace vfife
     : width(contact_width)
     , facet(
         compute_facet_width(model.bodies[pair.slave_body].mesh().surfaces.at(pair.slave_surface)))
-    , spacing(facet / pair.options.points_per_facet)
+    , spacing(facet / pair.options.points_per_facet.number)
   {
   }
 

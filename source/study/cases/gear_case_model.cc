@@ -228,6 +228,25 @@ namespace vfife
     return penalty;
   }
 
+  void GearCase::choose_points(Model &model, Log &log) const
+  {
+    // Both sides alike, by the facets of the side that carries.
+    const double width = 2 * TorquePressure(hertz_contact(), model).semi_axes[1];
+    if (!(width > 0))
+      return;
+    const double       facet = ContactResolution(model, model.contacts.front(), width).facet;
+    const unsigned int n     = points_across(facet, width);
+    for (ContactPair &contact : model.contacts)
+      contact.options.points_per_facet.number = n;
+    log.line("contact points: ",
+             n,
+             " per facet and direction, ",
+             facet / n,
+             " mm apart; Hertz's contact is ",
+             width,
+             " mm wide");
+  }
+
   void GearCase::add_contacts(const GearPair &pair, Log &log, Model &model) const
   {
     ContactOptions options = contact_;
@@ -251,6 +270,8 @@ namespace vfife
         contact.options        = options;
         model.contacts.push_back(contact);
       }
+    if (contact_.points_per_facet.is_word)
+      choose_points(model, log);
   }
 
   void GearCase::add_probes(Model &model) const

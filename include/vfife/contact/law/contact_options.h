@@ -2,6 +2,7 @@
 #ifndef vfife_contact_law_contact_options_h
 #define vfife_contact_law_contact_options_h
 
+#include <vfife/base/parameters/number_or_word.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/contact/law/friction_options.h>
 #include <vfife/contact/law/penalty_options.h>
@@ -42,7 +43,9 @@ namespace vfife
   {
     ContactDiscretization discretization   = ContactDiscretization::surface_points;
     ContactSurfaceKind    surface          = ContactSurfaceKind::true_flank;
-    unsigned int          points_per_facet = 3; ///< Gauss points per direction
+    /** Gauss points per direction, or "auto": the number, unless a case knows the contact's width
+     * (points_across()). */
+    NumberOrWord points_per_facet = {3, true};
 
     ContactTime    time = ContactTime::implicit;
     PenaltyOptions penalty;
@@ -68,6 +71,11 @@ namespace vfife
      * section). */
     void check(const std::string &section) const;
   };
+
+  /** Points per direction of facets of width @p facet such that four lie across a contact of width
+   * @p contact [mm], 3 to 12: pressure, force and its ripple then hardly depend on their number
+   * (doc/contact.md, Points). */
+  unsigned int points_across(double facet, double contact);
 } // namespace vfife
 
 #endif

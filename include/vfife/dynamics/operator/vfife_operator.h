@@ -55,6 +55,14 @@ namespace vfife
   /**
    * The internal forces of massless hexahedra between mass points (VFIFE): partition over ranks,
    * packed layout, congruence classes, kernels of the best instruction set. Built once for a model.
+   *
+   * Index of a node: fields are ordered by the local nodes of partition(). Vertex v of body b's
+   * deal.II triangulation is node n = model.bodies[b].first_node + v of the model, and local node
+   * partition().local_node[n], Partition::absent where another rank has it.
+   *
+   * Sign of a force: it acts on the node and restores the shape, minus the derivative of the strain
+   * energy. Mass times acceleration is internal force plus load; the residual of an assembled
+   * finite element method (K u) has the other sign.
    */
   class VfifeOperator
   {
@@ -79,8 +87,8 @@ namespace vfife
      * class works on have its size. */
     NodeField make_field() const;
 
-    /** Sets @p forces [N] (on all copies of a node) to the internal forces at @p positions [mm].
-     * Collective. */
+    /** Sets @p forces [N] (on all copies of a node) to the internal forces at the present
+     * @p positions [mm] (not displacements). Collective. */
     void compute_internal_forces(const NodeField &positions, NodeField &forces);
 
     /** The same, and what the elements show besides. */

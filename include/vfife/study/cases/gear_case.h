@@ -131,6 +131,7 @@ namespace vfife
     Body        make_body(const GearPair &pair, unsigned int body) const;
     /** Penalty of the pair where the section Contact gives none [N/mm^3]. */
     double derive_penalty(const GearPair &pair, Log &log) const;
+    void   choose_points(Model &model, Log &log) const;
     void   add_contacts(const GearPair &pair, Log &log, Model &model) const;
     void   add_housing(Model &model) const;
     void   add_drive(Model &model) const;
