@@ -102,7 +102,7 @@ namespace vfife
     if (!judged)
       return "the ripple is not judged, which takes two whole tooth meshes";
     std::ostringstream text;
-    text << "the ripple " << (steady ? "is steady" : "is NOT steady")
+    text << "the ripple " << (steady ? "is steady in time" : "is NOT steady in time")
          << ", peak to peak and harmonics of the first and the second half differ by ";
     const char *separator = "";
     for (const RippleChange &column : columns)

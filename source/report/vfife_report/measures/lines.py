@@ -8,11 +8,11 @@ from .spectrum import amplitudes_of, find_peaks, hann_window
 HIGHEST_LINE_ORDER = 12  # of the tooth mesh, up to which spectra are shown and lines are looked for
 
 
-def find_harmonics(values, samples_per_mesh, largest):
-    """Amplitudes of the orders 1 to `largest` of the tooth mesh: of the mean mesh, so that nothing
-    leaks into them from lines that do not repeat."""
+def find_harmonics(values, samples_per_mesh, largest=None):
+    """Amplitudes of the orders 1 to `largest` of the tooth mesh (default: all that the samples resolve): of the mean
+    mesh, so that nothing leaks into them from lines that do not repeat."""
     mean = fold_meshes(values, samples_per_mesh).mean(axis=0)
-    return amplitudes_of(mean)[1:largest + 1]
+    return amplitudes_of(mean)[1:None if largest is None else largest + 1]
 
 
 def is_harmonic(frequency, mesh_frequency, resolution):

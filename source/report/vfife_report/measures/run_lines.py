@@ -23,11 +23,15 @@ def list_columns(run):
             yield column, run.history.units[column], run.history[column][rows]
 
 
-def list_harmonics(run, largest):
+def list_harmonics(run, count):
+    """The `count` harmonics of each history that have the largest amplitudes, whatever their orders."""
     frequency, samples = run.value("mesh frequency"), run.samples_per_mesh()
-    return [[column, order, order * frequency, amplitude, unit]
-            for column, unit, values in list_columns(run)
-            for order, amplitude in enumerate(find_harmonics(values, samples, largest), 1)]
+    rows = []
+    for column, unit, values in list_columns(run):
+        amplitudes = find_harmonics(values, samples)
+        largest = np.argsort(-amplitudes, kind="stable")[:count]
+        rows += [[column, int(i) + 1, (i + 1) * frequency, amplitudes[i], unit] for i in largest]
+    return rows
 
 
 def list_other_lines(run, low=4, high=3):

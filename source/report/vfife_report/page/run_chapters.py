@@ -85,7 +85,7 @@ def tell_spectra(run, plots):
         return
     yield from plots
     yield Cells(["history"] + HARMONICS_HEADER, list_harmonics(run, 5),
-                "Harmonics of the tooth mesh, of the mean mesh.")
+                "Largest harmonics of the tooth mesh, from the mean tooth mesh.")
     yield Cells(["history"] + LINES_HEADER, list_other_lines(run),
                 f"Strongest lines of what does not repeat with the mesh, up to order {HIGHEST_LINE_ORDER} "
                 "(Hann's window).")

@@ -141,7 +141,7 @@ def tell_lines(study, plots):
     if not rows:
         return
     yield Cells(["history", "variant"] + HARMONICS_HEADER, sorted(rows, key=lambda row: row[0]),
-                "Harmonics of the tooth mesh, of the mean mesh.")
+                "Largest harmonics of the tooth mesh, from the mean tooth mesh.")
     rows = [[row[0], v.name] + row[1:] for v in pairs for row in list_other_lines(v.run, 3, 2)]
     yield Cells(["history", "variant"] + LINES_HEADER, sorted(rows, key=lambda row: row[0]),
                 f"Strongest lines of what does not repeat with the mesh, up to order {HIGHEST_LINE_ORDER} "

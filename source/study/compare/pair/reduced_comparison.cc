@@ -37,6 +37,23 @@ namespace vfife
       }
     };
 
+    /** Orders with the largest amplitudes in either curve, ascending. */
+    std::vector<unsigned int> find_largest_orders(const FourierSeries &one,
+                                                  const FourierSeries &other)
+    {
+      const auto largest = [&](const unsigned int order) {
+        return std::max(one.amplitude(order), other.amplitude(order));
+      };
+      std::vector<unsigned int> orders(one.n_harmonics());
+      std::iota(orders.begin(), orders.end(), 1u);
+      std::sort(orders.begin(), orders.end(), [&](const unsigned int a, const unsigned int b) {
+        return largest(a) > largest(b);
+      });
+      orders.resize(std::min<std::size_t>(orders.size(), n_orders));
+      std::sort(orders.begin(), orders.end());
+      return orders;
+    }
+
     /** Nothing where the steady part is shorter than a tooth mesh. */
     std::optional<MeanMesh> find_mean_mesh(const PairRun &run, const std::string &column)
     {
@@ -117,7 +134,7 @@ namespace vfife
         return;
       const FourierSeries curve = FourierSeries::interpolate(one->values),
                           same  = FourierSeries::interpolate(other->values);
-      for (unsigned int order = 1; order <= n_orders; ++order)
+      for (const unsigned int order : find_largest_orders(curve, same))
         {
           const double amplitude = same.amplitude(order),
                        part      = run.tolerances.reduced_order * curve.amplitude(order),
