@@ -94,7 +94,7 @@ ENTRIES = (
            ("largest force of a bearing", of_column("bearings", "radial force", np.max), 4)),
           "With clearance the stiffness of a ball bearing varies as its cage rolls: most displacement where one ball lies under the "
           "load. [Bearings](bearing.md)"),
-    Entry("whirl", "A rotor in bearings over its speed", "supports/two_discs.prm", "campbell_rotor.svg",
+    Entry("whirl", "A rotor in bearings over its speed", "supports/two_discs.prm", "whirl_rotor.svg",
           (("first bending mode at rest", of_column("modes", "fixed frequency", least_positive, speed=0), 4),
            ("backward at 4000 rpm", of_column("modes", "fixed frequency", np.min, speed=4000, whirl="backward"), 4),
            ("forward", of_column("modes", "fixed frequency", np.min, speed=4000, whirl="forward"), 4)),

@@ -56,7 +56,7 @@ namespace vfife
       mass_per_area_ > 0. ? mass_per_area_ : options_.penalty.mass_per_area_for(penalty_, dt);
     // A node of the area A is critically damped on its spring eps A by c A = 2 sqrt(eps A m).
     SurfaceInteraction interaction{*law_, penalty_};
-    interaction.damping            = 2. * options_.damping_ratio * std::sqrt(penalty_ * mass);
+    interaction.damping            = 2. * options_.gap_damping_ratio() * std::sqrt(penalty_ * mass);
     interaction.friction           = options_.friction.coefficient;
     interaction.tangential_penalty = options_.friction.stiffness_ratio * penalty_;
     interaction.tangential_limit   = tangential_limit_;

@@ -23,8 +23,9 @@ namespace vfife
       const char *entry; ///< name, or path
       const char *text;
     };
-    constexpr std::array<FormerWay, 2> former_ways = {
-      {{"integration", "explicit"}, {"Dynamics/step bound", "element"}}};
+    constexpr std::array<FormerWay, 3> former_ways = {{{"integration", "explicit"},
+                                                       {"Dynamics/step bound", "element"},
+                                                       {"friction damping ratio", "0"}}};
 
     /** An entry as the run was begun with it, and as it is now. */
     struct BothTexts

@@ -206,61 +206,6 @@ namespace
       }
   }
 
-  /** Pressed by 50 N and pushed by 20 N on its lower face, without damping, on springs so soft that
-   * friction does not excite the elastic block: it slides as a rigid one with any step, and does
-   * not hop. */
-  void slides_as_rigid()
-  {
-    const auto load =
-      [](const std::string &name, const std::string &force, const std::string &history) {
-        return "  subsection Load " + name +
-               "\n    set body = block\n    set nodes = z-\n    set force = " + force +
-               " N\n    set history = " + history + "\n  end\n";
-      };
-    for (const Floor floor : {Floor::body, Floor::wall})
-      for (const double safety : {0.9, 0.3})
-        {
-          const bool      on_wall = floor == Floor::wall;
-          const Model     model   = make_model(make_text(
-            floor,
-            std::string("set loads = press, push\n") +
-              (on_wall ? "" : "set constraints = ground, rest\n"),
-            load("press", "0, 0, -50", "min(t/4e-4,1)") +
-              load("push", "20, 0, 0", "if(t<5e-4,0,1)") +
-              (on_wall
-                       ? ""
-                       : "  subsection Constraint rest\n    set kind = fixed\n    set body = floor\n"
-                         "    set nodes = all\n  end\n"),
-            "    set penalty = 5000\n"));
-          DynamicsOptions options = undamped();
-          options.safety          = safety;
-          OneSolver run(model, options);
-          double    error = 0, least = 50;
-          auto      observers = watch(10, [&](const State &state) {
-            if (!(state.time > 5e-4))
-              return;
-            error = largest_of(error, std::abs(state.measured.energy.error()));
-            least = std::min(least, state.measured.contact_forces.at(0)[2]);
-          });
-          run.solver.run(run.state, 2e-3, observers);
-          // A rigid block swings on the springs that stick until these have mu N, then slides.
-          const double mass = 10 * 10 * 4 * 7.85e-9, limit = mu * 50., push = 20.;
-          const double k = ratio * 5000. * 100., omega = std::sqrt(k / mass);
-          const double angle = std::acos(1. - limit / push);
-          const double time  = run.state.time - 5e-4 - angle / omega;
-          const double way   = limit / k + push / k * omega * std::sin(angle) * time +
-                             .5 * (push - limit) / mass * time * time;
-          std::ostringstream name;
-          name << (on_wall ? "on a wall" : "on a body") << ", " << safety << " of the step: ";
-          check_close(name.str() + "way over that of a rigid block",
-                      mean_way(model, run.state) / way,
-                      1.,
-                      0.005);
-          check_below(name.str() + "energy error", error, 1e-4);
-          check_close(name.str() + "least force over that of the load", least / 50., 1., 0.05);
-        }
-  }
-
   void at_rest()
   {
     // A leash of 5000 N/mm holds what friction leaves: (F - mu N)/k, nothing below the limit.
@@ -324,7 +269,6 @@ int main(int argc, char **argv)
 {
   MpiSession session(argc, argv);
   in_time();
-  slides_as_rigid();
   at_rest();
   return 0;
 }

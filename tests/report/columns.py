@@ -19,7 +19,7 @@ TABLES = {
     "page/sweep_chapter.py": {"table": "resonance.csv"},
     "measures/speed_peaks.py": {"response": "resonance.csv", "stress": "stress_response.csv", "ranges": "exceedances.csv"},
     "plots/speed_curves.py": {"stress": "stress_response.csv"},
-    "plots/campbell.py": {"branches": "campbell.csv", "resonances": "resonances.csv"},
+    "plots/campbell.py": {"branches": "campbell.csv", "modes": "modes.csv", "resonances": "resonances.csv"},
     "plots/lumped.py": {"motion": "lumped.csv"},
     "plots/driven_waves.py": {"frequencies": "waves_frequencies.csv", "lines": "waves_lines.csv",
                               "waves": "waves_response.csv", "growth": "waves_build_up.csv"},

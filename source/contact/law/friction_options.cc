@@ -13,6 +13,11 @@ namespace vfife
                    stiffness_ratio,
                    "Stiffness with which friction sticks, over the penalty",
                    Range{0., 1., true});
+    declare_number(prm,
+                   "friction damping ratio",
+                   damping_ratio,
+                   "Least damping ratio of a contact with friction, which excites vibrations",
+                   Range::between(0., 1.));
   }
 
 
@@ -24,5 +29,8 @@ namespace vfife
     if (!(stiffness_ratio > 0. && stiffness_ratio <= 1.))
       throw InputError(before + "tangential stiffness ratio",
                        "the ratio must be positive and at most 1");
+    if (!(damping_ratio >= 0. && damping_ratio <= 1.))
+      throw InputError(before + "friction damping ratio",
+                       "the damping ratio must lie between 0 and 1");
   }
 } // namespace vfife

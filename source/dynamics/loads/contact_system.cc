@@ -43,8 +43,10 @@ namespace vfife
   {
     for (const auto &pair : pairs_)
       {
-        needs_velocities_ = needs_velocities_ || pair->definition.options.damping_ratio > 0.;
-        is_implicit_      = is_implicit_ || pair->is_implicit();
+        const ContactOptions &options = pair->definition.options;
+        needs_velocities_ =
+          needs_velocities_ || options.gap_damping_ratio() > 0. || options.friction.acts();
+        is_implicit_ = is_implicit_ || pair->is_implicit();
       }
     number_nodes();
   }

@@ -195,11 +195,11 @@ namespace vfife
 
   void RigidWalls::clear_results()
   {
-    sums_ = {{0., 0., 0., 0.}};
+    sums_ = {};
     for (Wall &wall : walls_)
       {
         wall.touches.clear();
-        wall.force = wall.energy = wall.friction_loss = 0;
+        wall.force = wall.energy = wall.friction_loss = wall.lost_power = 0;
         wall.friction.setZero();
       }
   }
@@ -223,7 +223,7 @@ namespace vfife
             const double  depth = -n.dot(x - p);
             if (depth > 0)
               {
-                wall.touches.push_back({&node, depth, 0., 0.});
+                wall.touches.push_back({&node, depth, 0.});
                 pressed.push_back({depth, wall.penalty * node.stiffness});
               }
             else if (has_friction(wall))
@@ -232,8 +232,9 @@ namespace vfife
         wall.law->evaluate(pressed);
         for (std::size_t i = 0; i < pressed.size(); ++i)
           {
+            const Node &node         = *wall.touches[i].node;
             wall.touches[i].pressure = pressed[i].pressure;
-            wall.touches[i].energy   = pressed[i].energy;
+            wall.energy += node.owned ? pressed[i].energy * node.area : 0.;
           }
       }
     press(positions, at_rest, forces);
@@ -292,7 +293,7 @@ namespace vfife
         for (std::size_t i = first; i < last; ++i)
           {
             const Wall &wall = walls_[places_[i].wall];
-            solver_.add(points_[i - first], {}, {}, *wall.law, wall.penalty, 0.);
+            solver_.add(points_[i - first], {}, {}, *wall.law, wall.penalty, wall.damping());
           }
         solver_.solve(points_);
       }
@@ -301,8 +302,14 @@ namespace vfife
         Wall                &wall  = walls_[places_[i].wall];
         Node                &node  = wall.nodes[places_[i].node];
         const TouchingPoint &point = points_[i - first];
+        // A sum, which the owner counts.
+        if (node.owned && touches)
+          {
+            wall.energy += point.energy * node.area;
+            wall.lost_power -= (point.pressure - point.elastic) * point.gap_rate * node.area;
+          }
         if (point.pressure > 0)
-          wall.touches.push_back({&node, std::max(0., -point.gap), point.pressure, point.energy});
+          wall.touches.push_back({&node, std::max(0., -point.gap), point.pressure});
         else if (has_friction(wall))
           open(wall, node, x, dt * v);
       }
@@ -313,7 +320,7 @@ namespace vfife
   {
     for (Wall &wall : walls_)
       {
-        // All copies of a node take its force; force and energy are sums, which the owner counts.
+        // All copies of a node take its force; sums of forces are the owner's.
         for (const Touch &touch : wall.touches)
           {
             Node        &node  = *touch.node;
@@ -322,7 +329,6 @@ namespace vfife
             if (node.owned)
               {
                 wall.force += force;
-                wall.energy += touch.energy * node.area;
                 sums_[2] += touch.depth > wall.depth_limit ? 1. : 0.;
               }
             if (!has_friction(wall))
@@ -336,6 +342,7 @@ namespace vfife
         sums_[0] += wall.force;
         sums_[1] += wall.energy;
         sums_[3] += wall.friction_loss;
+        sums_[4] += wall.lost_power;
       }
     if (!walls_.empty())
       communicator_.sum(sums_.data(), sums_.size());

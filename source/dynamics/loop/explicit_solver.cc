@@ -287,7 +287,9 @@ namespace vfife
     // Of surfaces with each other and with walls.
     const bool touching = contact_.is_pressed() || walls_.is_pressed();
     if (touching && state.step == beginning_->step)
-      log_.line("deepest point at the start: ", describe_deepest(model_, contact_, walls_));
+      // None where a step's mean pressure presses points that are not behind a surface yet.
+      if (const std::string deepest = describe_deepest(model_, contact_, walls_); !deepest.empty())
+        log_.line("deepest point at the start: ", deepest);
     contact_watch_.observe(state.time, dt_, touching);
     energy_.observe_contact(touching);
   }

@@ -58,7 +58,7 @@ namespace vfife
           std::tuple<StepPowers *, double, double>(&work.after, time, time + dt_)})
       {
         powers->drive   = bearings_.drive_power(from, to);
-        powers->contact = contact_.lost_power();
+        powers->contact = contact_.lost_power() + walls_.lost_power();
         powers->damping += bearings_.damper_drive_power(from, to);
         for (const BodySums &sums : sums_)
           {

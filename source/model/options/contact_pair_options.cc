@@ -31,6 +31,8 @@ namespace vfife
     contact.surface = ContactSurfaceKind::flat_facets;
     derive_from_facets(contact.penalty);
     derive_from_facets(wall.penalty);
+    // Friction excites the vibrations of bodies that nothing else damps.
+    contact.friction.damping_ratio = wall.friction.damping_ratio = 0.2;
   }
 
   void ContactPairOptions::declare_kind(dealii::ParameterHandler &prm)

@@ -130,6 +130,9 @@ TABLE_PLOTS = (
             "Natural frequencies of the {0} over its speed. Circles: resonances with a force that stands in space; in axes that "
             "turn, a wave of n diameters is met n turns of the {0} above or below the line of an order.",
             "Natural frequencies", data="campbell.csv, resonances.csv", each=campbell.list_bodies),
+    PlotRow("whirl_{}.svg", (has_file("modes.csv"),), campbell.draw_whirl,
+            "Lowest frequencies of the {0} for an observer at rest over its speed. On the line of the rotation unbalance "
+            "meets a mode.", "Natural frequencies", data="modes.csv", each=campbell.list_whirling_bodies),
     PlotRow("lumped_motion.svg", (has_file("lumped.csv"),), lumped.draw_motion,
             "Motion of the lumped model at the speed of operation.", "Lumped model"),
     PlotRow("lumped_response.svg", (has_file("lumped.csv"), has_file("resonance.csv")),

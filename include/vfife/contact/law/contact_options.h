@@ -7,6 +7,7 @@
 #include <vfife/contact/law/friction_options.h>
 #include <vfife/contact/law/penalty_options.h>
 
+#include <algorithm>
 #include <string>
 
 namespace vfife
@@ -63,6 +64,12 @@ namespace vfife
     double depth_limit       = 0.; ///< deepest penetration taken for contact [mm]; 0: half a facet
     double penetration_limit =
       0.2; ///< penetration over the depth limit at which a run is given up [-]; 1: never
+
+    /** The gap-rate damping that acts, with and without friction. */
+    double gap_damping_ratio() const
+    {
+      return friction.acts() ? std::max(damping_ratio, friction.damping_ratio) : damping_ratio;
+    }
 
     /** Declares the entries in the subsection entered (the caller enters "Contact"). */
     void declare(dealii::ParameterHandler &prm);

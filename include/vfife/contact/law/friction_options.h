@@ -15,6 +15,9 @@ namespace vfife
     /** Tangential penalty over the normal one [-]. Up to 1 it costs nothing of the step: the
      * point's stiffness in any direction is at most the normal one. */
     double stiffness_ratio = 1.;
+    /** Of the critical gap-rate damping of a surface node, where friction acts [-]: Coulomb's
+     * friction excites the vibrations of elastic bodies (doc/contact.md). */
+    double damping_ratio = 0.;
 
     bool acts() const
     {

@@ -195,7 +195,7 @@ namespace vfife
     const Communicator &communicator_;
     ContactRanks::Pairs pairs_;
     ContactRanks        ranks_;
-    bool                needs_velocities_ = false; ///< a pair has damping
+    bool                needs_velocities_ = false; ///< a pair has damping or friction
     bool                is_implicit_      = false; ///< a pair is
     /** Of the nodes of all surfaces by their numbers: 1/m [1/t]; instead, of nodes with held
      * directions, a matrix that is zero along these. */

@@ -8,6 +8,7 @@
 #include <vfife/model/state.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -83,6 +84,12 @@ namespace vfife
       return sums_[3];
     }
 
+    /** Lost in gap-rate damping at the last evaluation [mJ/s]; all ranks. */
+    double lost_power() const
+    {
+      return sums_[4];
+    }
+
     /**
      * Whether a node was deeper behind a wall at the last evaluation than half the width of the
      * facets around it, all ranks. A penalty of the user's own makes a wall as soft as he wants it:
@@ -127,11 +134,11 @@ namespace vfife
       Vector3 anchor  = Vector3::Zero();
       double  elastic = 0, energy = 0;
     };
-    /** A node that presses: depth behind the plane [mm], pressure [MPa], energy [mJ/mm^2]. */
+    /** A node that presses: depth behind the plane [mm], pressure [MPa]. */
     struct Touch
     {
       Node  *node;
-      double depth, pressure, energy;
+      double depth, pressure;
     };
     struct Wall
     {
@@ -140,6 +147,13 @@ namespace vfife
       const PenaltyOptions &options() const
       {
         return definition->penalty;
+      }
+      /** Gap-rate damping with friction [N s/mm^3]. */
+      double damping() const
+      {
+        const FrictionOptions &friction = definition->friction;
+        return friction.acts() ? 2. * friction.damping_ratio * std::sqrt(penalty * mass_per_area)
+                               : 0.;
       }
 
       const RigidWall                  *definition;
@@ -151,7 +165,7 @@ namespace vfife
 
       /** Of the last evaluation, this rank. */
       std::vector<Touch> touches;
-      double             force = 0, energy = 0, friction_loss = 0;
+      double             force = 0, energy = 0, friction_loss = 0, lost_power = 0;
       Vector3            friction = Vector3::Zero(); ///< [N]
     };
     /** A node of a wall; nodes of the model at several walls have neighbouring places. */
@@ -189,8 +203,8 @@ namespace vfife
     std::vector<TouchingPoint> points_; ///< of one node
     FrictionMode               mode_ = FrictionMode::follows;
     /** Of the last evaluation, all ranks: normal force, energy, number of nodes that are too
-     * deep, friction loss. */
-    std::array<double, 4> sums_ = {{0., 0., 0., 0.}};
+     * deep, friction loss, power lost in damping. */
+    std::array<double, 5> sums_ = {};
   };
 } // namespace vfife
 

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-"""Campbell diagrams of a modal study, from campbell.csv and resonances.csv."""
+"""Campbell diagrams of a modal study, from campbell.csv and resonances.csv; whirl, from modes.csv."""
 import numpy as np
 
 from ..data.naming import GEAR, PINION
@@ -33,6 +33,32 @@ def draw_campbell(run, body):
     # Above the names of the orders that leave the axes there, and beside those at the side.
     axes.set_title(f"{body}: natural frequencies in axes that turn with it", pad=16)
     axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.14, 1.), frameon=False)
+    return plot
+
+
+def list_whirling_bodies(run):
+    """Names of the bodies whose frequencies for an observer at rest are known at several speeds."""
+    modes = Table(run.path / "modes.csv")
+    if "fixed frequency" not in modes:
+        return []
+    known = np.isfinite(modes["fixed frequency"])
+    return [body for body in sorted(set(modes["body"]))
+            if len(set(modes["speed"][known & (modes["body"] == body)])) > 1]
+
+
+def draw_whirl(run, body):
+    """One body: its lowest frequencies for an observer at rest over its speed, and the frequency of the rotation."""
+    modes = Table(run.path / "modes.csv")
+    plot, axes = plt.subplots()
+    mine = (modes["body"] == body) & np.isfinite(modes["fixed frequency"])
+    for whirl, label, marker, colour in (("backward", "backward", "v", 1), ("forward", "forward", "^", 2), ("-", "none", "o", 0)):
+        rows = mine & (modes["whirl"] == whirl)
+        axes.plot(modes["speed"][rows], modes["fixed frequency"][rows], marker, markersize=5, color=COLOURS[colour], label=label)
+    end = np.abs(modes["speed"][mine]).max()
+    axes.plot((0, end), (0, end / 60), color=GREY, linewidth=0.9, label="rotation")
+    axes.set(ylim=(0, 2 * end / 60), xlabel=f"speed of the {body} [rpm]", ylabel="frequency for an observer at rest [Hz]")
+    axes.set_title(f"{body}: whirl")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.02, 1.), frameon=False)
     return plot
 
 
