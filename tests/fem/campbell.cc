@@ -85,6 +85,42 @@ namespace
                      split,
                      {2, order, "backward", {}, {f, faster(f, 500.), faster(f, 1000.)}});
       }
+    // Both lowest forward waves slow down to nothing and are overtaken, one after the other: their
+    // branches go on below zero, beside the backward ones.
+    const auto two_waves = [](const double rate, const double first, const double second) {
+      ModesAtSpeed at_speed;
+      at_speed.rate = rate;
+      for (const double f : {first, second})
+        {
+          // Overtaken, it runs against the spin and the energy in turning axes is negative.
+          at_speed.modes.push_back(mode(1, true, f > 0 ? .97 : .02, std::abs(f)));
+          at_speed.modes.back().kinetic_share = f > 0 ? .6 : -.4;
+          at_speed.modes.push_back(mode(1, true, .01, 100. + std::abs(rate)));
+        }
+      return at_speed;
+    };
+    const std::vector<CampbellBranch> overtaken = make_branches(
+      {two_waves(0., 30., 50.), two_waves(-500., -10., 10.), two_waves(-1000., -50., -30.)});
+    check("overtaken: four branches", overtaken.size() == 4);
+    check_branch("overtaken: first forward", overtaken, {1, 1, "forward", {}, {30., -10., -50.}});
+    check_branch("overtaken: second forward", overtaken, {1, 2, "forward", {}, {50., 10., -30.}});
+    check_branch("overtaken: backward", overtaken, {1, 1, "backward", {}, {100., 600., 1100.}});
+    Table critical = make_resonance_table();
+    add_resonances("rotor", overtaken, teeth, 0, not_known, critical);
+    std::vector<double> at;
+    for (std::size_t i = 0; i < critical.n_rows(); ++i)
+      if (critical.column("excitation").texts[i] == "unbalance")
+        {
+          at.push_back(critical.numbers("speed")[i] * 2. * pi / 60.);
+          check("overtaken: unbalance has no order and stands still in the body",
+                critical.column("wave").texts[i] == "forward" &&
+                  std::isnan(critical.numbers("mesh order")[i]) &&
+                  critical.numbers("frequency")[i] == 0.);
+        }
+    check("overtaken: two critical speeds", at.size() == 2);
+    check_close("overtaken: first critical speed [rad/s]", at.at(0), -375., 1e-10);
+    check_close("overtaken: second critical speed [rad/s]", at.at(1), -625., 1e-10);
+
     const auto whole = make_branches(made_up_modes(false));
     check("not split: three branches", whole.size() == 3);
     for (const unsigned int order : {1u, 2u})

@@ -1,12 +1,14 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/process/communicator.h>
+#include <vfife/fem/modes/mass_basis.h>
 #include <vfife/fem/modes/modal_solver.h>
 #include <vfife/fem/solvers/direct_solver.h>
 #include <vfife/fem/solvers/eigen_solver.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace vfife
@@ -67,7 +69,22 @@ namespace vfife
 
   ModalResult ModalSolver::solve() const
   {
-    return solve(matrices_.stiffness(constant_rate(0.)), matrices_.mass(), 0.);
+    const Discretization            &d = assembly_.discretization();
+    std::vector<std::vector<double>> rigid;
+    for (const Discretization::Part &part : d.parts())
+      for (std::vector<double> &motion : find_free_motions(d, part))
+        rigid.push_back(std::move(motion));
+    return solve(matrices_.stiffness(constant_rate(0.)), matrices_.mass(), 0., rigid);
+  }
+
+  void check_residual(const double residual, const double frequency)
+  {
+    if (residual < 1e-3)
+      return;
+    std::ostringstream text;
+    text << "the mode at " << frequency << " Hz has the residual " << residual
+         << ": the eigenvalue solver has failed (Fem/eigenvalue tolerance: a smaller one may help)";
+    throw NumericalError(text.str());
   }
 
   double
@@ -82,53 +99,48 @@ namespace vfife
     return -1e-10 * assembly.communicator().max(largest);
   }
 
-  ModalResult ModalSolver::solve(const SparseValues         &stiffness,
-                                 const SparseValues         &mass,
-                                 const double                lowest,
-                                 const std::optional<double> rigid) const
+  ModalResult ModalSolver::solve(const SparseValues                     &stiffness,
+                                 const SparseValues                     &mass,
+                                 const double                            lowest,
+                                 const std::vector<std::vector<double>> &rigid) const
   {
     // Below zero and below what spin may make of rigid motions: K - shift M is positive definite.
-    const double base  = choose_shift(assembly_, stiffness, mass);
-    const double shift = base + 1.2 * std::min(lowest, 0.);
+    const double shift = choose_shift(assembly_, stiffness, mass) + 1.2 * std::min(lowest, 0.);
     Found        found = options_.eigen_solver == EigenSolverKind::lobpcg
                            ? find_by_lobpcg(stiffness, mass, shift)
                            : find_by_factorization(stiffness, mass, shift);
+    EigenPairs  &pairs = found.pairs;
+    ModalResult  result;
+    result.highest = pairs.values.back();
     // Guards have served for the gap and for double modes; from here on only what was asked for.
-    found.pairs.values.resize(options_.n_modes);
-    found.pairs.vectors.resize(options_.n_modes);
+    result.guards.assign(std::make_move_iterator(pairs.vectors.begin() + options_.n_modes),
+                         std::make_move_iterator(pairs.vectors.end()));
+    pairs.values.resize(options_.n_modes);
+    pairs.vectors.resize(options_.n_modes);
     const std::vector<double> residuals =
-      compute_residuals(assembly_, stiffness, mass, found.pairs, shift);
-    check_orthogonality(mass, found.pairs.vectors);
+      compute_residuals(assembly_, stiffness, mass, pairs, shift);
+    check_orthogonality(mass, pairs.vectors);
 
-    ModalResult result;
-    // Round-off of factorization and quotient stays far below the shift.
-    result.rigid_rate =
-      std::sqrt(.1 * std::abs(base) + 1.2 * rigid.value_or(std::abs(std::min(lowest, 0.))));
+    const SparseMatrix M(assembly_, mass);
+    MassBasis          free(M);
+    for (const std::vector<double> &motion : rigid)
+      free.add(assembly_.restrict_field(motion));
     for (unsigned int k = 0; k < options_.n_modes; ++k)
       {
         Mode mode;
-        mode.eigenvalue = found.pairs.values[k];
+        mode.eigenvalue = pairs.values[k];
         mode.residual   = residuals[k];
-        mode.shape      = assembly_.expand(found.pairs.vectors[k]);
-        if (result.is_rigid(mode))
-          ++result.n_rigid;
-        // A mode is as exact as the square of its residual; beyond this one it may not be a mode.
-        if (!(mode.residual < 1e-3))
-          {
-            std::ostringstream text;
-            text
-              << "mode " << k + 1 << " at " << mode.frequency() << " Hz has the residual "
-              << mode.residual
-              << ": the eigenvalue solver has failed (Fem/eigenvalue tolerance: a smaller one may "
-                 "help)";
-            throw NumericalError(text.str());
-          }
+        mode.shape      = assembly_.expand(pairs.vectors[k]);
+        mode.is_rigid   = free.share(pairs.vectors[k]) > .5;
+        result.n_rigid += mode.is_rigid;
+        check_residual(mode.residual, mode.frequency());
         result.modes.push_back(std::move(mode));
       }
-    result.vectors      = std::move(found.pairs.vectors);
+    result.rigid        = free.vectors();
+    result.vectors      = std::move(pairs.vectors);
     result.n_unknowns   = assembly_.unknowns().n();
     result.counted      = found.counted;
-    result.n_iterations = found.pairs.n_iterations;
+    result.n_iterations = pairs.n_iterations;
     result.memory       = found.memory;
     result.shift        = shift;
     if (assembly_.unknowns().n_copies() == 1 && assembly_.discretization().sector_angle() == 0)

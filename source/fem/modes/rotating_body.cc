@@ -12,10 +12,12 @@
 #include <vfife/model/constraints/rigid_freedom.h>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 // For one speed: the equilibrium under centrifugal force; stiffness and mass about it, for the
 // whole body or for each harmonic of a sector; their modes; and, with Coriolis forces, waves in the
@@ -41,10 +43,18 @@ namespace vfife
           imaginary[i] /= largest;
         }
     }
-  } // namespace
 
-  namespace
-  {
+    /** How often modes are searched again for the completeness of waves. */
+    constexpr unsigned int most_attempts = 3;
+
+    Eigen::MatrixXd as_columns(const std::vector<std::vector<double>> &fields)
+    {
+      Eigen::MatrixXd columns(fields.empty() ? 0 : fields.front().size(), fields.size());
+      for (std::size_t k = 0; k < fields.size(); ++k)
+        columns.col(k) = Eigen::Map<const Eigen::VectorXd>(fields[k].data(), fields[k].size());
+      return columns;
+    }
+
     /**
      * Where bearings oppose rigid motions, their velocity relative to the ground is u' + Omega x u,
      * which adds b = Im(p^H J (Omega x p)) to omega m of the shape, p its rigid motion and J mass
@@ -226,6 +236,64 @@ namespace vfife
     return result;
   }
 
+  std::vector<std::vector<double>> RotatingBody::rigid_motions(const Assembly    &assembly,
+                                                               const unsigned int harmonic) const
+  {
+    // Velocities at the body's axis and angular velocities that nothing opposes, a column each.
+    const Axis &axis = model_.bodies[body_].axis;
+    const auto  unit = make_rigid_motions(whole_, whole_.parts()[0], axis.point);
+    const auto  free = find_free_motions(whole_, whole_.parts()[0]);
+    if (free.empty())
+      return {};
+    const Eigen::MatrixXd motions = as_columns(unit).colPivHouseholderQr().solve(as_columns(free));
+
+    std::vector<std::vector<double>> list;
+    const auto                       of_points =
+      make_rigid_motions(discretization_, discretization_.parts()[0], axis.point);
+    const auto field = [&](const Vector6 &motion) {
+      std::vector<double> sum(of_points.front().size(), 0.);
+      for (unsigned int d = 0; d < 6; ++d)
+        sum = add_scaled(std::move(sum), motion[d], of_points[d]);
+      return sum;
+    };
+    const Vector3 a = axis.direction;
+    for (Eigen::Index k = 0; k < motions.cols(); ++k)
+      {
+        Vector6 motion = motions.col(k);
+        if (options_.hold_hubs && has_turning_hub(model_, body_))
+          {
+            const double whole = motion.norm();
+            motion.tail<3>() -= a.dot(motion.tail<3>()) * a;
+            if (motion.norm() < 1e-8 * whole)
+              continue;
+          }
+        if (!options_.cyclic_symmetry)
+          {
+            list.push_back(field(motion));
+            continue;
+          }
+        // Sectors have what lies along the axis in the harmonic 0, shifts and tilts v across it in
+        // the harmonic 1: those of sector k are Re(R^k z exp(i k alpha)) = v with z = v + i a x v.
+        const Vector3 along[] = {a * a.dot(motion.head<3>()), a * a.dot(motion.tail<3>())};
+        Vector6       part;
+        part << along[0], along[1];
+        if (harmonic == 1)
+          part = motion - part;
+        if (harmonic > 1 || part.norm() < 1e-8 * motion.norm())
+          continue;
+        list.push_back(field(part));
+        if (assembly.unknowns().n_copies() == 2)
+          {
+            const Vector3 z = compute_sector_axis(model_.bodies[body_]).direction;
+            Vector6       quarter;
+            quarter << z.cross(part.head<3>()), z.cross(part.tail<3>());
+            const std::vector<double> imaginary = field(quarter);
+            list.back().insert(list.back().end(), imaginary.begin(), imaginary.end());
+          }
+      }
+    return list;
+  }
+
   void RotatingBody::solve_harmonic(const double               rate,
                                     const std::vector<double> &equilibrium,
                                     const unsigned int         harmonic,
@@ -235,28 +303,46 @@ namespace vfife
     unknowns.padded   = ModalSolver::needs_padding(options_);
     unknowns.harmonic = harmonic;
     unknowns.rotation = options_.hold_hubs ? HubRotation::held : HubRotation::free;
-    const Assembly        assembly(discretization_, unknowns, communicator_);
-    const ModalSolver     solver(assembly, options_);
-    const SystemMatrices &matrices = solver.matrices();
-    // About the equilibrium. Hubs that turn freely are not pinned: their rotation is a rigid mode,
-    // which is told apart by its frequency.
+    const Assembly       assembly(discretization_, unknowns, communicator_);
+    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
+    // About the equilibrium. Hubs that turn freely are not pinned: their rotation is a rigid mode.
     const SparseValues K = rate != 0 ? matrices.spinning_stiffness(equilibrium, constant_rate(rate))
                                      : matrices.stiffness(constant_rate(0.));
     const SparseValues M = matrices.mass();
     // Spin softens translations of a body that nothing holds, or soft bearings do, by this much;
     // the rotation of a hub, and of a shaft in bearings, is left with round-off.
-    const bool        floats    = model_.bodies[body_].floats;
-    const double      round_off = 1e-3 * rate * rate;
-    const double      lowest    = count_free_motions() > 0 || floats ? -rate * rate : -round_off;
-    const ModalResult found     = solver.solve(K, M, lowest, floats ? round_off : std::abs(lowest));
-    result.n_rigid += found.n_rigid;
-    result.n_unknowns = std::max(result.n_unknowns, found.n_unknowns);
-    result.memory     = std::max(result.memory, found.memory);
-    result.counted    = options_.cyclic_symmetry ? result.counted && found.counted : found.counted;
-    if (options_.coriolis && rate != 0)
-      add_waves(assembly, harmonic, rate, K, M, found, result);
-    else
-      add_modes(harmonic, found, result);
+    const bool         is_softened = count_free_motions() > 0 || model_.bodies[body_].floats;
+    const double       lowest      = is_softened ? -rate * rate : -1e-3 * rate * rate;
+    const auto         rigid       = rigid_motions(assembly, harmonic);
+    const bool         with_waves  = options_.coriolis && rate != 0;
+    const unsigned int most        = ModalSolver::largest_number(assembly.unknowns().n());
+
+    FemOptions options = options_;
+    for (unsigned int attempt = 0;; ++attempt)
+      {
+        const ModalResult found = ModalSolver(assembly, options).solve(K, M, lowest, rigid);
+        ModesAtSpeed      part;
+        bool              is_complete = true;
+        if (with_waves)
+          is_complete = add_waves(matrices, harmonic, rate, K, M, found, part);
+        else
+          add_modes(harmonic, found, part);
+        // The lowest waves may be made of modes that are not among the lowest.
+        if (!is_complete && attempt < most_attempts && options.n_modes < most)
+          {
+            options.n_modes = std::min(most, options.n_modes + std::max(8u, options.n_modes / 4));
+            continue;
+          }
+        result.modes.insert(result.modes.end(),
+                            std::make_move_iterator(part.modes.begin()),
+                            std::make_move_iterator(part.modes.end()));
+        result.n_rigid += found.rigid.size();
+        result.n_unknowns = std::max(result.n_unknowns, found.n_unknowns);
+        result.memory     = std::max(result.memory, found.memory);
+        result.counted =
+          (result.counted || !options_.cyclic_symmetry) && found.counted && is_complete;
+        return;
+      }
   }
 
   void RotatingBody::add_modes(const unsigned int harmonic,
@@ -265,9 +351,13 @@ namespace vfife
   {
     for (const Mode &mode : found.modes)
       {
+        if (!mode.is_rigid && mode.eigenvalue < -1e-3 * std::abs(found.shift))
+          throw NumericalError("body \"" + model_.bodies[body_].name() +
+                               "\" is not stable: a motion has a negative stiffness (speed too "
+                               "high)");
         RotatingMode entry;
         // Round-off and softening give rigid motions small frequencies or imaginary ones.
-        entry.frequency = found.is_rigid(mode) ? 0. : mode.frequency();
+        entry.frequency = mode.is_rigid ? 0. : mode.frequency();
         entry.residual  = mode.residual;
         if (!options_.cyclic_symmetry)
           entry.effective_mass = mode.effective_mass;
@@ -279,27 +369,28 @@ namespace vfife
       }
   }
 
-  void RotatingBody::add_waves(const Assembly     &assembly,
-                               const unsigned int  harmonic,
-                               const double        rate,
-                               const SparseValues &stiffness,
-                               const SparseValues &mass,
-                               const ModalResult  &found,
-                               ModesAtSpeed       &result) const
+  bool RotatingBody::add_waves(const SystemMatrices &matrices,
+                               const unsigned int    harmonic,
+                               const double          rate,
+                               const SparseValues   &stiffness,
+                               const SparseValues   &mass,
+                               const ModalResult    &found,
+                               ModesAtSpeed         &result) const
   {
-    const SystemMatrices matrices(assembly, options_.mass, options_.strain);
-    const DirectSolver   factors(assembly.pattern(),
+    const Assembly          &assembly = matrices.assembly();
+    const DirectSolver       factors(assembly.pattern(),
                                add_scaled(stiffness, -found.shift, mass),
                                communicator_);
-    for (const GyroscopicMode &wave :
-         find_gyroscopic_modes(assembly,
-                               stiffness,
-                               mass,
-                               matrices.gyroscopic(constant_rate(rate)),
-                               factors,
-                               found.vectors,
-                               found.rigid_rate,
-                               options_.n_modes - found.n_rigid))
+    const SparseValues       coriolis = matrices.gyroscopic(constant_rate(rate));
+    std::vector<OwnedVector> modes    = found.vectors;
+    modes.insert(modes.end(), found.guards.begin(), found.guards.end());
+    const unsigned int n_rigid = found.rigid.size(), n_asked = options_.n_modes;
+    const auto         waves =
+      find_gyroscopic_modes({assembly, stiffness, mass, coriolis, rate, factors, found.shift},
+                            modes,
+                            found.rigid,
+                            n_asked - std::min(n_asked, n_rigid));
+    for (const GyroscopicMode &wave : waves)
       {
         RotatingMode entry;
         entry.frequency               = wave.rate / (2. * pi);
@@ -316,6 +407,10 @@ namespace vfife
           compute_rigid_damping(model_, body_, rate, wave.rate, entry.shape, imaginary);
         result.modes.push_back(std::move(entry));
       }
+    // w^2 + 2 g w Omega = k/m of a wave, |g| <= 1: one that is made of modes above the highest has
+    // k/m above their eigenvalue and (w + Omega)^2 - Omega^2 above it too.
+    const double top = waves.empty() ? 0. : waves.back().rate;
+    return found.highest >= top * (top + 2. * std::abs(rate));
   }
 
   std::vector<double> RotatingBody::node_shape(const std::vector<double> &shape,

@@ -34,10 +34,9 @@ namespace vfife
     // 3. Bearings and couplings: preload - K B u on the points of their rings.
     std::vector<double>   forces(result.displacements.size(), 0.);
     const BearingRings    rings(discretization);
-    const Eigen::VectorXd loads =
-      rings.preload() - rings.stiffness([&model](const unsigned int body) {
-        return model.bodies[body].rate;
-      }) * rings.displacement(result.displacements);
+    const Eigen::VectorXd loads = rings.preload() - rings.stiffness([&](const unsigned int body) {
+      return result.turns ? model.bodies[body].rate : 0.;
+    }) * rings.displacement(result.displacements);
     for (std::size_t r = 0; r < rings.list().size(); ++r)
       {
         const BearingRing &ring = rings.list()[r];

@@ -119,9 +119,12 @@ namespace vfife
     return forces;
   }
 
-  SystemMatrices::Rate StaticSolver::body_rate() const
+  SystemMatrices::Rate StaticSolver::body_rate(const StaticLoads &loads) const
   {
-    return [this](const unsigned int body) { return model_.bodies[body].rate; };
+    // Without centrifugal force bodies are at rest, as their bearings stand.
+    return [this, turns = loads.centrifugal](const unsigned int body) {
+      return turns ? model_.bodies[body].rate : 0.;
+    };
   }
 
   std::vector<double> StaticSolver::balance(const SystemMatrices      &matrices,
@@ -139,7 +142,7 @@ namespace vfife
     // is asked for.
     const bool moved = std::any_of(u.begin(), u.end(), [](const double v) { return v != 0.; });
     std::vector<double>        sums(u.size(), 0.);
-    const SystemMatrices::Rate rate = body_rate();
+    const SystemMatrices::Rate rate = body_rate(loads);
     if (is_root)
       {
         const std::vector<double> forces = make_forces(loads);
@@ -250,8 +253,9 @@ namespace vfife
     unknowns.led_are_held = true;
     const Assembly             assembly(discretization_, unknowns, communicator_);
     const SystemMatrices       matrices(assembly, options_.mass, options_.strain);
-    const SystemMatrices::Rate rate = body_rate();
+    const SystemMatrices::Rate rate = body_rate(loads);
     StaticResult               result;
+    result.turns = loads.centrifugal;
     // First the state of spin, which stiffens and softens the bodies: everything else is linear
     // about it.
     SpinState  state;

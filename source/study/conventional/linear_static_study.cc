@@ -23,6 +23,7 @@
 #include <vfife/study/conventional/chosen_bodies.h>
 #include <vfife/study/conventional/linear_static_study.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/turning_axes.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -212,12 +213,12 @@ namespace vfife
       throw InputError("Model/contacts",
                        "the rigid wall \"" + wall.name +
                          "\" is not linear: leave it out, or use kind = static");
-    for (const Load &load : model.loads)
-      if (load.kind == LoadKind::spring && model.bodies[load.body].rate != 0)
-        throw InputError("Model/constraints",
-                         "the spring \"" + load.name + "\" stands still and its body \"" +
-                           model.bodies[load.body].name() +
-                           "\" turns: that is no state of rest in turning axes");
+    if (options_.centrifugal)
+      refuse_standing_loads(model,
+                            find_chosen_bodies(fem_, model),
+                            "Set Linear static/centrifugal = no, which has the body at rest: of a "
+                            "balanced rotor that is the displacement at any speed, but for what "
+                            "spin stiffens; or take kind = run");
   }
 
   Model LinearStaticStudy::make_model(Log &log) const
@@ -274,6 +275,10 @@ namespace vfife
     // Bodies that are free to move are refused here, before anything is assembled.
     const std::vector<unsigned int> bodies = find_chosen_bodies(fem_, model);
     log_housing(model, bodies, log);
+    if (options_.centrifugal)
+      for (const unsigned int b : bodies)
+        if (model.bodies[b].rate != 0)
+          warn_of_averaged_bearings(model, b, log);
     const StaticSolver        solver(model, bodies, fem_, folder.communicator(), rotation);
     const StaticResult        result   = solver.solve(loads);
     const std::vector<Stress> stresses = solver.compute_node_stresses(result);

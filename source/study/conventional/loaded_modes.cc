@@ -8,6 +8,7 @@
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/study/conventional/loaded_modes.h>
+#include <vfife/study/turning_axes.h>
 
 namespace vfife
 {
@@ -26,6 +27,10 @@ namespace vfife
                                                   result.bearing_tangent,
                                                   what.n_modes,
                                                   folder.communicator());
+    if (what.spins)
+      for (const Discretization::Part &part : compliance.discretization().parts())
+        if (model.bodies[part.body].rate != 0)
+          warn_of_averaged_bearings(model, part.body, log);
     log.line("coupled modes: ",
              modes.n_unknowns,
              " unknowns, ",

@@ -18,6 +18,8 @@
 #include <vfife/study/cases/case_kinds.h>
 #include <vfife/study/conventional/chosen_bodies.h>
 #include <vfife/study/conventional/modal_study.h>
+#include <vfife/study/start_summary.h>
+#include <vfife/study/turning_axes.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -71,7 +73,7 @@ namespace vfife
 
     private:
       void solve_body(const Model &model, unsigned int body, const OutputFolder &folder, Log &log);
-      void log_damping(const ModesAtSpeed &found, Log &log) const;
+      void log_damping(const ModesAtSpeed &found, double zeta, Log &log) const;
 
       std::unique_ptr<Case> case_;
       DynamicsOptions       dynamics_;
@@ -98,7 +100,9 @@ namespace vfife
   void ModalStudy::run(OutputFolder &folder, Log &log)
   {
     log.set_verbosity(output_.verbosity);
-    const Model model = case_->make_model(log);
+    const Model model   = case_->make_model(log);
+    RunSummary  summary = start_summary("modal", model, folder);
+    const auto  start   = WallClock::now();
     folder.make_subfolder("modes");
     for (const unsigned int b : find_chosen_bodies(fem_, model))
       solve_body(model, b, folder, log);
@@ -109,14 +113,15 @@ namespace vfife
         write_tables(folder, "resonances", resonances_);
       }
     write_tables(folder, "modes", modes_);
+    summary.run_time = seconds_since(start);
+    write_summary(folder, summary, log);
     if (output_.pictures)
       draw_pictures(folder, log);
   }
 
-  void ModalStudy::log_damping(const ModesAtSpeed &found, Log &log) const
+  void ModalStudy::log_damping(const ModesAtSpeed &found, const double zeta, Log &log) const
   {
-    const double zeta    = dynamics_.mass_damping();
-    const auto   percent = [zeta](const RotatingMode &mode) {
+    const auto percent = [zeta](const RotatingMode &mode) {
       return 1e2 * mode.damping_ratio(zeta);
     };
     const auto lowest = std::find_if(found.modes.begin(),
@@ -142,7 +147,15 @@ namespace vfife
     const RotatingBody        rotating(model, b, fem_, folder.communicator());
     std::vector<ModesAtSpeed> speeds;
     log_housing(model, {b}, log);
-    for (const double rate : fem_.rates())
+    const std::vector<double> rates = fem_.rates();
+    if (std::any_of(rates.begin(), rates.end(), [](const double rate) { return rate != 0; }))
+      {
+        refuse_standing_springs(model, b);
+        warn_of_averaged_bearings(model, b, log);
+      }
+    // Dampers of bearings are not in the ratios, which are unknown then.
+    const double zeta = warn_of_dampers(model, b, log) ? not_known : dynamics_.mass_damping();
+    for (const double rate : rates)
       {
         // Each speed is a problem of its own: stresses of its spin, its Coriolis forces.
         const auto   start   = WallClock::now();
@@ -170,8 +183,8 @@ namespace vfife
                  " s");
         if (rate != 0)
           log.line("largest displacement under spin ", 1e3 * found.growth, " um");
-        log_damping(found, log);
-        add_modes(body.name(), found, dynamics_.mass_damping(), modes_);
+        log_damping(found, zeta, log);
+        add_modes(body.name(), found, zeta, modes_);
 
         // Shapes go into the file and out of memory, speed by speed; branches need frequencies
         // alone.

@@ -18,6 +18,9 @@
 #include <vfife/study/run/static_study.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/start_summary.h>
+#include <vfife/study/turning_axes.h>
+
+#include <numeric>
 
 namespace vfife
 {
@@ -86,7 +89,13 @@ namespace vfife
 
   Model StaticStudy::make_model(Log &log) const
   {
-    Model model = case_.make_model(log);
+    Model                     model = case_.make_model(log);
+    std::vector<unsigned int> bodies(model.bodies.size());
+    std::iota(bodies.begin(), bodies.end(), 0u);
+    refuse_standing_loads(model,
+                          bodies,
+                          "Set the speed of the body to 0, which has it at rest, or take kind = "
+                          "run");
     scale_masses(dynamics_, model, log);
     return model;
   }

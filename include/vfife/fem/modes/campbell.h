@@ -20,7 +20,8 @@ namespace vfife
   Table make_mode_table();
   void  add_modes(const std::string &body, const ModesAtSpeed &modes, double zeta, Table &table);
 
-  /** Modes that belong together over the speeds: same diameter, direction and place in order. */
+  /** Modes that belong together over the speeds: same diameter, direction and place in order. A
+   * wave that the spin has overtaken stays on its branch with a negative frequency. */
   struct CampbellBranch
   {
     int                 nodal_diameter = -1;
@@ -31,8 +32,8 @@ namespace vfife
 
   std::vector<CampbellBranch> make_branches(const std::vector<ModesAtSpeed> &speeds);
 
-  /** A row a point of a branch: body, nodal diameter, order, direction, speed [rpm], frequency
-   * [Hz]. */
+  /** A row a point of a branch: body, nodal diameter, order, direction, speed [rpm], frequency in
+   * turning axes and for an observer at rest [Hz]. */
   Table make_campbell_table();
   void
   add_branches(const std::string &body, const std::vector<CampbellBranch> &branches, Table &table);
@@ -41,10 +42,11 @@ namespace vfife
    * Speeds at which a force that stands still in space, of frequency m z Omega (mesh order m, z
    * teeth; m = 0: the constant load), meets a branch: its harmonic of h diameters is felt by the
    * turning body at (m z + h) Omega as a wave against the speed and at |m z - h| Omega as a wave
-   * with it (against it, where h > m z). Between computed speeds frequencies are interpolated
-   * linearly. Columns: body, nodal diameter, order, wave, mesh order, speed of the body [rpm],
-   * frequency [Hz] in its turning axes, speed of the pinion [rpm]: @p pinion_ratio times that of
-   * the body, no number for bodies that are none of a pair.
+   * with it (against it, where h > m z). Unbalance, which stands still in the turning body, meets a
+   * wave of one diameter where the spin overtakes it. Between computed speeds frequencies are
+   * interpolated linearly. Columns: body, nodal diameter, order, excitation, wave, mesh order,
+   * speed of the body [rpm], frequency [Hz] in its turning axes, speed of the pinion [rpm]: @p
+   * pinion_ratio times that of the body, no number for bodies that are none of a pair.
    */
   Table make_resonance_table();
   void  add_resonances(const std::string                 &body,

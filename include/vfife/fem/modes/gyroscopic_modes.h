@@ -11,28 +11,37 @@ namespace vfife
   /** A wave u exp(i omega t) with Coriolis forces, u = real + i imaginary (owned unknowns). */
   struct GyroscopicMode
   {
-    double rate     = 0; ///< omega > 0 [rad/s]
-    double residual = 0; ///< |(K - omega^2 M + 2 i omega C) u| over omega^2 |M u|
-    /** T/(T + U) of the energies in the turning axes, means over a period [-]. */
+    double rate = 0; ///< omega > 0 [rad/s]
+    /** |(K - omega^2 M + 2 i omega C) u| over max((omega + |Omega|)^2, |shift|) |M u|: omega +
+     * Omega is the largest rate that the motion can have in space. */
+    double residual = 0;
+    /** T/(T + U) of the energies in the turning axes, means over a period; negative for a wave that
+     * the spin has overtaken, since the energy T + U is [-]. */
     double      kinetic_share = 0.5;
     OwnedVector real, imaginary;
   };
 
+  /** M u'' + 2 C u' + K u = 0 with C = Omega G skew. */
+  struct GyroscopicSystem
+  {
+    const Assembly     &assembly;
+    const SparseValues &stiffness, &mass, &coriolis;
+    double              rate;    ///< Omega [rad/s]
+    const DirectSolver &factors; ///< of K - shift M
+    double              shift;   ///< [rad^2/s^2]
+  };
+
   /**
-   * The lowest @p n waves of M u'' + 2 C u' + K u = 0 with C = Omega G skew, from the quadratic
-   * eigenvalue problem projected on @p modes (those of K and M) and on K^-1 C applied to them, the
-   * first order of what Coriolis forces change; @p factors are those of K (nearly, where K is
-   * singular). Motions slower than @p rigid_rate [rad/s] are rigid ones and left out. The error of
-   * omega^2 is of the order of the square of the residual. Throws NumericalError where the motion
-   * grows. Collective.
+   * The lowest @p n waves, from the quadratic eigenvalue problem projected on @p modes (those of K
+   * and M), on what @p rigid motions span, and on (K - shift M)^-1 applied to the Coriolis forces
+   * of the modes and, as often as it takes, to the residuals of the waves. The error of omega^2 is
+   * of the order of the square of the residual. Waves of which more than half is a rigid motion are
+   * left out. Throws NumericalError where the motion grows, or residuals stay above 1e-3.
+   * Collective.
    */
-  std::vector<GyroscopicMode> find_gyroscopic_modes(const Assembly                 &assembly,
-                                                    const SparseValues             &stiffness,
-                                                    const SparseValues             &mass,
-                                                    const SparseValues             &coriolis,
-                                                    const DirectSolver             &factors,
+  std::vector<GyroscopicMode> find_gyroscopic_modes(const GyroscopicSystem         &system,
                                                     const std::vector<OwnedVector> &modes,
-                                                    double                          rigid_rate,
+                                                    const std::vector<OwnedVector> &rigid,
                                                     unsigned int                    n);
 } // namespace vfife
 

@@ -6,8 +6,6 @@
 #include <vfife/fem/system/system_matrices.h>
 
 #include <array>
-#include <cmath>
-#include <optional>
 #include <vector>
 
 namespace vfife
@@ -17,8 +15,9 @@ namespace vfife
   /** One natural vibration, in axes that turn with the body. */
   struct Mode
   {
-    double eigenvalue = 0; ///< omega^2 [rad^2/s^2]
-    double residual   = 0; ///< |K x - lambda M x| over max(|lambda|, |shift|) |M x|
+    double eigenvalue = 0;     ///< omega^2 [rad^2/s^2]
+    double residual   = 0;     ///< |K x - lambda M x| over max(|lambda|, |shift|) |M x|
+    bool   is_rigid   = false; ///< more than half of it is a rigid motion that nothing opposes
     /** Displacements of all points (each copy), 3 a point, modal mass 1 t [mm]; on all ranks. */
     std::vector<double> shape;
     /**
@@ -35,19 +34,20 @@ namespace vfife
   {
     std::vector<Mode>        modes;   ///< ascending
     std::vector<OwnedVector> vectors; ///< unknowns of each mode, owned part
+    std::vector<OwnedVector> guards;  ///< of further modes, found beyond those asked for
+    std::vector<OwnedVector> rigid;   ///< rigid motions that nothing opposes
     unsigned int             n_unknowns   = 0;
-    double                   rigid_rate   = 0;     ///< slower motions are taken as rigid [rad/s]
-    unsigned int             n_rigid      = 0;     ///< modes slower than that
+    unsigned int             n_rigid      = 0;     ///< rigid ones of the modes
     bool                     counted      = false; ///< completeness was checked by a factorization
+    double                   highest      = 0;     ///< eigenvalue, guards included [rad^2/s^2]
     unsigned int             n_iterations = 0;
     double                   memory       = 0; ///< of the factors [MB]
     double                   shift        = 0; ///< [rad^2/s^2]
-
-    bool is_rigid(const Mode &mode) const
-    {
-      return std::abs(mode.eigenvalue) < rigid_rate * rigid_rate;
-    }
   };
+
+  /** Throws NumericalError for a mode whose residual is not below 1e-3: it is as exact as the
+   * square of that, and beyond it may not be a mode. @p frequency [Hz] names it. */
+  void check_residual(double residual, double frequency);
 
   /** -1e-10 of the largest K_ii/M_ii [rad^2/s^2]: far above the round-off of eigenvalues, far below
    * the modes that a mesh resolves. Collective. */
@@ -56,10 +56,11 @@ namespace vfife
 
   /**
    * The lowest modes of K x = omega^2 M x. The shift is that of choose_shift(), so that free bodies
-   * need nothing else: rigid motions come out at zero. Always checked: number, residuals,
-   * M-orthogonality; and, with shift-invert, that a factorization of K - s M counts as many
-   * eigenvalues below s as were found, s between two modes (missed ones are searched for again).
-   * Throws NumericalError where a check fails in the end. Collective.
+   * need nothing else: rigid motions come out near zero. They are told by their shapes, never by
+   * their frequency: soft mounts and critical speeds have real modes there. Always checked: number,
+   * residuals, M-orthogonality; and, with shift-invert, that a factorization of K - s M counts as
+   * many eigenvalues below s as were found, s between two modes (missed ones are searched for
+   * again). Throws NumericalError where a check fails in the end. Collective.
    */
   class ModalSolver
   {
@@ -68,18 +69,18 @@ namespace vfife
      * in the name of Fem/modes, where more modes are asked for than largest_number(). */
     ModalSolver(const Assembly &assembly, const FemOptions &options);
 
-    /** Modes of the body at rest. */
+    /** Modes of the bodies at rest; their rigid motions are those that the model leaves free. */
     ModalResult solve() const;
 
     /**
      * Modes of other matrices on the same pattern, e.g. at speed; @p lowest is a guess of the
-     * lowest eigenvalue [rad^2/s^2], 0 or what motions are softened to. Eigenvalues of rigid
-     * motions are below @p rigid, unless given the size of the lowest one.
+     * lowest eigenvalue [rad^2/s^2], 0 or what motions are softened to; @p rigid are the motions
+     * that nothing opposes, as displacements of all points (each copy).
      */
-    ModalResult solve(const SparseValues   &stiffness,
-                      const SparseValues   &mass,
-                      double                lowest,
-                      std::optional<double> rigid = {}) const;
+    ModalResult solve(const SparseValues                     &stiffness,
+                      const SparseValues                     &mass,
+                      double                                  lowest,
+                      const std::vector<std::vector<double>> &rigid = {}) const;
 
     const SystemMatrices &matrices() const
     {

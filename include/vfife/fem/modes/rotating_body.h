@@ -17,7 +17,8 @@ namespace vfife
   {
     double frequency = 0; ///< [Hz]
     double residual  = 0;
-    /** T/(T + U) of the energies in the turning axes: 1/2 without Coriolis forces [-]. */
+    /** T/(T + U) of the energies in the turning axes: 1/2 without Coriolis forces, negative for a
+     * wave that the spin has overtaken [-]. */
     double kinetic_share = 0.5;
     /** What rigid motions change of the damping, which are damped relative to the ground where
      * bearings oppose them, and not where nothing does; part of that of the whole shape [-]. */
@@ -28,6 +29,13 @@ namespace vfife
       {not_known, not_known, not_known, not_known, not_known, not_known}};
     /** Displacements of the body's nodes, 3 a node, fixed frame, largest 1 mm. */
     std::vector<double> shape;
+
+    /** Whether the body turns faster than the wave, which started in the sense of the spin: its
+     * energy in turning axes is negative. */
+    bool is_overtaken() const
+    {
+      return kinetic_share < 0;
+    }
 
     /** Of the damping of runs (doc/dynamics.md, Damping ratio), to the first order of zeta [1/s];
      * not a number for a rigid motion [-]. */
@@ -89,13 +97,17 @@ namespace vfife
                         unsigned int               harmonic,
                         ModesAtSpeed              &result) const;
     void add_modes(unsigned int harmonic, const ModalResult &found, ModesAtSpeed &result) const;
-    void add_waves(const Assembly     &assembly,
-                   unsigned int        harmonic,
-                   double              rate,
-                   const SparseValues &stiffness,
-                   const SparseValues &mass,
-                   const ModalResult  &found,
-                   ModesAtSpeed       &result) const;
+    /** Tells whether no lower wave can be missing. */
+    bool add_waves(const SystemMatrices &matrices,
+                   unsigned int          harmonic,
+                   double                rate,
+                   const SparseValues   &stiffness,
+                   const SparseValues   &mass,
+                   const ModalResult    &found,
+                   ModesAtSpeed         &result) const;
+    /** Rigid motions that nothing opposes, as displacements of all points (each copy). */
+    std::vector<std::vector<double>> rigid_motions(const Assembly &assembly,
+                                                   unsigned int    harmonic) const;
     std::vector<double> node_shape(const std::vector<double> &shape, unsigned int harmonic) const;
 
     const Model        &model_;

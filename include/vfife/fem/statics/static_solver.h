@@ -38,7 +38,8 @@ namespace vfife
      * where nothing is held. */
     std::vector<double> reactions;
     double              strain_energy = 0; ///< of bodies and springs to the ground [mJ]
-    unsigned int        n_iterations  = 0; ///< of the last linear system; 0: direct solver
+    bool         turns = false; ///< bodies spin, and feel the mean of their bearings over all turns
+    unsigned int n_iterations = 0; ///< of the last linear system; 0: direct solver
   };
 
   /**
@@ -79,7 +80,7 @@ namespace vfife
                                  const std::vector<double> &spun,
                                  double                    &strain_energy) const;
     std::vector<double>  make_forces(const StaticLoads &loads) const;
-    SystemMatrices::Rate body_rate() const;
+    SystemMatrices::Rate body_rate(const StaticLoads &loads) const;
     /** What solves with @p K, which it checks to be positive. */
     LinearSolve
     prepare(const SystemMatrices &matrices, SparseValues K, unsigned int &n_iterations) const;

@@ -185,8 +185,10 @@ def tell_resonances(run):
         return
     of_pair = "pinion speed" in table and np.all(np.isfinite(table["pinion speed"]))
     by = "pinion speed" if of_pair else "speed"
-    shown = [k for k in np.argsort(np.abs(table[by]), kind="stable") if table["mesh order"][k] > 0][:SHOWN_RESONANCES]
-    names = ["body", "nodal diameter", "order", "wave", "mesh order", "speed", "frequency", *(["pinion speed"] if of_pair else [])]
+    # Earlier versions met mesh orders and the constant load, order 0, only; unbalance has no order.
+    shown = [k for k in np.argsort(np.abs(table[by]), kind="stable") if table["mesh order"][k] != 0][:SHOWN_RESONANCES]
+    excitation = ["excitation"] if "excitation" in table else []
+    names = ["body", "nodal diameter", "order", *excitation, "wave", "mesh order", "speed", "frequency", *(["pinion speed"] if of_pair else [])]
     text = ("Speeds at which orders meet vibrations of each body by itself. Column speed: of that body. Frequency: in axes that turn "
             "with it.")
     if of_pair:
