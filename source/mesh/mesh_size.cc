@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/mesh/mesh_size.h>
 
 #include <algorithm>
@@ -78,7 +79,7 @@ namespace vfife
     if (n_cells <= most_cells && needed <= available)
       return;
     std::ostringstream message;
-    message.precision(3);
+    set_figure_digits(message, 3);
     message << "a mesh of " << n_cells << " elements ";
     if (n_cells > most_cells)
       message << "is too large: at most " << most_cells << " can be numbered";

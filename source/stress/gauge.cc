@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/mesh/node_set_names.h>
 #include <vfife/model/body.h>
 #include <vfife/stress/gauge.h>
@@ -155,7 +156,7 @@ namespace vfife
                                     : place[1] > fillet_.n_rows() + border ? "the first row of the flank"
                                                                            : nullptr;
         std::ostringstream room;
-        room.precision(3);
+        set_figure_digits(room, 3);
         room << 2. * (length - left);
         if (beyond != nullptr)
           throw InputError(section + "/length",

@@ -12,6 +12,7 @@
 #include "../tests.h"
 
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 using namespace vfife;
@@ -188,6 +189,14 @@ void check_texts()
                                                    {0., "0"},
                                                    {1.234e-5, "1.23e-05"}})
     check("figure " + text, figure_text(value) == text);
+
+  // Four digits, as checks and warnings have them: other numbers as ever.
+  std::ostringstream four;
+  set_figure_digits(four, 4);
+  four << 12850.8 << ' ' << 1285.08 << ' ' << 9999.6 << ' ' << -987654.3 << ' ' << 2.34567e7 << ' '
+       << 1.23456 << ' ' << 2e-5 << ' ' << 123456 << ' ' << std::fixed << 12850.81234;
+  check("figures of four digits: " + four.str(),
+        four.str() == "12851 1285 10000 -987654 2.346e+07 1.235 2e-05 123456 12850.8123");
 }
 
 int main()

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What ContactSystem tells of the last evaluation.
 #include <vfife/base/process/communicator.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/loads/contact_of_pair.h>
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/model/tooth_contact.h>
@@ -174,7 +175,7 @@ namespace vfife
           if (own[i] > 0)
             most = std::max(most, carried[i] / own[i]);
         std::ostringstream text;
-        text.precision(3);
+        set_figure_digits(text, 3);
         text << "contact " << pair->definition.side << ": facets of the slave \""
              << model_.bodies[pair->slave.body].name() << "\" are " << contact.coarseness()
              << " times as wide as those of the master \""
@@ -194,7 +195,7 @@ namespace vfife
         if (!pair->is_implicit() || !(rattling > 1.))
           continue;
         std::ostringstream text;
-        text.precision(3);
+        set_figure_digits(text, 3);
         text << "contact " << pair->definition.side
              << ": where surfaces hit each other, springs of " << pair->contact.penalty()
              << " N/mm^3 go on rattling at the step of " << 1e9 * dt << " ns; below "

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
 #include <vfife/output/measures/steady_part.h>
@@ -242,7 +243,7 @@ namespace vfife
   std::string SteadyPart::explain() const
   {
     std::ostringstream text;
-    text.precision(4);
+    set_figure_digits(text, 4);
     const auto        milliseconds = [](const double t) { return 1e3 * t; };
     const double      percent      = 100 * largest_change;
     const std::string cycles_to_judge =

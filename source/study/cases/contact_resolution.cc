@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
 #include <vfife/study/cases/contact_resolution.h>
@@ -39,7 +40,7 @@ namespace vfife
   std::string ContactResolution::describe_points(const std::string &contact) const
   {
     std::ostringstream text;
-    text.precision(4);
+    set_figure_digits(text, 4);
     text << "contact points lie " << spacing << " mm apart, " << contact << " is " << width
          << " mm wide: pressures are those of single points and the force ripples";
     return text.str();

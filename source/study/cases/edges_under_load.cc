@@ -1,6 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/table.h>
 #include <vfife/gear/unloaded_contact/contact_analysis.h>
 #include <vfife/study/cases/edges_under_load.h>
@@ -53,7 +54,7 @@ namespace vfife
   std::string EdgesUnderLoad::explain() const
   {
     std::ostringstream text;
-    text.precision(3);
+    set_figure_digits(text, 3);
     if (!found())
       {
         text

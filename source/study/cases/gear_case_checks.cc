@@ -2,6 +2,7 @@
 // The part of GearCase that finds what a user will not expect; doc/study.md lists the checks.
 #include <vfife/base/errors.h>
 #include <vfife/base/process/log.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/gear/unloaded_contact/unloaded_contact.h>
 #include <vfife/output/observers/progress_line.h>
@@ -23,7 +24,7 @@ namespace vfife
     std::string text(const Parts &...parts)
     {
       std::ostringstream message;
-      message.precision(4);
+      set_figure_digits(message, 4);
       (message << ... << parts);
       return message.str();
     }

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/text/figure_text.h>
 #include <vfife/contact/law/hertz.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/model/model.h>
@@ -32,7 +33,7 @@ namespace vfife
     if (limit == 0 || largest <= limit)
       return "";
     std::ostringstream text;
-    text.precision(4);
+    set_figure_digits(text, 4);
     text << "Hertz's pressure of one tooth pair under all the torque, " << largest
          << " MPa, is above the allowed " << limit << " MPa (Operation/allowed contact pressure)";
     return text.str();

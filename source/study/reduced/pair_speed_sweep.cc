@@ -3,6 +3,7 @@
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/model/model.h>
 #include <vfife/model/state.h>
 #include <vfife/reduced/pair_readings.h>
@@ -100,7 +101,7 @@ namespace vfife
     if (step <= narrowest)
       return "";
     std::ostringstream text;
-    text.precision(4);
+    set_figure_digits(text, 4);
     text << "speeds lie " << rpm * step << " rpm apart, wider than ";
     if (!(damping > 0))
       text << "resonances without damping, which have no width";

@@ -2,13 +2,13 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/base/text/figure_text.h>
 #include <vfife/model/options/bodies_at_start.h>
 #include <vfife/output/files/summary.h>
 #include <vfife/study/run/stepped_solver.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 namespace vfife
@@ -36,7 +36,7 @@ namespace vfife
     void log_times(const Table &times, const double n_steps, Log &log)
     {
       std::ostringstream text;
-      text << std::setprecision(3);
+      set_figure_digits(text, 3);
       for (std::size_t i = 0; i < times.n_rows(); ++i)
         if (const std::string &section = times.column("section").texts[i]; is_of_steps(section))
           text << (text.tellp() > 0 ? ", " : "") << section << ' '
@@ -47,7 +47,7 @@ namespace vfife
     void log_traffic(const Table &traffic, Log &log)
     {
       std::ostringstream text;
-      text << std::setprecision(3);
+      set_figure_digits(text, 3);
       for (std::size_t i = 0; i < traffic.n_rows(); ++i)
         {
           const auto number = [&](const char *column) { return traffic.numbers(column)[i]; };

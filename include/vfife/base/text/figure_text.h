@@ -2,6 +2,7 @@
 #ifndef vfife_base_text_figure_text_h
 #define vfife_base_text_figure_text_h
 
+#include <iosfwd>
 #include <string>
 
 namespace vfife
@@ -11,6 +12,10 @@ namespace vfife
    * "0.000354"; exponents below 1e-4 and from 1e7 on only ("1.2e-05").
    */
   std::string figure_text(double value);
+
+  /** From now on numbers written to @p text have so many significant digits, and exponents where
+   * figure_text() has them. */
+  void set_figure_digits(std::ostream &text, int digits);
 } // namespace vfife
 
 #endif
