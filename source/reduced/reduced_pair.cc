@@ -279,5 +279,6 @@ namespace vfife
     add_work(axial[t.driven].torque, way, powers);
     if (springs_.has_dampers())
       add_damping(before);
+    add_contact_impulse();
   }
 } // namespace vfife

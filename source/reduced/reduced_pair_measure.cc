@@ -150,6 +150,17 @@ namespace vfife
                               pair_.to_fixed_frame(i, now_.force.segment<3>(3 * i)));
   }
 
+  void ReducedPair::add_contact_impulse()
+  {
+    double force = 0, torque = 0;
+    for (const ToothContact &tooth : pair_.teeth())
+      {
+        force += tooth.force.norm();
+        torque += tooth.torque;
+      }
+    contact_impulse_.add(options_.step, force, torque);
+  }
+
   void ReducedPair::measure(State &state)
   {
     state.time = time_;

@@ -71,6 +71,8 @@ namespace vfife
     set_bearings(rows_);
     check_reach(nodes_, displace_nodes(nodes_));
     restart_energy();
+    contact_impulse_ = ContactImpulse();
+    add_contact_impulse();
     return found;
   }
 

@@ -204,7 +204,7 @@ namespace
     slave.edges.assign(1, {{0, 0, 0, 0}});
     for (const bool relieved : {true, false})
       {
-        ContactOptions options   = options_for(relieved ? width : 0., relieved ? depth : 0.);
+        ContactOptions options          = options_for(relieved ? width : 0., relieved ? depth : 0.);
         options.points_per_facet.number = 1;
         Bodies       bodies(slave, master, options);
         const double full = penalty * penetration * 4e-4, move = 2e-4;

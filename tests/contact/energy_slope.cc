@@ -284,7 +284,7 @@ namespace
     for (const Vector3 &place :
          {Vector3(0.3, 0.25, -0.02), Vector3(1.5, 0.3, -0.02), Vector3(3.1, 2.9, -0.02)})
       {
-        ContactOptions options   = options_of(&make_contact_law<LinearLaw>, 0.6);
+        ContactOptions options          = options_of(&make_contact_law<LinearLaw>, 0.6);
         options.points_per_facet.number = 1;
         Touch touch(
           plane(1, 1, -0.1, 0.1, -0.1, 0.1, 0., true), master_plane(true), options, place, 0.002);

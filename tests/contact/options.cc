@@ -92,8 +92,12 @@ int main()
   options.penalty.fraction  = 0.5;
   check_close("penalty from the step", options.penalty.value_for_step(2e-9, 5e-8), 4e5, 1e-4);
 
+  check("points across a contact: four, at least 3, at most 12 per facet",
+        points_across(1.7, .754) == 10 && points_across(.1, .754) == 3 &&
+          points_across(10., .754) == 12);
   check("no points are refused",
-        refused([](ContactOptions &o) { o.points_per_facet.number = 0; }, "Contact/points per facet"));
+        refused([](ContactOptions &o) { o.points_per_facet.number = 0; },
+                "Contact/points per facet"));
   check("an unstable fraction is refused",
         refused([](ContactOptions &o) { o.penalty.fraction = 3.; }, "Contact/penalty fraction"));
   check("so is one that leaves a step of a tenth",

@@ -30,12 +30,12 @@ namespace
 
     static ContactOptions make_options()
     {
-      ContactOptions options       = with_penalty(penalty);
-      options.surface              = ContactSurfaceKind::smooth_patches;
-      options.edge_fading          = 0.;
-      options.points_per_facet.number     = 4;
-      options.depth_limit          = 0.1;
-      options.friction.coefficient = mu;
+      ContactOptions options          = with_penalty(penalty);
+      options.surface                 = ContactSurfaceKind::smooth_patches;
+      options.edge_fading             = 0.;
+      options.points_per_facet.number = 4;
+      options.depth_limit             = 0.1;
+      options.friction.coefficient    = mu;
       return options;
     }
 

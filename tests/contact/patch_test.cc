@@ -230,10 +230,10 @@ namespace
 
   ContactOptions options_for(const ContactDiscretization discretization, const unsigned int points)
   {
-    ContactOptions options   = with_penalty(penalty);
-    options.discretization   = discretization;
+    ContactOptions options          = with_penalty(penalty);
+    options.discretization          = discretization;
     options.points_per_facet.number = points;
-    options.edge_fading      = 0.;
+    options.edge_fading             = 0.;
     return options;
   }
 

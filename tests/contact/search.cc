@@ -191,7 +191,8 @@ namespace
   {
     MovingSurface  slave(sphere_patch_down(30., 0.1, 9)), master(sphere_patch(50., 0.2, 8));
     ContactOptions options;
-    options.points_per_facet.number = 3; // 9 x 9 facets: the middle point of the middle one is the pole
+    options.points_per_facet.number =
+      3; // 9 x 9 facets: the middle point of the middle one is the pole
     Contact     contact(slave.surface, master.surface, options);
     RigidMotion motion;
     motion.translation[2] = 80. + 0.4;

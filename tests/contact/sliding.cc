@@ -15,10 +15,10 @@ namespace
 
   ContactOptions options_for(const ContactSurfaceKind kind, const unsigned int points)
   {
-    ContactOptions options   = with_penalty(penalty);
-    options.surface          = kind;
+    ContactOptions options          = with_penalty(penalty);
+    options.surface                 = kind;
     options.points_per_facet.number = points;
-    options.depth_limit      = 0.5; // the slider of one point is smaller than its depth
+    options.depth_limit             = 0.5; // the slider of one point is smaller than its depth
     return options;
   }
 

@@ -33,12 +33,12 @@ namespace
         model.add_body(std::move(body));
         ContactPair pair =
           contact_of("side " + std::to_string(number), "z-", "z+", ContactSurfaceKind::flat_facets);
-        pair.slave_body                = number;
-        pair.master_body               = 0;
-        pair.options.points_per_facet.number  = 2; // of equal weights
-        pair.options.edge_fading       = 0.;
-        pair.options.penalty.from_step = false;
-        pair.options.penalty.value     = penalty;
+        pair.slave_body                      = number;
+        pair.master_body                     = 0;
+        pair.options.points_per_facet.number = 2; // of equal weights
+        pair.options.edge_fading             = 0.;
+        pair.options.penalty.from_step       = false;
+        pair.options.penalty.value           = penalty;
         model.contacts.push_back(pair);
       }
     return model;

@@ -102,7 +102,7 @@ namespace
     general.walls[0].name = "NAME";
 
     const auto history = [&folder](const Model &model) {
-      return HistoryWriter(folder, model, 1).table();
+      return HistoryWriter(folder, model, 1, [] { return ContactImpulse(); }).table();
     };
     tables.push_back({"history.csv", "gear pair", history(pair)});
     tables.push_back({"history.csv", "gear pair, gear driving", history(led)});

@@ -109,7 +109,10 @@ namespace
 
   Table write_history(const OutputFolder &folder, const Model &model)
   {
-    HistoryWriter writer(folder, model, 1);
+    ContactImpulse impulse;
+    impulse.add(1e-3, 1000, 90e3);
+    impulse.add(1e-3, 3000, 270e3);
+    HistoryWriter writer(folder, model, 1, [impulse] { return impulse; });
     const State   state = make_state();
     writer.observe(model, state);
     writer.finish(model, state);
@@ -140,6 +143,8 @@ namespace
                            {"contact force total", {8918, "N"}},
                            {"contact torque on the gear", {801, "N m"}},
                            {"teeth in contact", {3, "-"}},
+                           {"impulse of contact force total", {2, "N s"}},
+                           {"impulse of contact torque on the gear", {.18, "N m s"}},
                            {"largest penetration", {1.5, "um"}}}));
     check_table("pair", write_history(folder, model), expected);
   }

@@ -5,6 +5,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
+#include <vfife/contact/contact_impulse.h>
 #include <vfife/output/measures/steady_part.h>
 
 #include <functional>
@@ -70,6 +71,47 @@ namespace
                 uneven.column("contact force total").mean,
                 9000,
                 300 * 1e-4);
+  }
+
+  /** An order that has a whole period from sample to sample falls on the samples' mean, not on
+   * that of the steps between them. */
+  void check_impulse()
+  {
+    constexpr unsigned int samples = 50, steps = 8; // of a mesh, of a sample
+    const auto             force = [](const double t) {
+      return 9000 + 300 * std::cos(2 * pi * samples * t) + 100 * std::sin(2 * pi * t);
+    };
+    for (const std::size_t first_known : {0, 500})
+      {
+        Table history;
+        history.add_column("time", "s");
+        history.add_column("contact force total", "N");
+        history.add_column("dte", "arcsec");
+        history.add_column("impulse of contact force total", "N s");
+        ContactImpulse impulse;
+        for (unsigned int step = 0; step <= 20 * samples * steps; ++step)
+          {
+            const double t = step / double(samples * steps);
+            impulse.add(mesh_period / (samples * steps), force(t), 0);
+            if (step % steps == 0)
+              history.add_row({t * mesh_period,
+                               force(t),
+                               constant_dte(t),
+                               step / steps < first_known ? not_known : impulse.force});
+          }
+        const SteadyPart        part     = find_steady_part(history, samples, 1, 0);
+        const ColumnStatistics &of_force = part.column("contact force total");
+        check_close(first_known == 0 ? "impulse: mean of all steps"
+                                     : "impulse of the end alone: mean of the samples",
+                    of_force.mean,
+                    first_known == 0 ? 9000 : 9300,
+                    1e-6);
+        check_close("impulse: deviation of the samples from their mean",
+                    of_force.standard_deviation,
+                    100 / std::sqrt(2.),
+                    1e-6);
+        check("impulse: no quantity of its own", part.columns.size() == 2);
+      }
   }
 
   void check_start()
@@ -256,6 +298,7 @@ namespace
 int main()
 {
   check_means();
+  check_impulse();
   check_start();
   check_none();
   check_ripple();

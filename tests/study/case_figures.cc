@@ -78,6 +78,24 @@ namespace
     check_close("area of two rectangles", compute_area(surface), 2. * 3. + 4. * 3., 1e-14);
   }
 
+  /** Facets of 1.70 mm under a Hertzian contact of 2 x 0.377 mm have ten points per direction, and
+   * fewer under an eighth of the load, whose contact is half as wide, are not enough: twelve. */
+  void points(Communicator &world)
+  {
+    const std::string pair = "include " + source_folder() +
+                             "/../../prm/spiral_bevel_quick.prm\nsubsection Operation\n"
+                             "  set torque = ";
+    const auto count = [&](const std::string &torque, const std::string &more) {
+      return make_gear_model("points.prm", pair + torque + "\nend\n" + more, world)
+        .contacts.back()
+        .options.points_per_facet.number;
+    };
+    check("points by the width of the contact", count("800 N m", "") == 10);
+    check("under an eighth of the load as many as there may be", count("100 N m", "") == 12);
+    check("as many as are given",
+          count("800 N m", "subsection Contact\n  set points per facet = 5\nend\n") == 5);
+  }
+
   void widths(Communicator &world)
   {
     const Model        model = make_gear_model("widths.prm", text(), world);
@@ -110,6 +128,6 @@ namespace
 
 int main(int argc, char **argv)
 {
-  run_parts(argc, argv, {steps, meshes, areas, widths});
+  run_parts(argc, argv, {steps, meshes, areas, points, widths});
   return 0;
 }

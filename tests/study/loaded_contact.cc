@@ -2,6 +2,7 @@
 // Loaded tooth contact analysis of a coarse pair by finite elements: its tables against each other,
 // its stiffnesses against what the torque does.
 #include "../tests.h"
+#include "../vtu_file.h"
 #include "quick_pair.h"
 
 #include <vfife/base/process/mpi_session.h>
@@ -49,7 +50,8 @@ namespace
     all.replace(all.find(given), given.size(), "torque = " + std::to_string(torque));
     std::ofstream("loaded_contact.prm")
       << all << "subsection Study\n set kind = loaded tooth contact analysis\nend\n"
-      << "subsection Loaded contact\n set positions = 2\nend\n";
+      << "subsection Loaded contact\n set positions = 2\nend\n"
+      << "subsection Output\n set fields every = 0.5\nend\n";
     run_pair("loaded_contact.prm", folder, world);
   }
 
@@ -140,6 +142,39 @@ namespace
           from_apex["gear"] > least + 2 && from_apex["gear"] < most - 2);
   }
 
+  /** Fields of both positions: where the analysis has the largest stress of a part, the file has
+   * it, and the pressures of the gear's flanks turn it as the torque asks for. */
+  void check_fields()
+  {
+    std::ifstream file("loaded_contact_results/figures.json");
+    const auto    figures = nlohmann::json::parse(file);
+    const auto    figure  = [&](const std::string &name) {
+      return figures.at(name).at("value").get<double>();
+    };
+    std::vector<VtuFile> fields;
+    for (const char *name : {"00000.vtu", "00001.vtu"})
+      fields.emplace_back(std::string("loaded_contact_results/fields/") + name);
+    check("fields: at both positions, no more",
+          !std::filesystem::exists("loaded_contact_results/fields/00002.vtu"));
+    const std::string part   = "gear rim, largest von Mises stress";
+    const double      stress = figure(part), radius = figure(part + ", at radius"),
+                 height = figure(part + ", at height");
+    double nearest = 1e9, largest_displacement = 0;
+    for (const VtuFile &field : fields)
+      for (std::size_t i = 0; i < field.n_points(); ++i)
+        {
+          // The gear's axis is z; without its displacement a point is as far from it as at first.
+          const Vector3 u = field.vector("displacement", i), X = field.point(i) - u;
+          largest_displacement = std::max(largest_displacement, u.norm());
+          if (std::abs(std::hypot(X[0], X[1]) - radius) < 1e-3)
+            nearest = std::min(nearest, std::abs(field.number("von mises", i) - stress));
+        }
+    check_below("fields: largest stress of the rim [MPa]", nearest, 1e-5 * stress);
+    check("fields: displacements are those of a deformation",
+          largest_displacement > .01 && largest_displacement < .3);
+    check("fields: at the heights of the body", std::isfinite(height));
+  }
+
   /** Secant: torque over windup. Tangent: what the lag does as the torque changes. */
   void check_stiffness(Communicator &world)
   {
@@ -218,6 +253,7 @@ int main(int argc, char **argv)
     }
   check_teeth();
   check_pattern();
+  check_fields();
   check_stiffness(session.world());
   mass_scaling(session.world());
   return 0;

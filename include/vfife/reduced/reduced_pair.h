@@ -3,6 +3,7 @@
 #define vfife_reduced_reduced_pair_h
 
 #include <vfife/bearing/mean_motion.h>
+#include <vfife/contact/contact_impulse.h>
 #include <vfife/fem/pair/bearing_springs.h>
 #include <vfife/fem/pair/pressed_pair.h>
 #include <vfife/reduced/modal_motion.h>
@@ -66,13 +67,11 @@ namespace vfife
     /** The equilibrium at time zero, which stands still in space. Throws NumericalError. */
     ReducedEquilibrium start();
 
-    /** From now on the driver of a model whose rate is constant turns at @p driver_rate [rad/s,
-     * drive direction], in steps of @p step [s]; the motion relative to it goes on. Throws
-     * NumericalError where a body is not stable. */
+    /** From now on a driver of constant rate turns at @p driver_rate [rad/s, drive direction], in
+     * steps of @p step [s]; relative motion goes on. Throws NumericalError where unstable. */
     void set_speed(double driver_rate, double step);
 
-    /** One step. Throws NumericalError, naming the position; also where bodies turn so far against
-     * each other that flanks would be passed over. */
+    /** One step. Throws NumericalError with the position, also where flanks pass each other. */
     void step();
 
     /** One step of the drive at whose end both bodies stand still in space, in equilibrium: what
@@ -82,6 +81,12 @@ namespace vfife
 
     /** Sets time, step and measurements; forces at the nodes where the field is not empty. */
     void measure(State &state);
+
+    /** Over all steps since the start; checkpoints pass it beside serialize(). */
+    ContactImpulse &contact_impulse()
+    {
+      return contact_impulse_;
+    }
 
     /** The value of a reading (its place among those of the body) on a sector, spin included. */
     using Reader = std::function<double(unsigned int reading, unsigned int sector)>;
@@ -205,6 +210,7 @@ namespace vfife
     void   measure_bearings(Measurements &measured) const;
     double measure_drive_torque() const;
     void   measure_contact(State &state) const;
+    void   add_contact_impulse();
     void   measure_energy();
     void   restart_energy();
     /** Mean rotation of bore or rim about the axis beyond the kinematic turn [rad]. */
@@ -235,8 +241,9 @@ namespace vfife
     double                   searched_from_ = 0, searched_to_ = 0; ///< turns of the driver [rad]
     Eigen::VectorXd          held_;         ///< displacements of candidates then, or empty [mm]
     unsigned int             widening_ = 0; ///< doublings of the distance looked at
-    bool         stands_ = false; ///< the rows' flexibility is that of forces that stand in space
-    EnergyLedger energy_, first_energy_;
+    bool           stands_ = false; ///< the rows' flexibility is that of forces that stand in space
+    EnergyLedger   energy_, first_energy_;
+    ContactImpulse contact_impulse_;
   };
 } // namespace vfife
 

@@ -15,7 +15,7 @@ namespace vfife
     constexpr double steepest_edge_relief = 0.1;
 
     constexpr unsigned int most_points = 20; ///< of a facet per direction
-  } // namespace
+  }                                          // namespace
 
 
   const Choices<ContactDiscretization> &contact_discretizations()

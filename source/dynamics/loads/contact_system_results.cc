@@ -74,6 +74,8 @@ namespace vfife
   {
     for (double &sum : sums_)
       numbers.push_back(&sum);
+    for (double &sum : tooth_sums_)
+      numbers.push_back(&sum);
   }
 
   void ContactSystem::save_forces(const NodeField &forces)
@@ -107,6 +109,19 @@ namespace vfife
   double ContactSystem::energy() const
   {
     return sums_[0];
+  }
+
+  double ContactSystem::step_force() const
+  {
+    double sum = 0;
+    for (std::size_t i = 1; i + 2 < tooth_sums_.size(); i += 3)
+      sum += Vector3(tooth_sums_[i], tooth_sums_[i + 1], tooth_sums_[i + 2]).norm();
+    return sum;
+  }
+
+  double ContactSystem::step_torque() const
+  {
+    return tooth_sums_.empty() ? 0. : tooth_sums_.front();
   }
 
   double ContactSystem::lost_power() const

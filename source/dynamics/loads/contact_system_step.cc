@@ -6,6 +6,7 @@
 #include <vfife/dynamics/loads/contact_of_pair.h>
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/model/constraints/node_constraints.h>
+#include <vfife/model/tooth_contact.h>
 
 #include <algorithm>
 #include <map>
@@ -161,6 +162,7 @@ namespace vfife
     else
       press_explicitly(body_motion, positions, velocities, dt, forces);
     sum_results();
+    sum_teeth();
   }
 
   void ContactSystem::press_implicitly(const std::vector<RigidMotion> &body_motion,
@@ -316,6 +318,24 @@ namespace vfife
             sums_[2] = 1;
         }
     sums_[5] = failure_.empty() ? 0. : 1.;
+  }
+
+  void ContactSystem::sum_teeth()
+  {
+    if (!model_.transmission)
+      return;
+    // As many numbers on all ranks, whether this one has failed or not: candidates are the same.
+    tooth_sums_.assign(1, 0.);
+    for (const auto &pair : pairs_)
+      {
+        const auto &results = pair->contact.results();
+        for (std::size_t i = 0; i < pair->contact.candidate_pairs().size(); ++i)
+          {
+            const GroupPairResult result = i < results.size() ? results[i] : GroupPairResult();
+            tooth_sums_.front() += make_tooth_contact(model_, pair->definition, result).torque;
+            tooth_sums_.insert(tooth_sums_.end(), result.force.begin(), result.force.end());
+          }
+      }
   }
 
   void ContactSystem::hand_over_forces(NodeField &forces)

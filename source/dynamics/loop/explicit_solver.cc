@@ -187,6 +187,7 @@ namespace vfife
     energy_.reset();
     damping_watch_.reset(rigid_);
     contact_watch_.reset();
+    contact_impulse_ = ContactImpulse();
     observe_from(state);
   }
 
@@ -291,6 +292,7 @@ namespace vfife
       if (const std::string deepest = describe_deepest(model_, contact_, walls_); !deepest.empty())
         log_.line("deepest point at the start: ", deepest);
     contact_watch_.observe(state.time, dt_, touching);
+    contact_impulse_.add(dt_, contact_.step_force(), contact_.step_torque());
     energy_.observe_contact(touching);
   }
 

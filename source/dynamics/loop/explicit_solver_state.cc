@@ -275,6 +275,8 @@ namespace vfife
     common.pass_required_part("energy", [&](ByteStream &part) { energy_.serialize(part); });
     common.pass_part("damping", [&](ByteStream &part) { damping_watch_.serialize(part); });
     common.pass_part("contact", [&](ByteStream &part) { contact_watch_.serialize(part); });
+    common.pass_part("contact impulse",
+                     [&](ByteStream &part) { part.pass_record(contact_impulse_); });
     common.pass_part("friction", [&](ByteStream &part) {
       contact_.serialize_friction(part);
       walls_.serialize(part);

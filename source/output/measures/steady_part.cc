@@ -4,6 +4,7 @@
 #include <vfife/base/text/figure_text.h>
 #include <vfife/base/text/table.h>
 #include <vfife/base/types.h>
+#include <vfife/contact/contact_impulse.h>
 #include <vfife/output/measures/steady_part.h>
 
 #include "sample_integral.h"
@@ -27,6 +28,16 @@ namespace vfife
       return std::to_string(n) + (n == 1 ? " tooth mesh" : " tooth meshes");
     }
 
+    /** Whether a column is the integral of another one over time. */
+    bool is_impulse(const Table &history, const std::string &name)
+    {
+      return std::any_of(history.columns().begin(),
+                         history.columns().end(),
+                         [&name](const Table::Column &c) {
+                           return ContactImpulse::column_of(c.name) == name;
+                         });
+    }
+
     bool has_numbers(const Table &table, const std::string &name)
     {
       return std::any_of(table.columns().begin(),
@@ -34,21 +45,50 @@ namespace vfife
                          [&name](const Table::Column &c) { return c.name == name && !c.is_text; });
     }
 
-    /**
-     * Mean and standard deviation as integrals over the window, peak to peak of the samples in it.
-     */
-    ColumnStatistics compute_statistics(const Table::Column &column, const Window &window)
+    /** Between the samples around a row index. */
+    double interpolate(const std::vector<double> &values, const double row)
+    {
+      const std::size_t i = std::min(static_cast<std::size_t>(row), values.size() - 2);
+      return values[i] + (row - static_cast<double>(i)) * (values[i + 1] - values[i]);
+    }
+
+    /** Over all steps in the window, @p interval [s] a row, where the history knows the integral of
+     * the column; else the integral over the samples. */
+    double compute_mean(const Table         &history,
+                        const Table::Column &column,
+                        const Window        &window,
+                        const double         interval)
+    {
+      if (const std::string impulse = ContactImpulse::column_of(column.name);
+          has_numbers(history, impulse))
+        {
+          const std::vector<double> &values = history.numbers(impulse);
+          const double               mean =
+            (interpolate(values, window.end) - interpolate(values, window.begin)) /
+            (interval * (window.end - window.begin));
+          // Rows of a version that did not know it have none.
+          if (std::isfinite(mean))
+            return mean;
+        }
+      return SampleIntegral(column.numbers).mean(window.begin, window.end);
+    }
+
+    /** With @p mean; of the samples in the window standard deviation, as an integral, and peak to
+     * peak. */
+    ColumnStatistics
+    compute_statistics(const Table::Column &column, const double mean, const Window &window)
     {
       const std::vector<double> &values = column.numbers;
       ColumnStatistics           statistics;
       statistics.name = column.name;
       statistics.unit = column.unit;
-      statistics.mean = SampleIntegral(values).mean(window.begin, window.end);
+      statistics.mean = mean;
       // Squares of the differences from the mean, so that a small ripple on a large mean keeps its
       // digits.
       std::vector<double> squares;
+      const double        own = SampleIntegral(values).mean(window.begin, window.end);
       for (const double value : values)
-        squares.push_back((value - statistics.mean) * (value - statistics.mean));
+        squares.push_back((value - own) * (value - own));
       statistics.standard_deviation =
         std::sqrt(SampleIntegral(std::move(squares)).mean(window.begin, window.end));
 
@@ -220,8 +260,9 @@ namespace vfife
     part.start_time = time.front() + interval * window.begin;
     part.end_time   = time.front() + interval * window.end;
     for (const Table::Column &column : history.columns())
-      if (!column.is_text && column.name != column::time)
-        part.columns.push_back(compute_statistics(column, window));
+      if (!column.is_text && column.name != column::time && !is_impulse(history, column.name))
+        part.columns.push_back(
+          compute_statistics(column, compute_mean(history, column, window, interval), window));
     return part;
   }
 

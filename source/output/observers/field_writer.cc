@@ -171,6 +171,12 @@ namespace vfife
   {
   }
 
+  FieldWriter::FieldWriter(const OutputFolder &folder, const Model &model)
+    : folder_(folder)
+    , contact_areas_(compute_contact_areas(model))
+  {
+  }
+
   bool FieldWriter::due(const State &state) const
   {
     // A signal asks for a field file besides those that are due.
@@ -213,13 +219,19 @@ namespace vfife
     if (steps_between_ == 0 && !is_requested_)
       return;
     is_requested_ = false;
+    write(model, state, compute_node_stresses(model, state, kind_, frame_, folder_.communicator()));
+  }
+
+  void FieldWriter::write(const Model                              &model,
+                          const State                              &state,
+                          const std::vector<std::array<double, 6>> &stresses)
+  {
     if (instants_.empty())
       folder_.make_subfolder("fields");
     // What all ranks find together, then this rank's part of the mesh.
     const Communicator &communicator = folder_.communicator();
     const auto          motions      = compute_body_motions(model, state, communicator);
-    const auto          stresses = compute_node_stresses(model, state, kind_, frame_, communicator);
-    const VtuGrid       grid     = fill_grid(model, state, motions, stresses, contact_areas_);
+    const VtuGrid       grid         = fill_grid(model, state, motions, stresses, contact_areas_);
 
     // One rank: 00003.vtu. Several: a piece a rank, 00003.0.vtu..., and 00003.pvtu over them.
     std::ostringstream instant;

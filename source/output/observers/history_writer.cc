@@ -94,8 +94,23 @@ namespace vfife
         add_reaction(supports[s].name, s, columns);
     }
 
+    /** Integrals over all steps, between the samples too. */
+    void add_impulses(const std::string                  &torque,
+                      const HistoryWriter::ImpulseReader &impulse,
+                      HistoryColumns                     &columns)
+    {
+      if (!impulse)
+        return;
+      columns.add(ContactImpulse::column_of(column::contact_force_total), "N s", [impulse](Now) {
+        return impulse().force;
+      });
+      columns.add(ContactImpulse::column_of(torque), "N m s", [impulse](Now) {
+        return 1e-3 * impulse().torque;
+      });
+    }
+
     /** All columns in the order of the file. */
-    HistoryColumns list_columns(const Model &model)
+    HistoryColumns list_columns(const Model &model, const HistoryWriter::ImpulseReader &impulse)
     {
       HistoryColumns    columns;
       const auto       &pair   = model.transmission;
@@ -131,6 +146,7 @@ namespace vfife
             return 1e-3 * now.contact_torque;
           });
           columns.add(column::teeth_in_contact, "-", [](Now now) { return now.teeth_in_contact; });
+          add_impulses(column::contact_torque_on(driven), impulse, columns);
         }
       columns.add("largest penetration", "um", [](Now now) {
         return 1e3 * now.largest_penetration;
@@ -145,10 +161,11 @@ namespace vfife
     }
   } // namespace
 
-  HistoryWriter::HistoryWriter(const OutputFolder &folder,
-                               const Model        &model,
-                               const std::uint64_t steps_between)
-    : SampledTable(folder, "history.csv", list_columns(model), steps_between)
+  HistoryWriter::HistoryWriter(const OutputFolder  &folder,
+                               const Model         &model,
+                               const std::uint64_t  steps_between,
+                               const ImpulseReader &impulse)
+    : SampledTable(folder, "history.csv", list_columns(model, impulse), steps_between)
   {
   }
 

@@ -24,6 +24,7 @@
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/conventional/loaded_contact_study.h>
 #include <vfife/study/conventional/loaded_contact_tables.h>
+#include <vfife/study/conventional/loaded_fields.h>
 #include <vfife/study/conventional/loaded_fillets.h>
 #include <vfife/study/conventional/loaded_modes.h>
 #include <vfife/study/conventional/loaded_pattern.h>
@@ -98,6 +99,16 @@ namespace vfife
                    const std::vector<double> &penalties,
                    OutputFolder              &folder,
                    Log                       &log);
+
+      /** Of the driver over one tooth mesh, its @p pitch [rad], from the reference position or a
+       * later mesh on. */
+      std::vector<double> list_turns(const double pitch) const
+      {
+        std::vector<double> turns;
+        for (unsigned int i = 0; i < options_.positions; ++i)
+          turns.push_back((options_.first_mesh + i / double(options_.positions)) * pitch);
+        return turns;
+      }
 
       /** Returns the transmission error [rad]. */
       double add_position(const Model                 &model,
@@ -185,11 +196,8 @@ namespace vfife
              seconds_since(start),
              " s");
 
-    // Positions over one tooth mesh of the driver, from the reference position or a later mesh on.
-    const double        pitch = 2 * pi / model.transmission->driver_teeth;
-    std::vector<double> turns;
-    for (unsigned int i = 0; i < options_.positions; ++i)
-      turns.push_back((options_.first_mesh + i / double(options_.positions)) * pitch);
+    const double              pitch = 2 * pi / model.transmission->driver_teeth;
+    const std::vector<double> turns = list_turns(pitch);
     // One factorization serves all positions: bodies stay as they are in turning axes.
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
     LoadedProbes    probes(model);
@@ -197,6 +205,7 @@ namespace vfife
     LoadedPattern   pattern(model);
     LoadedFillets   fillets(model, fillets_);
     PartStresses    parts(model);
+    LoadedFields    fields(folder, model, output_.fields_every);
     auto            pressure = make_pressure(model, compliance);
     for (const double turn : turns)
       {
@@ -210,6 +219,8 @@ namespace vfife
         supports.add_position(compliance.discretization(), turn / pitch, result);
         pattern.add_position(result);
         parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
+        fields.add_position(
+          turn / pitch, compliance.discretization(), equilibrium, result, stresses);
         fillets.add_position(compliance.discretization(), turn / pitch, result);
         log.line("  ",
                  result.iterations,

@@ -117,6 +117,16 @@ namespace vfife
     return text.str();
   }
 
+  Table make_swept_teeth_table()
+  {
+    Table table;
+    table.add_column(column::position, "tooth meshes");
+    table.add_text_column(column::side);
+    table.add_column(column::tooth_of("pinion"), "-");
+    table.add_column(column::force, "N");
+    return table;
+  }
+
   Table make_wave_response_table()
   {
     Table table;
@@ -269,6 +279,15 @@ namespace vfife
     return sample;
   }
 
+  void PairSpeedSweep::add_teeth(const State &state, Table &teeth) const
+  {
+    const Transmission &t = *model_.transmission;
+    const double        meshes =
+      (state.measured.driver_angle - t.driver_start) * t.driver_teeth / (2. * pi);
+    for (const ToothContact &tooth : state.measured.teeth)
+      teeth.add_row({meshes, tooth.side, tooth.slave_group, tooth.force.norm()});
+  }
+
   void PairSpeedSweep::turn_at(const double               speed,
                                const std::string         &direction,
                                const std::vector<double> &at_rest,
@@ -283,6 +302,7 @@ namespace vfife
       LowPass(setup_.highest_frequency() * stride / (mesh_frequency_at(speed) * steps)),
       [this](const Eigen::MatrixXd &stresses) { return places_.find_largest(stresses); });
     State              state;
+    Table              teeth = make_swept_teeth_table();
     const unsigned int n_samples =
       setup_.reduced.counted_meshes * steps / stride + 2 * response.n_around();
     for (unsigned int i = 0; i < n_samples; ++i)
@@ -290,7 +310,10 @@ namespace vfife
         for (unsigned int s = 0; s < stride; ++s)
           pair_.step();
         response.add(take_sample(state));
+        add_teeth(state, teeth);
       }
+    if (setup_.edges)
+      setup_.edges->observe(teeth, column::position, 1.);
 
     const unsigned int n_steps = settling * steps + n_samples * stride;
     n_steps_ += n_steps;

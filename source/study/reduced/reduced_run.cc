@@ -69,6 +69,8 @@ namespace vfife
     , checkpoints_(
         folder, log, model, observers_.list(), output, [this](ByteStream &common, ByteStream *) {
           common.pass_required_part("reduced pair", [this](ByteStream &part) { serialize(part); });
+          common.pass_part("contact impulse",
+                           [this](ByteStream &part) { part.pass_record(pair_.contact_impulse()); });
         })
   {
     state_.partition     = make_whole_partition(model);

@@ -31,6 +31,7 @@
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/reduced/reduced_study.h>
 #include <vfife/study/reduced/speed_sweep_files.h>
+#include <vfife/study/reduced/start_stresses.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
@@ -181,12 +182,12 @@ namespace vfife
                           describe_run(gear_case_, model, gear_case_.end_time()));
       }
       Motion make_motion(const std::vector<ReducedBody> &bodies) const;
-      bool   move(Model        &model,
-                  ReducedPair  &pair,
-                  const Motion &motion,
-                  double        penalty,
-                  OutputFolder &folder,
-                  Log          &log) const;
+      bool   move(Model                     &model,
+                  ReducedPair               &pair,
+                  const Motion              &motion,
+                  const std::vector<double> &penalties,
+                  OutputFolder              &folder,
+                  Log                       &log) const;
       /** Adds the writers of root stresses and pressures that are asked for. */
       void record_stresses(const Model       &model,
                            const ReducedPair &pair,
@@ -206,14 +207,22 @@ namespace vfife
                                  log,
                                  observers);
       }
+      void add_start_stresses(const Model               &model,
+                              const std::vector<double> &penalties,
+                              const Communicator        &communicator,
+                              Log                       &log,
+                              RunSummary                &summary) const
+      {
+        for (const auto &figure :
+             find_start_stresses(model, make_fem_options(dynamics_), penalties, communicator, log))
+          summary.figures.push_back(figure);
+      }
       void say_nearest_wave(const Model  &model,
                             const Motion &motion,
                             ReducedPair  &pair,
                             Log          &log,
                             RunSummary   &summary) const
       {
-        if (!output_.pictures)
-          return; // it is for the report
         const auto find = [&] {
           return find_nearest_wave(model,
                                    {motion.options.damping, motion.options.mesh_damping},
@@ -221,12 +230,13 @@ namespace vfife
         };
         report_nearest_wave(find, log, summary);
       }
-      void sweep(const Model      &model,
-                 ReducedPair      &pair,
-                 const Motion     &motion,
-                 const RootStress *roots,
-                 OutputFolder     &folder,
-                 Log              &log) const;
+      void sweep(const Model               &model,
+                 ReducedPair               &pair,
+                 const Motion              &motion,
+                 const std::vector<double> &penalties,
+                 const RootStress          *roots,
+                 OutputFolder              &folder,
+                 Log                       &log) const;
 
       GearCase              gear_case_;
       DynamicsOptions       dynamics_;
@@ -252,12 +262,13 @@ namespace vfife
       return motion;
     }
 
-    void ReducedStudy::sweep(const Model            &model,
-                             ReducedPair            &pair,
-                             const Motion           &motion,
-                             const RootStress *const roots,
-                             OutputFolder           &folder,
-                             Log                    &log) const
+    void ReducedStudy::sweep(const Model               &model,
+                             ReducedPair               &pair,
+                             const Motion              &motion,
+                             const std::vector<double> &penalties,
+                             const RootStress *const    roots,
+                             OutputFolder              &folder,
+                             Log                       &log) const
     {
       const StressWavePlaces places(model, roots);
       PairSpeedSweep         sweep(model,
@@ -266,21 +277,23 @@ namespace vfife
                                     sweep_options_,
                                     motion.cutoff,
                                     dynamics_.mass_damping(),
-                                    output_.history_every},
+                                    output_.history_every,
+                                    gear_case_.edges_under_load()},
                            places,
                            pair);
       RunSummary             summary = start_summary("reduced", model, folder);
       summary.contradictions         = report_checks(model, log);
       summary.cause                  = gear_case_.find_cause();
+      add_start_stresses(model, penalties, folder.communicator(), log, summary);
       run_speed_sweep(sweep, summary, folder, log);
     }
 
-    bool ReducedStudy::move(Model        &model,
-                            ReducedPair  &pair,
-                            const Motion &motion,
-                            const double  penalty,
-                            OutputFolder &folder,
-                            Log          &log) const
+    bool ReducedStudy::move(Model                     &model,
+                            ReducedPair               &pair,
+                            const Motion              &motion,
+                            const std::vector<double> &penalties,
+                            OutputFolder              &folder,
+                            Log                       &log) const
     {
       const double        h             = motion.options.step;
       const std::uint64_t history_steps = output_.compute_history_steps(&*model.transmission, h);
@@ -289,8 +302,10 @@ namespace vfife
       const std::uint64_t whole = std::llround(end_time / h), largest = dynamics_.largest_steps,
                           n_steps = largest > 0 ? std::min(whole, largest) : whole;
       ReducedRun   run(folder, log, model, pair, output_);
-      const Table &history = run.observers().add<HistoryWriter>(model, history_steps).table();
-      const auto   measure_probes = [&](const std::vector<Probe> &copies) {
+      const auto   impulse = [&] { return pair.contact_impulse(); };
+      const Table &history =
+        run.observers().add<HistoryWriter>(model, history_steps, impulse).table();
+      const auto measure_probes = [&](const std::vector<Probe> &copies) {
         return pair.measure_probes(copies);
       };
       PairProbes  probes(model, measure_probes, log, count_meshes(*model.transmission, end_time));
@@ -306,12 +321,13 @@ namespace vfife
       record_stresses(model, pair, end_time, log, run.observers(), results);
       results.record_stress_waves(measure_probes, run.observers());
       RunSummary summary = start_summary("reduced", model, folder);
-      summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
+      summary.figures    = results.list_figures(penalties.front(), gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
       summary.figures.push_back({"steps in a tooth mesh", {double(motion.steps_per_mesh), "-"}});
       summary.contradictions = report_checks(model, log);
       summary.cause          = gear_case_.find_cause();
       say_nearest_wave(model, motion, pair, log, summary);
+      add_start_stresses(model, penalties, folder.communicator(), log, summary);
 
       const auto prepared = [&]() {
         ReducedStart &start = run.start();
@@ -397,10 +413,10 @@ namespace vfife
           dynamics_,
           folder,
           checkpoint_,
-          [&] { return move(model, pair, motion, penalties.front(), folder, log); },
+          [&] { return move(model, pair, motion, penalties, folder, log); },
           log);
       else
-        sweep(model, pair, motion, roots ? &*roots : nullptr, folder, log);
+        sweep(model, pair, motion, penalties, roots ? &*roots : nullptr, folder, log);
       if (output_.pictures)
         draw_pictures(folder, log);
     }

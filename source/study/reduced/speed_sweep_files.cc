@@ -102,6 +102,8 @@ namespace vfife
       summary.figures.push_back(figure);
     sweep.near_cutoff().tell(summary.figures, log);
     judge_energy(sweep.resonance(), log);
+    // All samples have been looked at.
+    write_edge_contact(setup.edges, make_swept_teeth_table(), column::position, 1., folder, log);
     write_summary(folder, summary, log);
     if (summary.status == "failed")
       throw NumericalError(summary.failure);

@@ -313,10 +313,11 @@ namespace vfife
     const double        end_time =
       dynamics_.largest_steps > 0 ? std::min(whole_time, dynamics_.largest_steps * dt) : whole_time;
     Stepping      stepping(folder, log, model, stepped.solver, output_, history_steps);
-    RunObservers &observers            = stepping.observers();
-    RunSummary   &summary              = stepping.summary();
-    summary                            = start_summary("run", model, stepped.solver, dt, folder);
-    const Table               &history = observers.add<HistoryWriter>(model, history_steps).table();
+    RunObservers &observers = stepping.observers();
+    RunSummary   &summary   = stepping.summary();
+    summary                 = start_summary("run", model, stepped.solver, dt, folder);
+    const auto   impulse    = [&] { return stepped.solver.contact_impulse(); };
+    const Table &history    = observers.add<HistoryWriter>(model, history_steps, impulse).table();
     std::optional<PairResults> pair;
     std::optional<PairProbes>  probes;
     if (transmission != nullptr)

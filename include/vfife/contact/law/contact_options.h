@@ -42,8 +42,8 @@ namespace vfife
   /** Options of the contact between two surfaces (section "Contact"). */
   struct ContactOptions
   {
-    ContactDiscretization discretization   = ContactDiscretization::surface_points;
-    ContactSurfaceKind    surface          = ContactSurfaceKind::true_flank;
+    ContactDiscretization discretization = ContactDiscretization::surface_points;
+    ContactSurfaceKind    surface        = ContactSurfaceKind::true_flank;
     /** Gauss points per direction, or "auto": the number, unless a case knows the contact's width
      * (points_across()). */
     NumberOrWord points_per_facet = {3, true};

@@ -116,6 +116,10 @@ namespace vfife
     /** Energy stored in the contact springs at the last add_forces() [mJ]; all ranks. That of a
      * step that is integrated implicitly may be negative where a point comes or goes. */
     double energy() const;
+    /** Of a gear pair at the last add_step_forces(): sum of the magnitudes of the tooth pairs'
+     * forces [N], and torque on the driven member [N mm]; all ranks. */
+    double step_force() const;
+    double step_torque() const;
     /** Power lost in contact damping at the last add_forces() [mW = mJ/s]; all ranks. */
     double lost_power() const;
     /** Lost in friction between the last two add_forces() [mJ]; all ranks. */
@@ -185,6 +189,8 @@ namespace vfife
     /** Forces of points, whose nodes go to touched_. */
     void press(ContactOfPair &pair, const std::vector<TouchingPoint> &points, double dt);
     void sum_results();
+    /** tooth_sums_ of this rank. */
+    void sum_teeth();
     void hand_over_forces(NodeField &forces);
     /** To the ranks that have been chosen. Collective. */
     void                       move_points();
@@ -208,7 +214,10 @@ namespace vfife
     /** Of the last add_forces(), all ranks: energy, lost power, number of ranks with a penetration
      * that is too deep, friction loss, integral of the pressure, number of ranks that failed. */
     std::array<double, 6> sums_ = {};
-    std::string           failure_; ///< of this rank
+    /** Of a gear pair, all ranks: torque on the driven member, then the force of each candidate
+     * pair of teeth. */
+    std::vector<double> tooth_sums_;
+    std::string         failure_; ///< of this rank
     /** Local nodes of save_forces(), what it has found there, and nodes set by find_added(). */
     std::vector<std::uint32_t> saved_nodes_, shown_nodes_;
     std::vector<Vector3>       saved_forces_;

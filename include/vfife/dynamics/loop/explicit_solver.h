@@ -2,6 +2,7 @@
 #ifndef vfife_dynamics_loop_explicit_solver_h
 #define vfife_dynamics_loop_explicit_solver_h
 
+#include <vfife/contact/contact_impulse.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/dynamics/loads/bearing_loads.h>
 #include <vfife/dynamics/loads/contact_system.h>
@@ -120,6 +121,12 @@ namespace vfife
     /** Of the last run(). */
     const ContactLosses &contact_losses() const;
 
+    /** Of a gear pair in the run so far. */
+    const ContactImpulse &contact_impulse() const
+    {
+      return contact_impulse_;
+    }
+
     /** The rigid motion of each body that follows from its momentum. */
     std::vector<RigidVelocity> compute_rigid_rates(const State &state) const;
 
@@ -196,6 +203,7 @@ namespace vfife
     EnergyBook               energy_;
     DampingWatch             damping_watch_;
     ContactWatch             contact_watch_;
+    ContactImpulse           contact_impulse_;
     double                   alternating_energy_ = 0; ///< MotionSums, of the last sample [mJ]
     double                   alternating_share_  = 0;
     EnergyWatch              stability_watch_; ///< of what alternates from step to step

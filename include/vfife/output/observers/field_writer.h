@@ -6,6 +6,7 @@
 #include <vfife/element/stiffness.h>
 #include <vfife/model/observer.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -47,10 +48,21 @@ namespace vfife
                 StiffnessKind       kind,
                 FrameKind           frame);
 
+    /** For write() alone. */
+    FieldWriter(const OutputFolder &folder, const Model &model);
+
     bool        due(const State &state) const override;
     void        observe(const Model &model, const State &state) override;
     std::string part_name() const override;
     void        serialize(ByteStream &stream) override;
+
+    /**
+     * Writes a file of the state; @p stresses by node of the model in the cylindrical axes of its
+     * body. Collective.
+     */
+    void write(const Model                              &model,
+               const State                              &state,
+               const std::vector<std::array<double, 6>> &stresses);
 
     /** Asks for a file at the next step, whatever its number. On all ranks. */
     void request();
@@ -59,10 +71,10 @@ namespace vfife
     void write_pvd() const;
 
     const OutputFolder &folder_;
-    std::uint64_t       steps_between_;
-    bool                is_requested_ = false;
-    StiffnessKind       kind_;
-    FrameKind           frame_;
+    std::uint64_t       steps_between_ = 0;
+    bool                is_requested_  = false;
+    StiffnessKind       kind_          = {};
+    FrameKind           frame_         = {};
     std::vector<double> contact_areas_; ///< of each node of the model, 0 off the surfaces [mm^2]
     std::vector<std::pair<double, std::string>> instants_; ///< time [s] and file
   };

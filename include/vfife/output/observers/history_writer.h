@@ -2,7 +2,10 @@
 #ifndef vfife_output_observers_history_writer_h
 #define vfife_output_observers_history_writer_h
 
+#include <vfife/contact/contact_impulse.h>
 #include <vfife/output/observers/sampled_table.h>
+
+#include <functional>
 
 namespace vfife
 {
@@ -14,7 +17,14 @@ namespace vfife
   class HistoryWriter : public SampledTable<Measurements>
   {
   public:
-    HistoryWriter(const OutputFolder &folder, const Model &model, std::uint64_t steps_between);
+    /** Integrals of the contact of a gear pair up to now. */
+    using ImpulseReader = std::function<ContactImpulse()>;
+
+    /** Without @p impulse there are no columns of it. */
+    HistoryWriter(const OutputFolder  &folder,
+                  const Model         &model,
+                  std::uint64_t        steps_between,
+                  const ImpulseReader &impulse = nullptr);
 
   private:
     void add_rows(const Model &model, const State &state) override;

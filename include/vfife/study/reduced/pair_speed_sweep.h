@@ -5,11 +5,13 @@
 #include <vfife/base/text/table.h>
 #include <vfife/lumped/speed_sweep.h>
 #include <vfife/reduced/reduced_options.h>
+#include <vfife/study/cases/edges_under_load.h>
 #include <vfife/study/reduced/near_cutoff.h>
 #include <vfife/study/reduced/slow_mesh.h>
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,8 @@ namespace vfife
     double                damping = 0; ///< of the momentum [1/s]
     unsigned int          samples = 0; ///< in a tooth mesh
 
+    std::optional<EdgesUnderLoad> edges; ///< that may carry; none: not looked for
+
     /** Of vibrations of force and stress that are looked at [Hz]. */
     double highest_frequency() const;
     /** Steps between two samples, a part of those between samples of a history: as many as show the
@@ -65,6 +69,8 @@ namespace vfife
     static constexpr unsigned int judged_orders = 3;
   };
 
+  /** Tooth pairs of samples of a sweep, for EdgesUnderLoad. */
+  Table make_swept_teeth_table();
   /** Columns of wave_response.csv. */
   Table make_wave_response_table();
   /** Columns of stress_response.csv. */
@@ -108,6 +114,7 @@ namespace vfife
     {
       return near_cutoff_;
     }
+    /** Its edges are those of all samples. */
     const PairSpeedSweepSetup &setup() const
     {
       return setup_;
@@ -128,6 +135,7 @@ namespace vfife
     unsigned int    set_speed(double speed);
     Eigen::MatrixXd read_stresses() const;
     SpeedSample     take_sample(State &state) const;
+    void            add_teeth(const State &state, Table &teeth) const;
     /** A tooth mesh so slow that nothing vibrates; empty without damping. */
     void record_slow_mesh();
     /** By place, the largest of all sectors and positions of the slow mesh with the spin of a speed
