@@ -39,8 +39,8 @@ PAGE, STORE, PICTURES = ROOT / "doc/gallery.md", ROOT / "doc/gallery.json", ROOT
 LARGEST = 150_000  # bytes of a picture
 HEAD = """# Gallery
 
-One command each; what it takes is the time of one core, reports and pictures included. The picture is one of those in the report of the run. The page is made by `python3 contrib/gallery make` from
-runs of these cases; a test compares its numbers with what the runs have stated and makes entries again.
+Each example is one command. Times are processor time on one core, with report and pictures. The picture is from the report of the run.
+`python3 contrib/gallery make` writes this page from runs of these cases. A test compares the page with their stored numbers and repeats some examples.
 """
 
 
