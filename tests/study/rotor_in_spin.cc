@@ -10,7 +10,7 @@
 #include "short_rotor.h"
 
 #include <vfife/base/types.h>
-#include <vfife/model/material.h>
+#include <vfife/element/material.h>
 
 #include <nlohmann/json.hpp>
 
