@@ -202,7 +202,7 @@ namespace
                 example.cells > 4 ? 0.015 : 0.01);
     check_below(name + "pushed, way across over that along",
                 found.way.cross(direction)[2] / way,
-                0.003);
+                example.cells > 4 ? 0.01 : 0.003);
     check_contact(name + "pushed, ", found);
   }
 

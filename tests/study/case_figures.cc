@@ -78,20 +78,21 @@ namespace
     check_close("area of two rectangles", compute_area(surface), 2. * 3. + 4. * 3., 1e-14);
   }
 
-  /** Facets of 1.70 mm under a Hertzian contact of 2 x 0.377 mm have ten points per direction, and
-   * fewer under an eighth of the load, whose contact is half as wide, are not enough: twelve. */
+  /** Facets of 2.55 mm under Hertz's contact, whose width is 2 x 0.377 mm under 800 N m and twice
+   * that under eight times the load, have four points across it, at most twelve per facet. */
   void points(Communicator &world)
   {
     const std::string pair = "include " + source_folder() +
-                             "/../../prm/spiral_bevel_quick.prm\nsubsection Operation\n"
+                             "/../../prm/paper_pair.prm\nsubsection Gear pair\n  set mesh = "
+                             "coarse\nend\nsubsection Operation\n  set speed = 20000 rpm\n"
                              "  set torque = ";
     const auto count = [&](const std::string &torque, const std::string &more) {
       return make_gear_model("points.prm", pair + torque + "\nend\n" + more, world)
         .contacts.back()
         .options.points_per_facet.number;
     };
-    check("points by the width of the contact", count("800 N m", "") == 10);
-    check("under an eighth of the load as many as there may be", count("100 N m", "") == 12);
+    check("points by the width of the contact", count("6400 N m", "") == 7);
+    check("at most twelve", count("800 N m", "") == 12);
     check("as many as are given",
           count("800 N m", "subsection Contact\n  set points per facet = 5\nend\n") == 5);
   }

@@ -219,12 +219,11 @@ namespace
     compare("conventional [arcsec]",
             row[2],
             0,
-            read_columns(do_case("prm/fem/loaded_spiral_bevel_quick.prm",
-                                 {"Gear pair/Gear/Body/web=none",
-                                  "Loaded contact/positions=1",
-                                  three_points},
-                                 world) +
-                         "loaded_contact.csv")["transmission error"]
+            read_columns(
+              do_case("prm/fem/loaded_spiral_bevel_quick.prm",
+                      {"Gear pair/Gear/Body/web=none", "Loaded contact/positions=1", three_points},
+                      world) +
+              "loaded_contact.csv")["transmission error"]
               .front());
 
     row = row_of(verification, "| quick pair with web |", "the same, 6,344 elements");

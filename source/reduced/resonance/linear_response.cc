@@ -130,11 +130,12 @@ namespace vfife
       return form;
     };
     Eigen::Index n = 1;
-    double       w = 0;
+    double       w = 1; // of any size where no harmonic has modes below the cut-off
     for (const ReducedBody::Harmonic &modes : body_.harmonics)
       {
         n += parts_of(modes);
-        w = std::max(w, std::sqrt(modes.eigenvalues.maxCoeff()));
+        if (modes.n_modes() > 0)
+          w = std::max(w, std::sqrt(modes.eigenvalues.maxCoeff()));
       }
     // Times w and velocities over w: numbers of one size. The turn is the last coordinate.
     MatrixXd        system = MatrixXd::Zero(2 * n, 2 * n);
