@@ -105,7 +105,8 @@ namespace histories
                                                  {"N m", 1e-3 * E * h * x * x},
                                                  {"mJ", energy_of_parts(history, bodies)},
                                                  {"N s", momentum},
-                                                 {"N mm s", momentum * x}};
+                                                 {"N mm s", momentum * x},
+                                                 {"N m s", 1e-3 * momentum * x}};
     const auto                          found = sizes.find(unit);
     return found == sizes.end() ? -1. : found->second;
   }
