@@ -6,33 +6,20 @@
 #include <vfife/model/model.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/study/conventional/loaded_fields.h>
+#include <vfife/study/whole_partition.h>
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace vfife
 {
   namespace
   {
-    /** All of a model on the first rank. */
-    std::shared_ptr<const Partition> make_partition(const Model &model, const bool is_first)
+    std::shared_ptr<const Partition> make_empty_partition(const Model &model)
     {
       auto partition = std::make_shared<Partition>();
       partition->local_node.assign(model.n_nodes(), Partition::absent);
       partition->first_local_node.assign(model.bodies.size() + 1, 0);
-      if (!is_first)
-        return partition;
-      partition->global_node.resize(model.n_nodes());
-      std::iota(partition->global_node.begin(), partition->global_node.end(), 0u);
-      partition->local_node = partition->global_node;
-      partition->owned.assign(model.n_nodes(), 1);
-      for (std::size_t b = 0; b < model.bodies.size(); ++b)
-        partition->first_local_node[b] = model.bodies[b].first_node;
-      partition->first_local_node.back() = model.n_nodes();
-      const Body &last                   = model.bodies.back();
-      partition->elements.resize(last.first_element + last.n_elements());
-      std::iota(partition->elements.begin(), partition->elements.end(), 0u);
       return partition;
     }
   } // namespace
@@ -44,7 +31,9 @@ namespace vfife
     , next_(every > 0 ? -std::numeric_limits<double>::infinity()
                       : std::numeric_limits<double>::infinity())
   {
-    state_.partition = make_partition(model, folder.communicator().is_root());
+    // The first rank has all of the model.
+    state_.partition =
+      folder.communicator().is_root() ? make_whole_partition(model) : make_empty_partition(model);
     for (NodeField *field : {&state_.position, &state_.velocity, &state_.contact_force})
       *field = NodeField(state_.partition->n_local());
     state_.body_motion.resize(model.bodies.size());

@@ -10,31 +10,14 @@
 #include <vfife/reduced/body_rings.h>
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/run/pair_preload.h>
+#include <vfife/study/whole_partition.h>
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <string>
 
 namespace vfife
 {
-  namespace
-  {
-    /** All nodes on this rank: observers look at forces of nodes by it. */
-    std::shared_ptr<const Partition> make_whole_partition(const Model &model)
-    {
-      auto partition = std::make_shared<Partition>();
-      partition->global_node.resize(model.n_nodes());
-      std::iota(partition->global_node.begin(), partition->global_node.end(), 0u);
-      partition->local_node = partition->global_node;
-      partition->owned.assign(model.n_nodes(), 1);
-      for (const Body &body : model.bodies)
-        partition->first_local_node.push_back(body.first_node);
-      partition->first_local_node.push_back(model.n_nodes());
-      return partition;
-    }
-  } // namespace
-
   RingMotions bore_motions(const Model &model, const ReducedPair &pair)
   {
     return [&](const unsigned int b, const BodyRing &) {
@@ -73,6 +56,7 @@ namespace vfife
                            [this](ByteStream &part) { part.pass_record(pair_.contact_impulse()); });
         })
   {
+    // Observers look at forces of nodes by it.
     state_.partition     = make_whole_partition(model);
     state_.contact_force = NodeField(model.n_nodes());
   }

@@ -182,12 +182,14 @@ namespace vfife
                           describe_run(gear_case_, model, gear_case_.end_time()));
       }
       Motion make_motion(const std::vector<ReducedBody> &bodies) const;
-      bool   move(Model                     &model,
-                  ReducedPair               &pair,
-                  const Motion              &motion,
-                  const std::vector<double> &penalties,
-                  OutputFolder              &folder,
-                  Log                       &log) const;
+      /** @p at_start: figures of find_start_stresses(). */
+      bool move(Model              &model,
+                ReducedPair        &pair,
+                const Motion       &motion,
+                double              penalty,
+                const NamedFigures &at_start,
+                OutputFolder       &folder,
+                Log                &log) const;
       /** Adds the writers of root stresses and pressures that are asked for. */
       void record_stresses(const Model       &model,
                            const ReducedPair &pair,
@@ -207,16 +209,6 @@ namespace vfife
                                  log,
                                  observers);
       }
-      void add_start_stresses(const Model               &model,
-                              const std::vector<double> &penalties,
-                              const Communicator        &communicator,
-                              Log                       &log,
-                              RunSummary                &summary) const
-      {
-        for (const auto &figure :
-             find_start_stresses(model, make_fem_options(dynamics_), penalties, communicator, log))
-          summary.figures.push_back(figure);
-      }
       void say_nearest_wave(const Model  &model,
                             const Motion &motion,
                             ReducedPair  &pair,
@@ -230,13 +222,13 @@ namespace vfife
         };
         report_nearest_wave(find, log, summary);
       }
-      void sweep(const Model               &model,
-                 ReducedPair               &pair,
-                 const Motion              &motion,
-                 const std::vector<double> &penalties,
-                 const RootStress          *roots,
-                 OutputFolder              &folder,
-                 Log                       &log) const;
+      void sweep(const Model        &model,
+                 ReducedPair        &pair,
+                 const Motion       &motion,
+                 const NamedFigures &at_start,
+                 const RootStress   *roots,
+                 OutputFolder       &folder,
+                 Log                &log) const;
 
       GearCase              gear_case_;
       DynamicsOptions       dynamics_;
@@ -262,13 +254,13 @@ namespace vfife
       return motion;
     }
 
-    void ReducedStudy::sweep(const Model               &model,
-                             ReducedPair               &pair,
-                             const Motion              &motion,
-                             const std::vector<double> &penalties,
-                             const RootStress *const    roots,
-                             OutputFolder              &folder,
-                             Log                       &log) const
+    void ReducedStudy::sweep(const Model            &model,
+                             ReducedPair            &pair,
+                             const Motion           &motion,
+                             const NamedFigures     &at_start,
+                             const RootStress *const roots,
+                             OutputFolder           &folder,
+                             Log                    &log) const
     {
       const StressWavePlaces places(model, roots);
       PairSpeedSweep         sweep(model,
@@ -284,16 +276,17 @@ namespace vfife
       RunSummary             summary = start_summary("reduced", model, folder);
       summary.contradictions         = report_checks(model, log);
       summary.cause                  = gear_case_.find_cause();
-      add_start_stresses(model, penalties, folder.communicator(), log, summary);
+      summary.figures.insert(summary.figures.end(), at_start.begin(), at_start.end());
       run_speed_sweep(sweep, summary, folder, log);
     }
 
-    bool ReducedStudy::move(Model                     &model,
-                            ReducedPair               &pair,
-                            const Motion              &motion,
-                            const std::vector<double> &penalties,
-                            OutputFolder              &folder,
-                            Log                       &log) const
+    bool ReducedStudy::move(Model              &model,
+                            ReducedPair        &pair,
+                            const Motion       &motion,
+                            const double        penalty,
+                            const NamedFigures &at_start,
+                            OutputFolder       &folder,
+                            Log                &log) const
     {
       const double        h             = motion.options.step;
       const std::uint64_t history_steps = output_.compute_history_steps(&*model.transmission, h);
@@ -321,13 +314,13 @@ namespace vfife
       record_stresses(model, pair, end_time, log, run.observers(), results);
       results.record_stress_waves(measure_probes, run.observers());
       RunSummary summary = start_summary("reduced", model, folder);
-      summary.figures    = results.list_figures(penalties.front(), gear_case_.arm_range());
+      summary.figures    = results.list_figures(penalty, gear_case_.arm_range());
       summary.figures.push_back({"cut-off frequency", {motion.cutoff, "Hz"}});
       summary.figures.push_back({"steps in a tooth mesh", {double(motion.steps_per_mesh), "-"}});
       summary.contradictions = report_checks(model, log);
       summary.cause          = gear_case_.find_cause();
       say_nearest_wave(model, motion, pair, log, summary);
-      add_start_stresses(model, penalties, folder.communicator(), log, summary);
+      summary.figures.insert(summary.figures.end(), at_start.begin(), at_start.end());
 
       const auto prepared = [&]() {
         ReducedStart &start = run.start();
@@ -406,17 +399,19 @@ namespace vfife
                1e9 * motion.options.step,
                largest_factor() == 1. ? " ns in a tooth mesh"
                                       : " ns in a tooth mesh at the largest speed");
-      ReducedPair pair(model, std::move(bodies), penalties, motion.options);
+      ReducedPair        pair(model, std::move(bodies), penalties, motion.options);
+      const NamedFigures at_start =
+        find_start_stresses(model, make_fem_options(dynamics_), penalties, communicator, log);
       if (is_motion())
         run_lengths(
           gear_case_,
           dynamics_,
           folder,
           checkpoint_,
-          [&] { return move(model, pair, motion, penalties, folder, log); },
+          [&] { return move(model, pair, motion, penalties.front(), at_start, folder, log); },
           log);
       else
-        sweep(model, pair, motion, penalties, roots ? &*roots : nullptr, folder, log);
+        sweep(model, pair, motion, at_start, roots ? &*roots : nullptr, folder, log);
       if (output_.pictures)
         draw_pictures(folder, log);
     }

@@ -10,12 +10,9 @@ namespace vfife
   class Case;
   class Log;
   class OutputFolder;
-  class Table;
   struct Checkpoint;
   struct DynamicsOptions;
-  struct Model;
   struct OutputOptions;
-  struct SteadyPart;
   struct Transmission;
 
   /** The end of a run that is to last for @p time, with samples in intervals of @p sample [s]: of

@@ -12,7 +12,7 @@ def find_harmonics(values, samples_per_mesh, largest=None):
     """Amplitudes of the orders 1 to `largest` of the tooth mesh (default: all that the samples resolve): of the mean
     mesh, so that nothing leaks into them from lines that do not repeat."""
     mean = fold_meshes(values, samples_per_mesh).mean(axis=0)
-    return amplitudes_of(mean)[1:None if largest is None else largest + 1]
+    return amplitudes_of(mean)[1:][:largest]
 
 
 def is_harmonic(frequency, mesh_frequency, resolution):
