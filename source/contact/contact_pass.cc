@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
 #include <vfife/base/process/machine_speed.h>
 #include <vfife/contact/contact_pass.h>
 #include <vfife/contact/search/carried_area.h>
@@ -51,6 +52,7 @@ namespace vfife
                                              : q.weight * slave_.area_element(f, q.xi, q.eta)));
           point_offsets_.push_back(slave_.offset(f, q.xi, q.eta));
         }
+    point_stiffness_.assign(point_areas_.size(), 1.);
     slave_carried_areas_ = slave_.node_areas();
     for (double &area : slave_carried_areas_)
       area *= area_factor_;
@@ -66,9 +68,37 @@ namespace vfife
 
   void ContactPass::vary_penalty(const double least_width)
   {
-    facet_stiffness_.clear();
+    point_stiffness_.clear();
     for (unsigned int f = 0; f < slave_.n_facets(); ++f)
-      facet_stiffness_.push_back(least_width / slave_.facet_width(f));
+      point_stiffness_.insert(point_stiffness_.end(),
+                              rule_.size(),
+                              least_width / slave_.facet_width(f));
+  }
+
+
+  void ContactPass::set_stiffness(const std::vector<double> &of_group_points)
+  {
+    for (unsigned int g = 0; g < slave_.n_groups(); ++g)
+      {
+        const std::vector<unsigned int> &facets = slave_.group_facets(g);
+        if (facets.size() * rule_.size() != of_group_points.size())
+          throw InputError("the stiffness of a contact needs one value per point of a group: " +
+                           std::to_string(facets.size() * rule_.size()) + ", not " +
+                           std::to_string(of_group_points.size()));
+        for (std::size_t k = 0; k < facets.size(); ++k)
+          std::copy_n(of_group_points.begin() + k * rule_.size(),
+                      rule_.size(),
+                      point_stiffness_.begin() + facets[k] * rule_.size());
+      }
+  }
+
+
+  double ContactPass::largest_stiffness_of(const unsigned int slave_facet) const
+  {
+    double largest = 0;
+    for (unsigned int i = 0; i < rule_.size(); ++i)
+      largest = std::max(largest, stiffness_of(slave_facet, i));
+    return largest;
   }
 
 

@@ -197,7 +197,7 @@ namespace vfife
         touching.master_nodes = master_.corners(p.facet);
         touching.area         = point.area * fade.weight;
         touching.gap          = point.gap;
-        touching.stiffness    = stiffness_of(point.slave_facet);
+        touching.stiffness    = stiffness_of(point.slave_facet, point.rule_point);
         touching.pressure     = fade.weight > 0. ? point.pressure / fade.weight : 0.;
         Eigen::Map<Vector3>(touching.direction) = normal + tangential;
         for (unsigned int k = 0; k < 4; ++k)
@@ -307,7 +307,8 @@ namespace vfife
             {
               points.push_back(&point);
               pressed.push_back(
-                {-point.gap, penalty * stiffness_of(point.slave_facet) * point.area});
+                {-point.gap,
+                 penalty * stiffness_of(point.slave_facet, point.rule_point) * point.area});
             }
         law.evaluate(pressed);
         for (std::size_t i = 0; i < points.size(); ++i)

@@ -107,8 +107,9 @@ namespace vfife
     displacement -= normal.dot(displacement) * normal;
 
     // 2. Spring and slider.
-    const double k = std::min(stiffness_of(point.slave_facet) * interaction.tangential_penalty,
-                              interaction.tangential_limit);
+    const double k =
+      std::min(stiffness_of(point.slave_facet, point.rule_point) * interaction.tangential_penalty,
+               interaction.tangential_limit);
     const SliderResponse response =
       slide(displacement.norm(), interaction.friction * pressure, k, anchor.elastic);
     const Vector3 elastic = response.elastic_part * displacement;

@@ -31,6 +31,15 @@ namespace vfife
   }
 
 
+  void Contact::set_stiffness(const std::vector<double> &of_group_points)
+  {
+    if (passes_.size() != 1)
+      throw InputError("Contact/discretization",
+                       "points of a contact in two passes have no stiffness of their own");
+    passes_.front().set_stiffness(of_group_points);
+  }
+
+
   std::array<std::vector<double>, 2> Contact::node_stiffness() const
   {
     std::array<std::vector<double>, 2> stiffness;
@@ -39,7 +48,7 @@ namespace vfife
     for (std::size_t i = 0; i < passes_.size(); ++i)
       for (unsigned int f = 0; f < passes_[i].slave().n_facets(); ++f)
         for (const unsigned int node : passes_[i].slave().corners(f))
-          stiffness[i][node] = std::max(stiffness[i][node], passes_[i].stiffness_of(f));
+          stiffness[i][node] = std::max(stiffness[i][node], passes_[i].largest_stiffness_of(f));
     return stiffness;
   }
 

@@ -22,6 +22,13 @@ namespace vfife
     return bodies.empty() ? 0 : bodies.back().first_node + bodies.back().n_nodes();
   }
 
+  bool Model::any_body_turns() const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [](const Body &body) {
+      return body.rate != 0;
+    });
+  }
+
   unsigned int Model::n_elements() const
   {
     return bodies.empty() ? 0 : bodies.back().first_element + bodies.back().n_elements();

@@ -84,6 +84,25 @@ namespace vfife
                    list_of(changeable, true);
     }
 
+    /** Whether an earlier version had 0 for a penalty that it derived. */
+    bool is_former_zero(const std::string &path, const BothTexts &entry)
+    {
+      const std::string word = "Contact/penalty";
+      return entry.before && *entry.before == "0" && entry.now &&
+             (path == word || (path.rfind("Model/", 0) == 0 &&
+                               path.find("/penalty") + 8 == path.size() && *entry.now == "auto"));
+    }
+
+    /** General models derive it as they did, gear pairs do not. */
+    std::string find_change_of_zero(const std::string &path)
+    {
+      return path.rfind("Model/", 0) == 0
+               ? ""
+               : "is found by the contact's own grid now, and the run was begun with the penalty "
+                 "of an "
+                 "earlier version; go on with that version, or begin anew without --restart";
+    }
+
     void refuse_changes(const DeclaredSection          &now,
                         const std::vector<std::string> &changeable,
                         Checkpoint                     &checkpoint)
@@ -95,7 +114,8 @@ namespace vfife
         {
           if (std::find(changeable.begin(), changeable.end(), path) != changeable.end())
             continue;
-          const std::string change = find_change(entry, changeable);
+          const std::string change = is_former_zero(path, entry) ? find_change_of_zero(path)
+                                                                 : find_change(entry, changeable);
           if (!change.empty())
             errors.emplace_back(path, change);
           else if (!entry.before)

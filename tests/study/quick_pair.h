@@ -29,7 +29,8 @@ inline std::string coarse_pair(const std::string &gear_body, const std::string &
          "subsection Gear pair\n  subsection Pinion" + mesh +
          "      set rim rows           = 2\n    end\n  end\n" +
          "  subsection Gear\n    subsection Body\n" + gear_body + "\n    end" + mesh + gear_mesh +
-         "\n    end\n  end\nend\nsubsection Contact\n  set points per facet = 3\nend\n";
+         "\n    end\n  end\nend\ninclude " + source_folder() +
+         "/../study/quick_contact/contact.prm\n\n\n";
 }
 
 /** A conical web in its coarsest mesh: entries for coarse_pair(). */

@@ -67,7 +67,7 @@ namespace
     stepped.solver.set_step(dt);
     Stepping stepping(folder, log, model, stepped.solver, output, sample_steps);
     stepping.observers().add<HistoryWriter>(model, sample_steps);
-    const auto   start    = make_start(model, options, stepped.solver, world, log);
+    const auto   start    = make_start(model, options, stepped.solver, nullptr, world, log);
     const double end_time = n_steps * dt;
     stepping.run(
       nullptr, end_time, end_time, *start, [] {}, [] {});

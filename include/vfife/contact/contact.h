@@ -74,10 +74,12 @@ namespace vfife
      * that of PenaltyOptions::mass_per_area_for the step is taken.
      */
     void set_penalty(double penalty, double mass_per_area = 0.);
-    /** From now on the penalty goes with 1/h, h the width of a point's facet; set_penalty() sets
-     * that of the narrowest, whose width [mm] is returned. Largest one at each node over that. */
+    /** From now on the penalty goes with 1/h, h the width of a facet; set_penalty() sets that of
+     * the narrowest, whose width [mm] is returned. Largest one at each node over that. */
     double                             vary_penalty();
     std::array<std::vector<double>, 2> node_stiffness() const;
+    /** From now on a factor of the penalty per point of a slave's group. Throws InputError. */
+    void set_stiffness(const std::vector<double> &of_group_points);
     /** Points that stick have at most this stiffness [N/mm^3]. */
     void   limit_tangential_penalty(double limit);
     double penalty() const
@@ -184,8 +186,8 @@ namespace vfife
       return passes_.front().slave().mean_facet_size() / passes_.front().master().mean_facet_size();
     }
 
-    /** Points under pressure in the last add_forces() (this rank); its position arrays must still
-     * be valid. */
+    /** Points under pressure in the last add_forces() of this rank, whose arrays are still valid.
+     */
     std::vector<ContactPoint> points() const;
 
     /** Tangent of the elastic forces of the last add_forces() (this rank, no friction, no
@@ -213,12 +215,10 @@ namespace vfife
     /** Motion between wide searches [mm]. */
     double search_skin() const;
 
-    /** Penetration beyond which nothing is contact [mm]: a largest_penetration near it is runaway.
-     */
+    /** Penetrations beyond it are no contact: a largest_penetration near it is runaway [mm]. */
     double depth_limit() const;
 
-    /** From now on adds processor times of add_forces() to @p times, which outlive it, or nullptr.
-     */
+    /** From now on adds processor times of add_forces() to @p times; nullptr ends it. */
     void measure_times(ContactTimes *times)
     {
       for (ContactPass &pass : passes_)

@@ -59,7 +59,7 @@ namespace vfife
                 const SurfaceInteraction &interaction,
                 double                    look_ahead);
 
-    /** What locate() has found, and where press() reads the pressures. */
+    /** Found by locate(); press() reads the pressures here. */
     std::vector<TouchingPoint> &touching()
     {
       return touching_;
@@ -109,13 +109,14 @@ namespace vfife
     {
       return master_carried_areas_;
     }
-    /** See Contact::vary_penalty; penalty of a slave's facet over that of the narrowest [-]. */
+    /** As those of Contact; penalty at a point of a slave's facet over the contact's [-]. */
     void   vary_penalty(double least_width);
-    double stiffness_of(const unsigned int slave_facet) const
+    void   set_stiffness(const std::vector<double> &of_group_points);
+    double stiffness_of(const unsigned int slave_facet, const unsigned int rule_point) const
     {
-      return facet_stiffness_.empty() ? 1. : facet_stiffness_[slave_facet];
+      return point_stiffness_[slave_facet * rule_.size() + rule_point];
     }
-
+    double                 largest_stiffness_of(unsigned int slave_facet) const;
     const SurfaceGeometry &slave() const
     {
       return slave_;
@@ -182,8 +183,7 @@ namespace vfife
     void follow_groups();
     /** Boxes of the master's facets of a group, in their order. */
     std::vector<Box> facet_boxes(unsigned int group) const;
-    /** The nearest foot on the facets with the numbers @p near in @p group; the facet found goes to
-     * the front of @p near, where the next point's is most likely. */
+    /** The nearest foot on the facets @p near of @p group; the one found goes to their front. */
     bool find_closest(const std::vector<unsigned int> &group,
                       const std::vector<Box>          &boxes,
                       std::vector<unsigned int>       &near,
@@ -230,7 +230,7 @@ namespace vfife
     std::vector<FacetQuadraturePoint> rule_;
     std::vector<double>               point_areas_, point_offsets_; ///< facet by facet
     std::vector<double>               slave_carried_areas_, master_carried_areas_; ///< by node
-    std::vector<double>               facet_stiffness_; ///< stiffness_of(); empty: all 1
+    std::vector<double>               point_stiffness_; ///< stiffness_of()
     double                            area_factor_, edge_fading_, skin_, depth_limit_;
     double step_ = 0.; ///< between evaluations, where velocities are known [s]
 

@@ -70,6 +70,9 @@ namespace vfife
     unsigned int   master_body = 0;
     std::string    master_surface;
     ContactOptions options;
+    /** Contact::set_stiffness(); empty: the penalty is the same everywhere. */
+    std::vector<double> stiffness;
+    double mean_stiffness = 1; ///< of those points, by the forces on them, over the penalty [-]
   };
 
   /** A node whose displacement and stress are recorded. */
@@ -102,6 +105,8 @@ namespace vfife
     unsigned int add_body(Body &&body);
     unsigned int n_nodes() const;
     unsigned int n_elements() const;
+    /** Whether a body has a rate at time zero. */
+    bool any_body_turns() const;
   };
 
   /** Whether a face is selected, its @p nodes in any order. */

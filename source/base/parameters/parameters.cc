@@ -215,6 +215,37 @@ namespace vfife
       describe_quantity(meaning, unit, range));
   }
 
+  void declare_quantity_or_word(dealii::ParameterHandler &prm,
+                                const std::string        &name,
+                                double                   &value,
+                                const std::string        &unit,
+                                const std::string        &word,
+                                const std::string        &meaning)
+  {
+    // 0 is the word in files of earlier versions.
+    const auto read = [unit, word](const std::string &text) {
+      if (text == word)
+        return 0.;
+      try
+        {
+          return read_quantity_in_range(text, unit, Range::not_negative());
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(std::string(error.what()) + ", or \"" + word + "\"");
+        }
+    };
+    declare(
+      prm,
+      name,
+      value == 0. ? word : quantity_text(value, unit),
+      value,
+      read,
+      [&value](const double number) { value = number; },
+      "a positive number [" + unit + "] or \"" + word + "\"",
+      description_of(meaning, "positive, or \"" + word + "\"", unit));
+  }
+
   void declare_vector(dealii::ParameterHandler &prm,
                       const std::string        &name,
                       Vector3                  &value,

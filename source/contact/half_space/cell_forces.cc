@@ -2,15 +2,25 @@
 #include <vfife/base/errors.h>
 #include <vfife/contact/half_space/cell_forces.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace vfife
 {
   namespace
   {
-    constexpr unsigned int largest_iterations = 5000;
+    /** Beyond so many gradients the cells that carry are found one set after the other; the
+     * elements' part of the flexibility may be so badly conditioned that gradients stagnate. */
+    constexpr unsigned int most_gradients = 600;
+    constexpr unsigned int most_sets      = 400;
+    /** More cells take minutes. */
+    constexpr Eigen::Index most_cells = 2000;
+    /** From this set on only the worst cell is added, which ends cycles. */
+    constexpr unsigned int first_single_set = 50;
     /** Gaps of cells that carry, and penetrations of others, over the largest deflection. */
     constexpr double tolerance = 1e-8;
 
@@ -91,6 +101,70 @@ namespace vfife
         q *= load / q.sum();
       }
     };
+
+    using Deflect = std::function<Eigen::VectorXd(const Eigen::VectorXd &)>;
+
+    /** The same by sets of cells that carry, each solved directly; starts from forces @p q, all
+     * over the arms. Returns forces, gaps and closing over the arms. */
+    CellForces find_by_sets(const Deflect         &deflect,
+                            const Eigen::VectorXd &gaps,
+                            const double           load,
+                            const Eigen::VectorXd &q)
+    {
+      const Eigen::Index n = gaps.size();
+      if (n > most_cells)
+        throw NumericalError("the pressures of a contact's own grid of " + std::to_string(n) +
+                             " cells are not found in " + std::to_string(most_gradients) +
+                             " iterations");
+      Eigen::MatrixXd flexibility(n, n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        flexibility.col(i) = deflect(Eigen::VectorXd::Unit(n, i));
+      std::vector<char> carries(n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        carries[i] = q[i] > 0.;
+      CellForces result;
+      for (result.iterations = 0; result.iterations < most_sets; ++result.iterations)
+        {
+          std::vector<Eigen::Index> set;
+          for (Eigen::Index i = 0; i < n; ++i)
+            if (carries[i])
+              set.push_back(i);
+          // Gaps of the set are zero and its forces have the load: the closing is the multiplier.
+          const Eigen::Index m      = set.size();
+          Eigen::MatrixXd    system = Eigen::MatrixXd::Zero(m + 1, m + 1);
+          Eigen::VectorXd    right(m + 1);
+          for (Eigen::Index a = 0; a < m; ++a)
+            {
+              for (Eigen::Index b = 0; b < m; ++b)
+                system(a, b) = flexibility(set[a], set[b]);
+              system(a, m) = -1.;
+              system(m, a) = 1.;
+              right[a]     = -gaps[set[a]];
+            }
+          right[m]                    = load;
+          const Eigen::VectorXd found = system.partialPivLu().solve(right);
+          if (found.head(m).minCoeff() < 0.)
+            {
+              for (Eigen::Index a = 0; a < m; ++a)
+                carries[set[a]] = found[a] >= 0.;
+              continue;
+            }
+          result.forces = Eigen::VectorXd::Zero(n);
+          for (Eigen::Index a = 0; a < m; ++a)
+            result.forces[set[a]] = found[a];
+          result.closing     = found[m];
+          result.gaps        = (gaps + flexibility * result.forces).array() - result.closing;
+          const double least = -tolerance * (flexibility * result.forces).lpNorm<Eigen::Infinity>();
+          Eigen::Index worst = 0;
+          if (result.gaps.minCoeff(&worst) >= least)
+            return result;
+          for (Eigen::Index i = 0; i < n; ++i)
+            if (result.gaps[i] < least && (i == worst || result.iterations < first_single_set))
+              carries[i] = true;
+        }
+      throw NumericalError("the pressures of a contact's own grid are not found: " +
+                           std::to_string(most_sets) + " sets of cells that carry were tried");
+    }
   } // namespace
 
 
@@ -121,9 +195,13 @@ namespace vfife
             result.closing = now.closing;
             return result;
           }
-        if (result.iterations == largest_iterations)
-          throw NumericalError("the pressures of a contact's own grid are not found in " +
-                               std::to_string(largest_iterations) + " iterations");
+        if (result.iterations == most_gradients)
+          {
+            result        = find_by_sets(deflect, scaled, load, now.q);
+            result.forces = result.forces.cwiseQuotient(arms);
+            result.gaps   = result.gaps.cwiseProduct(arms);
+            return result;
+          }
         now.update_direction(h);
         now.step(h, deflect(now.direction));
       }

@@ -10,10 +10,4 @@ namespace vfife
     options.derivation = "5 E*/h, 1/E* the sum of (1 - nu^2)/E of the bodies, h the width of the "
                          "facet";
   }
-
-
-  bool follows_from_facets(const PenaltyOptions &options)
-  {
-    return !options.from_step && options.value == 0.;
-  }
 } // namespace vfife

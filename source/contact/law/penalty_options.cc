@@ -42,13 +42,12 @@ namespace vfife
                    std::string("Penalty times dt^2 over the least nodal mass per area of ") +
                      (n_moving == 2 ? "both surfaces" : "the body's surface"),
                    fractions(n_moving));
-    declare_quantity(prm,
-                     "penalty",
-                     value,
-                     "N/mm^3",
-                     "Pressure per penetration, used when it is not taken from the step" +
-                       (derivation.empty() ? derivation : "; 0: " + derivation),
-                     derivation.empty() ? Range::positive() : Range::not_negative());
+    const std::string meaning = "Pressure per penetration, used when it is not taken from the step";
+    if (derivation.empty())
+      declare_quantity(prm, "penalty", value, "N/mm^3", meaning, Range::positive());
+    else
+      declare_quantity_or_word(
+        prm, "penalty", value, "N/mm^3", "auto", meaning + "; auto: " + derivation);
     if (contact_laws().size() > 1)
       declare_choice(
         prm, "contact law", law, contact_laws(), "How the pressure grows with the penetration");

@@ -74,7 +74,7 @@ namespace vfife
     , safety_(safety)
     , penalty_(pair.options.penalty)
   {
-    if (follows_from_facets(penalty_))
+    if (penalty_.is_open())
       {
         const Material &s = model.bodies[pair.slave_body].material(),
                        &m = model.bodies[pair.master_body].material();
@@ -82,6 +82,8 @@ namespace vfife
           contact_modulus(s.youngs_modulus, s.poissons_ratio, m.youngs_modulus, m.poissons_ratio),
           contact.vary_penalty());
       }
+    if (!pair.stiffness.empty())
+      contact.set_stiffness(pair.stiffness);
     contact.place(model.bodies[pair.slave_body].placement,
                   model.bodies[pair.master_body].placement);
     carried_mass_per_area = contact.carried_mass_per_area(slave.mass, master.mass);

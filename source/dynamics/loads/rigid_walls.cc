@@ -83,7 +83,7 @@ namespace vfife
         // agree.
         const Body        &body    = model.bodies[definition.body];
         const NodalSprings springs = find_springs(definition, body);
-        const bool         derived = follows_from_facets(definition.penalty);
+        const bool         derived = definition.penalty.is_open();
         Wall               wall(definition);
         double             largest_area = 0;
         for (std::size_t i = 0; i < springs.areas.size(); ++i)
@@ -178,8 +178,7 @@ namespace vfife
       {
         std::ostringstream text;
         text << "contact penalty of the wall \"" << wall.definition->name << "\" " << wall.penalty
-             << " N/mm^3"
-             << (follows_from_facets(wall.options()) ? " at its narrowest facets" : "");
+             << " N/mm^3" << (wall.options().is_open() ? " at its narrowest facets" : "");
         sentences.push_back(text.str());
       }
     return sentences;

@@ -50,6 +50,8 @@ namespace vfife
       , contact(slave.facets, master.facets, pair.options)
     {
       contact.set_penalty(penalty, contact.mass_per_area(slave.mass, master.mass));
+      if (!pair.stiffness.empty())
+        contact.set_stiffness(pair.stiffness);
       // Newton's method is one of springs along the normals.
       contact.set_friction_mode(FrictionMode::none);
     }

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/base/errors.h>
 #include <vfife/contact/search/local_search.h>
-#include <vfife/contact/surface/facet_quadrature.h>
+#include <vfife/contact/touch_geometry.h>
 #include <vfife/fem/pressure/contact_cells.h>
 
 #include <Eigen/Eigenvalues>
@@ -58,6 +58,12 @@ namespace vfife
         cell.feet = {{foot_of(*surfaces_.slave, facet, xi, eta),
                       foot_of(master, last_.facet, last_.xi, last_.eta)}};
         return towards.dot(cell.normal) < 0. && cell.gap > -surfaces_.depth_limit;
+      }
+
+      /** Of the point found last. */
+      double find_fading(const double width) const
+      {
+        return width > 0. ? Fading(*surfaces_.master, last_, width).weight : 1.;
       }
 
     private:
@@ -135,6 +141,31 @@ namespace vfife
       return xi.minCoeff() >= -side_tolerance && xi.maxCoeff() <= 1. + side_tolerance;
     }
   } // namespace
+
+
+  std::vector<FacingPoint> find_facing_points(const FacingSurfaces                    &surfaces,
+                                              const std::vector<FacetQuadraturePoint> &rule,
+                                              const double                             edge_fading,
+                                              const double                             reach)
+  {
+    MasterSearch                     search(surfaces);
+    std::vector<FacingPoint>         points;
+    const std::vector<unsigned int> &facets = surfaces.slave->group_facets(surfaces.slave_group);
+    for (std::size_t k = 0; k < facets.size(); ++k)
+      for (std::size_t i = 0; i < rule.size(); ++i)
+        {
+          FacingPoint point;
+          point.cell.place = {{int(k), int(i)}};
+          if (!search.find(facets[k], rule[i].xi, rule[i].eta, point.cell) ||
+              point.cell.gap >= reach)
+            continue;
+          point.area = rule[i].weight * search.find_fading(edge_fading) *
+                       surfaces.slave->area_element(facets[k], rule[i].xi, rule[i].eta);
+          if (point.area > 0.)
+            points.push_back(point);
+        }
+    return points;
+  }
 
 
   double find_least_gap(const FacingSurfaces &surfaces)

@@ -45,10 +45,7 @@ namespace vfife
             points.push_back(flanks_.point_of(side, node));
           }
       }
-    const bool any_turns = std::any_of(model.bodies.begin(),
-                                       model.bodies.end(),
-                                       [](const Body &body) { return body.rate != 0; });
-    Compliance compliance(model, options, any_turns, communicator);
+    Compliance compliance(model, options, model.any_body_turns(), communicator);
     compliance.watch(points);
     rows.resize(3 * points.size());
     std::iota(rows.begin(), rows.end(), 0u);

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 #include <vfife/fem/pressure/pair_pressure.h>
+#include <vfife/fem/pressure/penalty_calibration.h>
 #include <vfife/model/load_torque.h>
 #include <vfife/model/model.h>
 
@@ -63,7 +64,8 @@ namespace vfife
   }
 
   PairPressures PairPressure::solve(const PairEquilibrium       &equilibrium,
-                                    const PairEquilibriumResult &result)
+                                    const PairEquilibriumResult &result,
+                                    PenaltyCalibration          *calibration)
   {
     // Flanks that rigid bodies would press on each other may carry.
     const double reach = std::abs(result.turn - result.touch_turn) * model_.transmission->arm;
@@ -77,8 +79,10 @@ namespace vfife
                               {{flanks_.make_flank(0, slave, slave, places_),
                                 flanks_.make_flank(1, master, master, places_)}}});
       }
-    std::vector<GridPressure> grids =
-      find_grid_pressures(contacts, make_load(equilibrium, result), cells_across_);
+    const ContactLoad         load  = make_load(equilibrium, result);
+    std::vector<GridPressure> grids = find_grid_pressures(contacts, load, cells_across_);
+    if (calibration != nullptr)
+      calibration->add(contacts, load, grids);
     PairPressures found;
     for (std::size_t i = 0; i < grids.size(); ++i)
       {

@@ -40,6 +40,11 @@ namespace vfife
     return false;
   }
 
+  bool Case::leaves_penalty_open() const
+  {
+    return false;
+  }
+
   HertzContact Case::hertz_contact() const
   {
     return {};

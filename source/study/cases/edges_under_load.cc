@@ -24,6 +24,18 @@ namespace vfife
       }
   }
 
+  std::array<double, 2> EdgesUnderLoad::positions() const
+  {
+    constexpr double      beyond = 1e-3; // of a pitch
+    std::array<double, 2> positions;
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        const double place = borders_[i].place + (i == 0 ? -beyond : beyond);
+        positions[i]       = place - std::floor(place);
+      }
+    return positions;
+  }
+
   void EdgesUnderLoad::observe(const Table &teeth, const std::string &place, const double per_mesh)
   {
     const std::vector<double> &tooth = teeth.numbers(column::tooth_of("pinion")),

@@ -55,11 +55,10 @@ namespace vfife
     members_[1].name = "Gear";
     for (Member &member : members_)
       member.body.leave_sizes_open();
-    // Teeth have a length and a material from which the springs follow, the same for any mesh.
     contact_.penalty.from_step  = false;
     contact_.penalty.value      = 0.;
-    contact_.penalty.derivation = "30 E*/m of the pair, 1/E* the sum of (1 - nu^2)/E of both "
-                                  "members, m the outer transverse module of the gear";
+    contact_.penalty.derivation = "teeth approach each other as on the contact's own grid, each "
+                                  "contact point has its value";
   }
 
   void GearCase::declare(dealii::ParameterHandler &prm, const ParameterFile &file)

@@ -23,9 +23,8 @@ namespace vfife
       return side == FlankSide::concave ? surface_name::concave : surface_name::convex;
     }
 
-    /** Penalty times module over the contact modulus E*. At 1000 MPa the springs of the reference
-     * pair give way by 1 um, some 2 arcsec of its lag; stiffer ones ripple more on coarse flanks
-     * (doc/contact.md, In time). */
+    /** First penalty times module over the contact modulus E*. At 1000 MPa the springs of the
+     * reference pair give way by 1 um, some 2 arcsec of its lag (doc/contact.md, Penalty). */
     constexpr double penalty_over_stiffness = 30.;
 
     /** Body frame placed in the fixed frame with its axis of rotation. */
@@ -210,22 +209,11 @@ namespace vfife
     model.torques.push_back(load);
   }
 
-  double GearCase::derive_penalty(const GearPair &pair, Log &log) const
+  double GearCase::guess_penalty(const GearPair &pair) const
   {
-    const BlankOutline &gear    = pair.gear().blank();
-    const double        modulus = pair_modulus(),
-                 module         = gear.circular_pitch(gear.outer_cone_distance) / pi,
-                 penalty        = penalty_over_stiffness * modulus / module;
-    log.line("contact penalty of the pair ",
-             penalty,
-             " N/mm^3: ",
-             penalty_over_stiffness,
-             " E*/m with E* = ",
-             modulus,
-             " MPa, m = ",
-             module,
-             " mm");
-    return penalty;
+    const BlankOutline &gear   = pair.gear().blank();
+    const double        module = gear.circular_pitch(gear.outer_cone_distance) / pi;
+    return penalty_over_stiffness * pair_modulus() / module;
   }
 
   void GearCase::choose_points(Model &model, Log &log) const
@@ -250,8 +238,8 @@ namespace vfife
   void GearCase::add_contacts(const GearPair &pair, Log &log, Model &model) const
   {
     ContactOptions options = contact_;
-    if (!options.penalty.from_step && options.penalty.value == 0.)
-      options.penalty.value = derive_penalty(pair, log);
+    if (leaves_penalty_open())
+      options.penalty.value = guess_penalty(pair);
     const Transmission &t             = *model.transmission;
     const bool          pinion_drives = operation_.driving == DrivingMember::pinion;
     const MeshSide      working       = working_side();

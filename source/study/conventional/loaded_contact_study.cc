@@ -5,6 +5,7 @@
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
 #include <vfife/base/text/column_names.h>
+#include <vfife/base/text/number_text.h>
 #include <vfife/base/text/table.h>
 #include <vfife/dynamics/dynamics_options.h>
 #include <vfife/element/stress.h>
@@ -31,6 +32,7 @@
 #include <vfife/study/conventional/loaded_pressure.h>
 #include <vfife/study/conventional/loaded_probes.h>
 #include <vfife/study/conventional/loaded_supports.h>
+#include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/pressure/pressure_depth.h>
 #include <vfife/study/run/run_penalties.h>
 #include <vfife/study/start_summary.h>
@@ -46,6 +48,55 @@ namespace vfife
   {
     /** Of this kind, in messages and results. */
     constexpr char study_word[] = "loaded tooth contact analysis";
+    /** Fewer positions do not follow a tooth pair, and their edges are not looked at. */
+    constexpr unsigned int least_positions_with_edges = 4;
+
+    /** Transmission errors of a position [rad]. */
+    struct PairErrors
+    {
+      double unloaded = 0, loaded = 0;
+      double slope = 0; ///< of the loaded one, per unit of the load factor
+    };
+
+    /** What is recorded at each position. */
+    struct Recorders
+    {
+      LoadedProbes                    probes;
+      LoadedSupports                  supports;
+      LoadedPattern                   pattern;
+      LoadedFillets                   fillets;
+      PartStresses                    parts;
+      LoadedFields                    fields;
+      std::unique_ptr<LoadedPressure> pressure; ///< nullptr: is not asked for
+
+      Recorders(const Model         &model,
+                const FilletOptions &fillet_options,
+                OutputFolder        &folder,
+                const double         fields_every)
+        : probes(model)
+        , supports(model)
+        , pattern(model)
+        , fillets(model, fillet_options)
+        , parts(model)
+        , fields(folder, model, fields_every)
+      {
+      }
+
+      /** All but pressures. */
+      void add(const double                 position,
+               const Discretization        &discretization,
+               const PairEquilibrium       &equilibrium,
+               const PairEquilibriumResult &result,
+               const std::vector<Stress>   &stresses)
+      {
+        probes.add_position(position, stresses);
+        supports.add_position(discretization, position, result);
+        pattern.add_position(result);
+        parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
+        fields.add_position(position, discretization, equilibrium, result, stresses);
+        fillets.add_position(discretization, position, result);
+      }
+    };
 
     class LoadedContactStudy : public StudyKind
     {
@@ -82,12 +133,14 @@ namespace vfife
       {
         const Model model = gear_case_.make_model(log); // what is wrong with it, and what it is
         RootStress(model, fillets_);
-        log.line("penalty of a run of this file ",
-                 find_run_penalties(gear_case_, dynamics_, output_.history_every, communicator, log)
-                   .front(),
-                 " N/mm^3; ",
-                 options_.positions,
-                 " positions");
+        if (gear_case_.leaves_penalty_open())
+          log.line("penalty by the contact's own grid; ", options_.positions, " positions");
+        else
+          log.line("penalty of a run of this file ",
+                   find_penalties(model, communicator, log).front(),
+                   " N/mm^3; ",
+                   options_.positions,
+                   " positions");
         gear_case_.report_checks({&model}, log);
       }
 
@@ -95,28 +148,68 @@ namespace vfife
 
     private:
       /** Finds the equilibria and writes all tables. */
-      void analyse(const Model               &model,
-                   const std::vector<double> &penalties,
-                   OutputFolder              &folder,
-                   Log                       &log);
+      void analyse(Model &model, OutputFolder &folder, Log &log);
 
-      /** Of the driver over one tooth mesh, its @p pitch [rad], from the reference position or a
-       * later mesh on. */
-      std::vector<double> list_turns(const double pitch) const
+      void
+      write(const Model &model, Recorders &recorders, const OutputFolder &folder, Log &log) const;
+
+      unsigned int n_pressure_cells() const
       {
-        std::vector<double> turns;
-        for (unsigned int i = 0; i < options_.positions; ++i)
-          turns.push_back((options_.first_mesh + i / double(options_.positions)) * pitch);
-        return turns;
+        const bool none = options_.pressure_cells.is_word && !gear_case_.leaves_penalty_open();
+        return none ? 0 : options_.pressure_cells.number;
+      }
+      /** What the contact's own grid changes of the transmission error [rad]; where it was not
+       * asked for and is not found, nothing, with a warning. */
+      double find_change(double                       position,
+                         const PairErrors            &errors,
+                         const PairEquilibrium       &equilibrium,
+                         const PairEquilibriumResult &result,
+                         LoadedPressure              &pressure,
+                         Log                         &log) const;
+
+      /** Finds the penalties that are open, and returns those of all contact pairs [N/mm^3]. */
+      std::vector<double> settle_penalties(Compliance         &compliance,
+                                           const Communicator &communicator,
+                                           Log                &log,
+                                           Model              &model) const;
+      std::vector<double>
+      find_penalties(const Model &model, const Communicator &communicator, Log &log) const
+      {
+        return find_run_penalties(
+          model, gear_case_, dynamics_, output_.history_every, communicator, log);
       }
 
-      /** Returns the transmission error [rad]. */
-      double add_position(const Model                 &model,
-                          const Compliance            &compliance,
-                          double                       position,
-                          const PairEquilibriumResult &result,
-                          const std::vector<Stress>   &stresses,
-                          Log                         &log);
+      /** A turn of the driver over one tooth mesh. */
+      struct Position
+      {
+        double meshes  = 0;     ///< from the reference position on [tooth meshes]
+        bool   at_edge = false; ///< only forces of tooth pairs are looked at, at their edges
+      };
+
+      /** Equal steps from the reference position or a later mesh on, and where edges have their
+       * largest forces; ascending. */
+      std::vector<Position> list_positions() const
+      {
+        std::vector<Position> positions;
+        for (unsigned int i = 0; i < options_.positions; ++i)
+          positions.push_back({options_.first_mesh + i / double(options_.positions), false});
+        const auto edges = gear_case_.edges_under_load();
+        if (edges && options_.positions >= least_positions_with_edges)
+          for (const double place : edges->positions())
+            positions.push_back({options_.first_mesh + place, true});
+        std::stable_sort(positions.begin(), positions.end(), [](const auto &one, const auto &two) {
+          return one.meshes < two.meshes;
+        });
+        return positions;
+      }
+
+      void add_teeth(double position, const PairEquilibriumResult &result);
+      void add_position(const Model                 &model,
+                        const PairErrors            &errors,
+                        double                       position,
+                        const PairEquilibriumResult &result,
+                        const std::vector<Stress>   &stresses,
+                        Log                         &log);
 
       /** Whether edges carry, and Hertz's pressure of the tooth pair that carries most. */
       NamedFigures judge_teeth(const OutputFolder &folder, Log &log) const;
@@ -133,6 +226,24 @@ namespace vfife
       FilletOptions        fillets_;
       Table                positions_, teeth_;
     };
+
+    PairErrors find_errors(const Model                 &model,
+                           const Discretization        &discretization,
+                           const PairEquilibriumResult &result)
+    {
+      // Leads of the driven member in the drive direction: where flanks touch without load, and
+      // under the torque. The secant leads from one to the other, the tangent is the slope under
+      // load. Transmission error = theta_driven - (z_driver/z_driven) theta_driver: a lead is
+      // counted from the kinematic turn, so of both angles only those at time zero remain.
+      const Transmission &t    = *model.transmission;
+      const auto          lead = [&](const double turn, const std::vector<double> &u) {
+        return lead_of_driven(discretization, turn, u);
+      };
+      const double offset = t.driven_start - t.ratio() * t.driver_start;
+      return {offset + lead(result.touch_turn, result.touch_displacements),
+              offset + lead(result.turn, result.displacements),
+              lead(result.turn_slope, result.displacement_slope)};
+    }
 
     void log_largest(const Model &model, const LoadedProbes &probes, Log &log)
     {
@@ -153,9 +264,7 @@ namespace vfife
 
   void LoadedContactStudy::run(OutputFolder &folder, Log &log)
   {
-    const Model               model = gear_case_.make_model(log);
-    const std::vector<double> penalties =
-      find_run_penalties(gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
+    Model      model   = gear_case_.make_model(log);
     RunSummary summary = start_summary(study_word, model, folder);
     for (unsigned int member = 0; member < model.bodies.size(); ++member)
       summary.figures.push_back({figure_name::torque_of(model.bodies[member].name()),
@@ -165,7 +274,7 @@ namespace vfife
     const auto begin       = WallClock::now();
     try
       {
-        analyse(model, penalties, folder, log);
+        analyse(model, folder, log);
       }
     catch (const NumericalError &error)
       {
@@ -179,49 +288,51 @@ namespace vfife
       draw_pictures(folder, log);
   }
 
-  void LoadedContactStudy::analyse(const Model               &model,
-                                   const std::vector<double> &penalties,
-                                   OutputFolder              &folder,
-                                   Log                       &log)
+  void LoadedContactStudy::analyse(Model &model, OutputFolder &folder, Log &log)
   {
     auto       start = WallClock::now();
     Compliance compliance(model, fem_, options_.centrifugal, folder.communicator());
-    log.line("penalty ",
-             penalties.front(),
-             " N/mm^3; ",
-             compliance.n_unknowns(),
+    log.line(compliance.n_unknowns(),
              " unknowns, factors of ",
              compliance.memory(),
              compliance.by_sectors() ? " MB by one sector of each body in " : " MB in ",
              seconds_since(start),
              " s");
-
-    const double              pitch = 2 * pi / model.transmission->driver_teeth;
-    const std::vector<double> turns = list_turns(pitch);
+    const std::vector<double> penalties =
+      settle_penalties(compliance, folder.communicator(), log, model);
+    const double                pitch     = 2 * pi / model.transmission->driver_teeth;
+    const std::vector<Position> positions = list_positions();
+    std::vector<double>         turns;
+    for (const Position &position : positions)
+      turns.push_back(position.meshes * pitch);
     // One factorization serves all positions: bodies stay as they are in turning axes.
     PairEquilibrium equilibrium(model, compliance, penalties, turns);
-    LoadedProbes    probes(model);
-    LoadedSupports  supports(model);
-    LoadedPattern   pattern(model);
-    LoadedFillets   fillets(model, fillets_);
-    PartStresses    parts(model);
-    LoadedFields    fields(folder, model, output_.fields_every);
-    auto            pressure = make_pressure(model, compliance);
-    for (const double turn : turns)
+    Recorders       recorders(model, fillets_, folder, output_.fields_every);
+    recorders.pressure             = make_pressure(model, compliance);
+    LoadedPressure *const pressure = recorders.pressure.get();
+    for (std::size_t i = 0; i < turns.size(); ++i)
       {
+        const double turn = turns[i];
+        if (positions[i].at_edge)
+          {
+            add_teeth(positions[i].meshes, equilibrium.solve(turn, 1.));
+            continue;
+          }
         start                              = WallClock::now();
         const unsigned int          before = compliance.n_prepared();
         const PairEquilibriumResult result = equilibrium.solve(turn, 1.);
         const std::vector<Stress>   stresses =
           compute_node_stresses(compliance.discretization(), result.displacements);
-        const double error = add_position(model, compliance, turn / pitch, result, stresses, log);
-        probes.add_position(turn / pitch, stresses);
-        supports.add_position(compliance.discretization(), turn / pitch, result);
-        pattern.add_position(result);
-        parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
-        fields.add_position(
-          turn / pitch, compliance.discretization(), equilibrium, result, stresses);
-        fillets.add_position(compliance.discretization(), turn / pitch, result);
+        PairErrors errors = find_errors(model, compliance.discretization(), result);
+        if (pressure)
+          {
+            // Where the penalty is open, the grid shares the load.
+            const double change =
+              find_change(turn / pitch, errors, equilibrium, result, *pressure, log);
+            errors.loaded += gear_case_.leaves_penalty_open() ? change : 0.;
+          }
+        add_position(model, errors, turn / pitch, result, stresses, log);
+        recorders.add(turn / pitch, compliance.discretization(), equilibrium, result, stresses);
         log.line("  ",
                  result.iterations,
                  " iterations, residual ",
@@ -232,7 +343,7 @@ namespace vfife
                  seconds_since(start),
                  " s");
         if (pressure)
-          pressure->add_position(turn / pitch, error, equilibrium, result, log);
+          log.line("  ", pressure->describe());
         // Modes are those of the pair tied together where it touches in the reference position.
         if (turn == turns.front() && options_.coupled_modes > 0)
           write_loaded_modes(model,
@@ -242,28 +353,69 @@ namespace vfife
                              folder,
                              log);
       }
-    log_largest(model, probes, log);
-    parts.write_to(log);
-    write_csv(folder, "loaded_probes.csv", probes.table());
+    write(model, recorders, folder, log);
+  }
+
+  double LoadedContactStudy::find_change(const double                 position,
+                                         const PairErrors            &errors,
+                                         const PairEquilibrium       &equilibrium,
+                                         const PairEquilibriumResult &result,
+                                         LoadedPressure              &pressure,
+                                         Log                         &log) const
+  {
+    try
+      {
+        return pressure.add_position(position, errors.loaded, equilibrium, result);
+      }
+    catch (const NumericalError &error)
+      {
+        if (!options_.pressure_cells.is_word)
+          throw;
+        log.warning("position " + number_text(position) + ": " + error.what() +
+                    ". Its transmission error is that of the penalties, it has no pressures.");
+        return 0.;
+      }
+  }
+
+  void LoadedContactStudy::write(const Model        &model,
+                                 Recorders          &recorders,
+                                 const OutputFolder &folder,
+                                 Log                &log) const
+  {
+    log_largest(model, recorders.probes, log);
+    recorders.parts.write_to(log);
+    write_csv(folder, "loaded_probes.csv", recorders.probes.table());
     write_csv(folder, "loaded_teeth.csv", teeth_);
-    supports.write(folder);
-    write_csv(folder, "pattern.csv", pattern.table());
-    NamedFigures figures = list_loaded_figures(positions_, supports.misalignments());
+    recorders.supports.write(folder);
+    write_csv(folder, "pattern.csv", recorders.pattern.table());
+    NamedFigures figures = list_loaded_figures(positions_, recorders.supports.misalignments());
     const auto   add     = [&figures](const NamedFigures &more) {
       figures.insert(figures.end(), more.begin(), more.end());
     };
     add(judge_teeth(folder, log));
-    add(pattern.figures(gear_case_.make_pair(), model.contacts[0].side));
-    add(parts.list_figures());
-    fillets.write(folder, log);
-    if (pressure)
+    add(recorders.pattern.figures(gear_case_.make_pair(), model.contacts[0].side));
+    add(recorders.parts.list_figures());
+    recorders.fillets.write(folder, log);
+    if (recorders.pressure)
       {
-        pressure->write(folder);
-        add(pressure->list_figures());
+        recorders.pressure->write(folder);
+        add(recorders.pressure->list_figures());
       }
-    add(fillets.list_figures());
+    add(recorders.fillets.list_figures());
     write_own_figures(folder, figures);
     write_tables(folder, "loaded_contact", positions_);
+  }
+
+  std::vector<double> LoadedContactStudy::settle_penalties(Compliance         &compliance,
+                                                           const Communicator &communicator,
+                                                           Log                &log,
+                                                           Model              &model) const
+  {
+    if (needs_calibration(gear_case_, model))
+      calibrate_penalty(gear_case_, compliance, log, model);
+    const std::vector<double> penalties = find_penalties(model, communicator, log);
+    log.line("penalty ", penalties.front() * model.contacts.front().mean_stiffness, " N/mm^3");
+    return penalties;
   }
 
   NamedFigures LoadedContactStudy::judge_teeth(const OutputFolder &folder, Log &log) const
@@ -280,61 +432,52 @@ namespace vfife
   std::unique_ptr<LoadedPressure> LoadedContactStudy::make_pressure(const Model &model,
                                                                     Compliance  &compliance) const
   {
-    if (options_.pressure_cells == 0)
+    if (n_pressure_cells() == 0)
       return nullptr;
-    // Their balance has the bodies' linear answers alone.
-    if (!model.bearings.empty())
-      throw InputError("Loaded contact/pressure cells",
-                       "pressures on their own grid are found of pairs on ideal bores; bearing \"" +
-                         model.bearings.front().name + "\" holds one that is not");
     return std::make_unique<LoadedPressure>(model,
                                             *gear_case_.outlines(),
                                             compliance,
                                             choose_pressure_depth(options_.pressure_depth,
                                                                   model,
                                                                   gear_case_.hertz_contact()),
-                                            options_.pressure_cells);
+                                            n_pressure_cells());
   }
 
-  double LoadedContactStudy::add_position(const Model                 &model,
-                                          const Compliance            &compliance,
-                                          const double                 position,
-                                          const PairEquilibriumResult &result,
-                                          const std::vector<Stress>   &stresses,
-                                          Log                         &log)
+  void LoadedContactStudy::add_teeth(const double position, const PairEquilibriumResult &result)
   {
-    // Leads of the driven member in the drive direction: where flanks touch without load, and under
-    // the torque. The secant leads from one to the other, the tangent is the slope under load.
-    const Transmission &t    = *model.transmission;
-    const auto          lead = [&](const double turn, const std::vector<double> &u) {
-      return lead_of_driven(compliance.discretization(), turn, u);
-    };
-    // [rad]; transmission error = theta_driven - (z_driver/z_driven) theta_driver. A lead is
-    // counted from the kinematic turn, so of both angles only those at time zero remain.
-    const double offset   = t.driven_start - t.ratio() * t.driver_start;
-    const double unloaded = offset + lead(result.touch_turn, result.touch_displacements);
-    const double loaded   = offset + lead(result.turn, result.displacements);
-    const double torque   = load_torque(model);
+    for (const ToothContact &tooth : result.teeth)
+      teeth_.add_row({position,
+                      tooth.side,
+                      tooth.slave_group,
+                      tooth.master_group,
+                      tooth.force.norm(),
+                      1e-3 * tooth.torque,
+                      tooth.torque / result.contact_torque,
+                      tooth.largest_pressure,
+                      tooth.area});
+  }
+
+  void LoadedContactStudy::add_position(const Model                 &model,
+                                        const PairErrors            &errors,
+                                        const double                 position,
+                                        const PairEquilibriumResult &result,
+                                        const std::vector<Stress>   &stresses,
+                                        Log                         &log)
+  {
     // [N mm/rad]; the slope is the change per unit of the load factor, so the whole torque belongs
     // to it.
-    const double secant  = torque / std::abs(loaded - unloaded);
-    const double tangent = torque / std::abs(lead(result.turn_slope, result.displacement_slope));
+    const Transmission &t        = *model.transmission;
+    const double        torque   = load_torque(model);
+    const double        unloaded = errors.unloaded, loaded = errors.loaded;
+    const double        secant  = torque / std::abs(loaded - unloaded);
+    const double        tangent = torque / std::abs(errors.slope);
 
-    // A row a tooth pair, and one for their sum.
+    add_teeth(position, result);
     double force = 0, pressure = 0;
     for (const ToothContact &tooth : result.teeth)
       {
         force += tooth.force.norm();
         pressure = std::max(pressure, tooth.largest_pressure);
-        teeth_.add_row({position,
-                        tooth.side,
-                        tooth.slave_group,
-                        tooth.master_group,
-                        tooth.force.norm(),
-                        1e-3 * tooth.torque,
-                        tooth.torque / result.contact_torque,
-                        tooth.largest_pressure,
-                        tooth.area});
       }
     // Where teeth break: the largest stress of either fillet, and of the web's faces.
     const std::vector<const char *> fillets = {node_set::concave_fillet, node_set::convex_fillet};
@@ -372,7 +515,6 @@ namespace vfife
              " (tangent ",
              1e-3 * tangent,
              ") N m/rad");
-    return loaded;
   }
 
   std::unique_ptr<StudyKind> make_loaded_contact_study()

@@ -8,7 +8,13 @@ namespace vfife
   void LoadedContactOptions::declare(dealii::ParameterHandler &prm)
   {
     declare_integer(
-      prm, "positions", positions, "Positions over one tooth mesh; 1: its begin alone", 1, 1000);
+      prm,
+      "positions",
+      positions,
+      "Positions over one tooth mesh, in equal steps; from 4 on two more where edges of teeth have "
+      "their largest forces (loaded_teeth.csv alone); 1: its begin alone",
+      1,
+      1000);
     declare_integer(prm,
                     "first tooth mesh",
                     first_mesh,
@@ -25,13 +31,16 @@ namespace vfife
       "none",
       0,
       1000);
-    declare_integer(prm,
-                    "pressure cells",
-                    pressure_cells,
-                    "Cells of a grid of its own over the width of each contact, on which pressures "
-                    "that neither mesh nor penalty makes are found; 10 to 20 are enough, 0: none",
-                    0,
-                    64);
+    declare_number_or_word(prm,
+                           "pressure cells",
+                           pressure_cells,
+                           "auto",
+                           "Cells over the width of each contact on its own grid, by which the "
+                           "teeth share the load and have their pressures; 10 to 20 are enough; 0: "
+                           "no pressures, and the load is shared by the penalty; auto: 16 with "
+                           "Contact/penalty = auto, 0 with a given one",
+                           0,
+                           64);
     declare_quantity(
       prm,
       "pressure depth",

@@ -1,11 +1,11 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#include <vfife/base/process/log.h>
 #include <vfife/output/files/output_folder.h>
 #include <vfife/output/files/table_writer.h>
 #include <vfife/study/conventional/loaded_pressure.h>
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 namespace vfife
 {
@@ -19,25 +19,29 @@ namespace vfife
   {
   }
 
-  void LoadedPressure::add_position(const double                 position,
-                                    const double                 error,
-                                    const PairEquilibrium       &equilibrium,
-                                    const PairEquilibriumResult &result,
-                                    Log                         &log)
+  double LoadedPressure::add_position(const double                 position,
+                                      const double                 error,
+                                      const PairEquilibrium       &equilibrium,
+                                      const PairEquilibriumResult &result)
   {
     const PairPressures found = pressure_.solve(equilibrium, result);
     errors_.push_back((error + found.lead) / arcsecond);
     tables_.add({position, errors_.back()}, found.teeth);
-    double largest = 0;
+    n_teeth_ = found.teeth.size();
+    largest_ = 0;
     for (const ToothPressure &tooth : found.teeth)
-      largest = std::max(largest, tooth.grid.pressures[tooth.grid.largest()]);
-    log.line("  pressure on its own grid: ",
-             found.teeth.size(),
-             " teeth, largest ",
-             largest,
-             " MPa, transmission error ",
-             errors_.back(),
-             " arcsec");
+      largest_ = std::max(largest_, tooth.grid.pressures[tooth.grid.largest()]);
+    return found.lead;
+  }
+
+  std::string LoadedPressure::describe() const
+  {
+    if (errors_.empty())
+      return "no pressures on their own grid";
+    std::ostringstream text;
+    text << "pressure on its own grid: " << n_teeth_ << " teeth, largest " << largest_
+         << " MPa, transmission error " << errors_.back() << " arcsec";
+    return text.str();
   }
 
   void LoadedPressure::write(const OutputFolder &folder) const
@@ -49,7 +53,9 @@ namespace vfife
   NamedFigures LoadedPressure::list_figures() const
   {
     NamedFigures figures = tables_.list_figures();
-    const auto   ends    = std::minmax_element(errors_.begin(), errors_.end());
+    if (errors_.empty())
+      return figures;
+    const auto ends = std::minmax_element(errors_.begin(), errors_.end());
     figures.push_back(
       {"transmission error without penalty mean",
        {std::accumulate(errors_.begin(), errors_.end(), 0.) / errors_.size(), "arcsec"}});

@@ -95,9 +95,12 @@ namespace vfife
         const Model model = gear_case_.make_model(log);
         RootStress(model, fillets_);
         check_instants(model);
-        log.line("penalty of a run of this file ",
-                 find_penalties(communicator, log).front(),
-                 " N/mm^3; modes below ",
+        log.line("penalty ",
+                 gear_case_.leaves_penalty_open() ? "from " : "",
+                 find_penalties(model, communicator, log).front(),
+                 gear_case_.leaves_penalty_open() ? " N/mm^3 on, by the contact's own grid"
+                                                  : " N/mm^3",
+                 "; modes below ",
                  least_cutoff(),
                  " Hz, ",
                  n_steps_of_mesh(least_cutoff()),
@@ -159,9 +162,11 @@ namespace vfife
                                    cutoff,
                                    output_.history_every);
       }
-      std::vector<double> find_penalties(const Communicator &communicator, Log &log) const
+      std::vector<double>
+      find_penalties(const Model &model, const Communicator &communicator, Log &log) const
       {
-        return find_run_penalties(gear_case_, dynamics_, output_.history_every, communicator, log);
+        return find_run_penalties(
+          model, gear_case_, dynamics_, output_.history_every, communicator, log);
       }
       std::vector<std::string> report_checks(const Model &model, Log &log) const
       {
@@ -370,10 +375,12 @@ namespace vfife
     void ReducedStudy::run(OutputFolder &folder, Log &log)
     {
       log.set_verbosity(output_.verbosity);
-      const Communicator       &communicator = folder.communicator();
-      Model                     model        = gear_case_.make_model(log);
-      const std::vector<double> penalties    = find_penalties(communicator, log);
+      const Communicator &communicator = folder.communicator();
+      Model               model        = gear_case_.make_model(log);
       check_instants(model); // before the reduction, which takes longer
+      const auto compliance = settle_penalties(gear_case_, dynamics_, communicator, log, model);
+      const std::vector<double> penalties = find_penalties(model, communicator, log);
+      const double mean_penalty = penalties.front() * model.contacts.front().mean_stiffness;
       std::optional<RootStress> roots;
       if (fillets_.records())
         roots.emplace(model, fillets_);
@@ -392,7 +399,7 @@ namespace vfife
         export_bodies(bodies, model, folder);
       const Motion motion = make_motion(bodies);
       log.line("penalty ",
-               penalties.front(),
+               mean_penalty,
                " N/mm^3, ",
                motion.steps_per_mesh,
                " steps of ",
@@ -401,14 +408,14 @@ namespace vfife
                                       : " ns in a tooth mesh at the largest speed");
       ReducedPair        pair(model, std::move(bodies), penalties, motion.options);
       const NamedFigures at_start =
-        find_start_stresses(model, make_fem_options(dynamics_), penalties, communicator, log);
+        find_start_stresses(model, dynamics_, penalties, compliance.get(), communicator, log);
       if (is_motion())
         run_lengths(
           gear_case_,
           dynamics_,
           folder,
           checkpoint_,
-          [&] { return move(model, pair, motion, penalties.front(), at_start, folder, log); },
+          [&] { return move(model, pair, motion, mean_penalty, at_start, folder, log); },
           log);
       else
         sweep(model, pair, motion, at_start, roots ? &*roots : nullptr, folder, log);

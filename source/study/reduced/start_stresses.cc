@@ -10,12 +10,16 @@
 #include <vfife/output/observers/part_stress_watch.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/study/reduced/start_stresses.h>
+#include <vfife/study/run/pair_start.h>
+
+#include <optional>
 
 namespace vfife
 {
   NamedFigures find_start_stresses(const Model               &model,
-                                   const FemOptions          &fem,
+                                   const DynamicsOptions     &dynamics,
                                    const std::vector<double> &penalties,
+                                   Compliance                *compliance,
                                    const Communicator        &communicator,
                                    Log                       &log)
   {
@@ -23,10 +27,13 @@ namespace vfife
     PartStresses parts(model);
     try
       {
-        Compliance                compliance(model, fem, true, communicator);
-        PairEquilibrium           equilibrium(model, compliance, penalties, {0.});
+        std::optional<Compliance> own;
+        if (compliance == nullptr)
+          compliance =
+            &own.emplace(model, make_fem_options(dynamics), model.any_body_turns(), communicator);
+        PairEquilibrium           equilibrium(model, *compliance, penalties, {0.});
         const std::vector<double> u        = equilibrium.solve(0., 1.).displacements;
-        const std::vector<Stress> stresses = compute_node_stresses(compliance.discretization(), u);
+        const std::vector<Stress> stresses = compute_node_stresses(compliance->discretization(), u);
         parts.look([&](const unsigned int node) { return von_mises(stresses[node]); });
       }
     catch (const NumericalError &error)

@@ -70,14 +70,16 @@ namespace vfife
     add_swing(preload.swing, summary);
   }
 
-  PreloadedPair::PreloadedPair(const Model           &model,
-                               const DynamicsOptions &options,
-                               ExplicitSolver        &solver,
-                               const Communicator    &communicator,
-                               Log                   &log)
+  PreloadedPair::PreloadedPair(const Model                &model,
+                               const DynamicsOptions      &options,
+                               ExplicitSolver             &solver,
+                               std::shared_ptr<Compliance> compliance,
+                               const Communicator         &communicator,
+                               Log                        &log)
     : model_(model)
     , options_(options)
     , solver_(solver)
+    , compliance_(std::move(compliance))
     , communicator_(communicator)
     , log_(log)
   {
@@ -94,12 +96,13 @@ namespace vfife
                           communicator_,
                           log_);
     DeflectionProbe probe(model_, communicator_);
-    const double    torque = load_torque(model_);
+    const double    torque    = load_torque(model_);
+    const auto      penalties = solver_.contact().penalties();
     log_.line("equilibrium before the start:");
     std::optional<PairStart> factors;
     if (options_.start_solver == StartSolver::factorization)
       factors.emplace(
-        model_, options_, relaxation, solver_.contact().penalties(), communicator_, log_);
+        model_, options_, relaxation, penalties, std::move(compliance_), communicator_, log_);
     // Each equilibrium starts from the one before. Both ways to it have the same result up to their
     // tolerance.
     const auto relax = [&](const char *name, const Relaxation::Loads &loads) {

@@ -17,15 +17,6 @@ namespace vfife
     /** Of two rounds: large rotations of slender parts leave membrane forces, which the next round
      * takes away. */
     constexpr double least_gain = 0.5;
-
-    /** Whether the stiffness is that of a state of spin. */
-    bool any_turns(const Model &model)
-    {
-      for (const Body &body : model.bodies)
-        if (body.rate != 0)
-          return true;
-      return false;
-    }
   } // namespace
 
   FemOptions make_fem_options(const DynamicsOptions &options)
@@ -37,22 +28,25 @@ namespace vfife
     return fem;
   }
 
-  PairStart::PairStart(const Model               &model,
-                       const DynamicsOptions     &options,
-                       Relaxation                &relaxation,
-                       const std::vector<double> &penalties,
-                       const Communicator        &communicator,
-                       Log                       &log)
+  PairStart::PairStart(const Model                &model,
+                       const DynamicsOptions      &options,
+                       Relaxation                 &relaxation,
+                       const std::vector<double>  &penalties,
+                       std::shared_ptr<Compliance> compliance,
+                       const Communicator         &communicator,
+                       Log                        &log)
     : model_(model)
     , relaxation_(relaxation)
     , communicator_(communicator)
+    , compliance_(std::move(compliance))
   {
     // The nearer to the operator's elements, the faster the rounds.
     const auto start = WallClock::now();
-    compliance_      = std::make_unique<Compliance>(model,
-                                               make_fem_options(options),
-                                               any_turns(model),
-                                               communicator);
+    if (!compliance_)
+      compliance_ = std::make_shared<Compliance>(model,
+                                                 make_fem_options(options),
+                                                 model.any_body_turns(),
+                                                 communicator);
     // One position, the driver as it stands at time zero: nodes that may touch there are watched.
     pair_ =
       std::make_unique<PairEquilibrium>(model, *compliance_, penalties, std::vector<double>(1, 0.));

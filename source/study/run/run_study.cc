@@ -27,6 +27,7 @@
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/pair_start.h>
+#include <vfife/study/run/run_penalties.h>
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>
@@ -299,6 +300,7 @@ namespace vfife
   {
     const Communicator &communicator = folder.communicator();
     Model               model        = make_model(log);
+    auto                compliance = settle_penalties(*case_, dynamics_, communicator, log, model);
     SteppedSolver stepped(model, dynamics_, communicator, log, [this](const double stable_step) {
       return choose_step(stable_step);
     });
@@ -331,8 +333,7 @@ namespace vfife
         pair->add_observers(observers);
         record_stresses(model, whole_time, communicator, log, observers, *pair);
         pair->record_stress_waves(measure, observers);
-        summary.figures =
-          pair->list_figures(stepped.solver.contact().penalties().front(), case_->arm_range());
+        summary.figures = pair->list_figures(stepped.mean_penalty(model), case_->arm_range());
         summary.figures.push_back(
           {"stable step without contact", {1e9 * stepped.solver.element_step(), "ns"}});
       }
@@ -350,7 +351,8 @@ namespace vfife
 
     summary.cause = case_->find_cause();
     // The steps; what has been found is put together when they have ended, well or not.
-    const auto start    = make_start(model, dynamics_, stepped.solver, communicator, log);
+    const auto start =
+      make_start(model, dynamics_, stepped.solver, std::move(compliance), communicator, log);
     const auto prepared = [&] {
       // With a ramp the torque is still to come, and with it what the copies would tell.
       if (probes && dynamics_.start == Start::static_preload)

@@ -55,16 +55,18 @@ namespace vfife
     };
   } // namespace
 
-  std::unique_ptr<RunStart> make_start(const Model           &model,
-                                       const DynamicsOptions &options,
-                                       ExplicitSolver        &solver,
-                                       const Communicator    &communicator,
-                                       Log                   &log)
+  std::unique_ptr<RunStart> make_start(const Model                &model,
+                                       const DynamicsOptions      &options,
+                                       ExplicitSolver             &solver,
+                                       std::shared_ptr<Compliance> compliance,
+                                       const Communicator         &communicator,
+                                       Log                        &log)
   {
     if (options.start == Start::undeformed)
       return std::make_unique<UndeformedStart>();
     if (model.transmission)
-      return std::make_unique<PreloadedPair>(model, options, solver, communicator, log);
+      return std::make_unique<PreloadedPair>(
+        model, options, solver, std::move(compliance), communicator, log);
     return std::make_unique<RelaxedStart>(model, options, solver, communicator, log);
   }
 } // namespace vfife

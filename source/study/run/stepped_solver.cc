@@ -104,8 +104,12 @@ namespace vfife
     // In the order of the model's pairs.
     const auto penalties = solver.contact().penalties();
     for (std::size_t i = 0; i < penalties.size(); ++i)
-      log.line(
-        "contact penalty of the ", model.contacts[i].side, " side ", penalties[i], " N/mm^3");
+      log.line("contact penalty of the ",
+               model.contacts[i].side,
+               " side ",
+               penalties[i] * model.contacts[i].mean_stiffness,
+               " N/mm^3",
+               model.contacts[i].stiffness.empty() ? "" : " in the mean of its points");
     for (const std::string &sentence : solver.walls().describe_penalties())
       log.line(sentence);
     for (const std::string &sentence : solver.contact().describe_coarse_slaves())
@@ -115,6 +119,11 @@ namespace vfife
     log.line(vfife.n_congruence_classes(),
              " classes of congruent elements on this rank, kernels for ",
              vfife.instruction_set());
+  }
+
+  double SteppedSolver::mean_penalty(const Model &model)
+  {
+    return solver.contact().penalties().front() * model.contacts.front().mean_stiffness;
   }
 
   double SteppedSolver::expect_run_time(const State &state, const double n_steps)

@@ -309,10 +309,11 @@ namespace vfife
     void WavesStudy::run(OutputFolder &folder, Log &log)
     {
       log.set_verbosity(output_.verbosity);
-      const Model model = gear_case_.make_model(log);
+      Model model = gear_case_.make_model(log);
       check_diameters(model);
+      settle_penalties(gear_case_, dynamics_, folder.communicator(), log, model);
       const std::vector<double> penalties = find_run_penalties(
-        gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
+        model, gear_case_, dynamics_, output_.history_every, folder.communicator(), log);
       const auto                start = WallClock::now();
       std::optional<RootStress> roots;
       if (fillets_.records())

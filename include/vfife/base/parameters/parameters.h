@@ -81,6 +81,15 @@ namespace vfife
                         const std::string        &meaning,
                         const Range              &range = Range::any());
 
+  /** A positive quantity or @p word in its place, for which @p value is 0; the default is that of
+   * @p value. */
+  void declare_quantity_or_word(dealii::ParameterHandler &prm,
+                                const std::string        &name,
+                                double                   &value,
+                                const std::string        &unit,
+                                const std::string        &word,
+                                const std::string        &meaning);
+
   /** The number of a text as declare_quantity() reads it [internal units]. */
   double
   read_quantity_in_range(const std::string &text, const std::string &unit, const Range &range);

@@ -22,7 +22,8 @@ namespace vfife
    *
    *   h = gaps + flexibility(f) - closing arms >= 0,    f h = 0,    arms . f = load,
    *
-   * by conjugate gradients on the cells that carry (Polonsky and Keer 1999).
+   * by conjugate gradients on the cells that carry (Polonsky and Keer 1999), and by sets of these
+   * where gradients stagnate.
    * @param flexibility how far forces [N] part the surfaces in the cells [mm], symmetric and
    *                    positive
    * @param gaps        without forces [mm]

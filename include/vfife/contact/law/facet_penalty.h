@@ -18,9 +18,6 @@ namespace vfife
 
   /** Makes it the default: neither taken from the step nor given. */
   void derive_from_facets(PenaltyOptions &options);
-
-  /** Whether the penalty is neither taken from the step nor given. */
-  bool follows_from_facets(const PenaltyOptions &options);
 } // namespace vfife
 
 #endif

@@ -28,8 +28,7 @@ namespace vfife
     bool         from_step = true; ///< eps = fraction * min(m/A) / dt^2
     double       fraction  = 0.5;  ///< f [-]
     double       value     = 1e6;  ///< eps [N/mm^3] when it is not taken from the step
-    /** In words, what a value of 0 stands for, which a case puts in its place; empty: 0 is no
-     * penalty. */
+    /** In words, how "auto" (the value 0) is derived by the case; empty: there is no such word. */
     std::string derivation;
     /** Entry "contact law" where there is more than one. */
     MakeContactLaw law = contact_laws().front().second;
@@ -40,6 +39,12 @@ namespace vfife
     /** Throws InputError naming the entry relative to @p section where a value is out of its range.
      */
     void check(const std::string &section) const;
+
+    /** Whether the case derives it. */
+    bool is_open() const
+    {
+      return !from_step && value == 0.;
+    }
 
     /** eps [N/mm^3] at the step @p dt [s] with the least nodal mass per area [t/mm^2]. */
     double value_for_step(double mass_per_area, double dt) const;

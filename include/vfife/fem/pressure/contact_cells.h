@@ -2,6 +2,7 @@
 #ifndef vfife_fem_pressure_contact_cells_h
 #define vfife_fem_pressure_contact_cells_h
 
+#include <vfife/contact/surface/facet_quadrature.h>
 #include <vfife/contact/surface/surface_geometry.h>
 
 #include <array>
@@ -42,6 +43,21 @@ namespace vfife
     double                  gap      = 0; ///< of the true surfaces along the normal [mm]
     std::array<CellFoot, 2> feet;         ///< on slave and master
   };
+
+  /** A quadrature point of the slave that faces the master; its cell's place: of the facet in its
+   * group, of the point in the rule. */
+  struct FacingPoint
+  {
+    ContactCell cell;
+    double      area = 0; ///< undeformed, with the fading at the master's border [mm^2]
+  };
+
+  /** The points of a @p rule on the slave's facets with gaps below @p reach [mm]. @p edge_fading:
+   * ContactOptions::edge_fading. */
+  std::vector<FacingPoint> find_facing_points(const FacingSurfaces                    &surfaces,
+                                              const std::vector<FacetQuadraturePoint> &rule,
+                                              double                                   edge_fading,
+                                              double                                   reach);
 
   /** The smallest gap at samples of the slave that have a point of the master under them; infinite
    * where there are none [mm]. */

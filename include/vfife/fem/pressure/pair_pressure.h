@@ -7,6 +7,8 @@
 
 namespace vfife
 {
+  class PenaltyCalibration;
+
   /** Pressures of a pair at a position. */
   struct PairPressures
   {
@@ -31,8 +33,11 @@ namespace vfife
     PairPressure(Compliance &compliance, double depth, unsigned int cells_across);
 
     /** At the last position of @p equilibrium, with its @p result. Collective. Throws InputError
-     * for bodies with one element across a tooth, NumericalError where no pressures are found. */
-    PairPressures solve(const PairEquilibrium &equilibrium, const PairEquilibriumResult &result);
+     * for bodies with one element across a tooth, NumericalError where no pressures are found.
+     * The @p calibration, if any, gets what was found. */
+    PairPressures solve(const PairEquilibrium       &equilibrium,
+                        const PairEquilibriumResult &result,
+                        PenaltyCalibration          *calibration = nullptr);
 
   private:
     void        place(const PairEquilibrium &equilibrium, const PairEquilibriumResult &result);

@@ -85,6 +85,9 @@ namespace vfife
     /** Of one tooth pair at the mean contact of the unloaded flanks; of no size without teeth. */
     virtual HertzContact hertz_contact() const;
 
+    /** Whether the penalty of the contact is to be found by the contact's own grid. */
+    virtual bool leaves_penalty_open() const;
+
     /** Outlines of pinion and gear; nothing without teeth. */
     virtual std::optional<std::array<BlankOutline, 2>> outlines() const;
 

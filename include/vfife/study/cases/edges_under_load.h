@@ -28,6 +28,10 @@ namespace vfife
      * next one has the number before. */
     EdgesUnderLoad(const ContactAnalysis &analysis, unsigned int driver_teeth);
 
+    /** Positions of the driver in [0, 1) of a pitch where a tooth pair has just left its path of
+     * contact or is about to enter it: an edge has its largest force there. */
+    std::array<double, 2> positions() const;
+
     /**
      * Looks at tooth pairs of the drive side: rows of teeth.csv or loaded_teeth.csv.
      * @param teeth    columns "side", "pinion tooth", "force" [N] and @p place

@@ -36,6 +36,10 @@ namespace vfife
     double                    choose_step(double stable_step, unsigned int samples) const override;
     bool                      has_teeth() const override;
     HertzContact              hertz_contact() const override;
+    bool                      leaves_penalty_open() const override
+    {
+      return contact_.penalty.is_open();
+    }
     std::optional<std::array<BlankOutline, 2>> outlines() const override;
     std::optional<Vector2>                     arm_range() const override;
     std::optional<EdgesUnderLoad>              edges_under_load() const override;
@@ -129,8 +133,9 @@ namespace vfife
     /** Node set by which a body (0 pinion, 1 gear) is driven or held, or sits on its shaft. */
     const char *held_set(unsigned int body) const;
     Body        make_body(const GearPair &pair, unsigned int body) const;
-    /** Penalty of the pair where the section Contact gives none [N/mm^3]. */
-    double derive_penalty(const GearPair &pair, Log &log) const;
+    /** The penalty with which the contact's own grid is found where the section Contact gives none
+     * [N/mm^3]. */
+    double guess_penalty(const GearPair &pair) const;
     void   choose_points(Model &model, Log &log) const;
     void   add_contacts(const GearPair &pair, Log &log, Model &model) const;
     void   add_housing(Model &model) const;

@@ -2,6 +2,7 @@
 #ifndef vfife_study_conventional_loaded_contact_study_h
 #define vfife_study_conventional_loaded_contact_study_h
 
+#include <vfife/base/parameters/number_or_word.h>
 #include <vfife/study/study_kind.h>
 
 #include <memory>
@@ -11,11 +12,12 @@ namespace vfife
   /** Section Loaded contact. */
   struct LoadedContactOptions
   {
-    unsigned int positions      = 8; ///< over one tooth mesh
-    unsigned int first_mesh     = 0; ///< tooth meshes from the reference position to the first one
-    bool         centrifugal    = true; ///< both bodies spin
-    unsigned int coupled_modes  = 0;    ///< of the pair in contact at the first position
-    unsigned int pressure_cells = 0;    ///< across a contact, of its own grid; 0: no such pressures
+    unsigned int positions     = 8; ///< over one tooth mesh
+    unsigned int first_mesh    = 0; ///< tooth meshes from the reference position to the first one
+    bool         centrifugal   = true; ///< both bodies spin
+    unsigned int coupled_modes = 0;    ///< of the pair in contact at the first position
+    /** Across a contact, of its own grid; 0: none. The word: where the grid gives the penalty. */
+    NumberOrWord pressure_cells = {16, true};
     double pressure_depth = 0; ///< of the layers that are exact there [mm]; 0: of Hertz's width
 
     void declare(dealii::ParameterHandler &prm);

@@ -24,12 +24,14 @@ namespace vfife
                    unsigned int        cells_across);
 
     /** At the last position of @p equilibrium [tooth meshes]; @p error: its transmission error
-     * [rad]. */
-    void add_position(double                       position,
-                      double                       error,
-                      const PairEquilibrium       &equilibrium,
-                      const PairEquilibriumResult &result,
-                      Log                         &log);
+     * [rad]. Returns what the grid changes of it [rad]. */
+    double add_position(double                       position,
+                        double                       error,
+                        const PairEquilibrium       &equilibrium,
+                        const PairEquilibriumResult &result);
+
+    /** The grids of the last position, in words. */
+    std::string describe() const;
 
     /** pressure.csv and pressure_field.csv. */
     void write(const OutputFolder &folder) const;
@@ -40,6 +42,8 @@ namespace vfife
     PairPressure        pressure_;
     PressureTables      tables_;
     std::vector<double> errors_; ///< transmission errors of the positions [arcsec]
+    std::size_t         n_teeth_ = 0;
+    double              largest_ = 0; ///< pressure of the last position [MPa]
   };
 } // namespace vfife
 

@@ -9,18 +9,21 @@
 namespace vfife
 {
   class Communicator;
+  class Compliance;
   class Log;
-  struct FemOptions;
+  struct DynamicsOptions;
   struct Model;
 
   /**
    * The largest stress of web, rim and hub of the pair at rest in its first position, under torque
    * and spin, of all nodes: a reduced body knows stresses of its probes and fillets alone. Says in
-   * the log what it finds, or why nothing. Collective.
+   * the log what it finds, or why nothing. @p compliance: of the model, as PairStart asks for;
+   * nullptr: is factorized here. Collective.
    */
   NamedFigures find_start_stresses(const Model               &model,
-                                   const FemOptions          &fem,
+                                   const DynamicsOptions     &dynamics,
                                    const std::vector<double> &penalties,
+                                   Compliance                *compliance,
                                    const Communicator        &communicator,
                                    Log                       &log);
 } // namespace vfife

@@ -6,9 +6,12 @@
 #include <vfife/study/run/deflection_parts.h>
 #include <vfife/study/run/run_start.h>
 
+#include <memory>
+
 namespace vfife
 {
   class Communicator;
+  class Compliance;
   class ExplicitSolver;
   class Log;
   struct DynamicsOptions;
@@ -52,11 +55,13 @@ namespace vfife
   class PreloadedPair : public RunStart
   {
   public:
-    PreloadedPair(const Model           &model,
-                  const DynamicsOptions &options,
-                  ExplicitSolver        &solver,
-                  const Communicator    &communicator,
-                  Log                   &log);
+    /** @p compliance: make_start()'s. */
+    PreloadedPair(const Model                &model,
+                  const DynamicsOptions      &options,
+                  ExplicitSolver             &solver,
+                  std::shared_ptr<Compliance> compliance,
+                  const Communicator         &communicator,
+                  Log                        &log);
 
     void               prepare(State &state) override;
     void               serialize(ByteStream &stream) override;
@@ -66,12 +71,13 @@ namespace vfife
   private:
     void log_preload() const;
 
-    const Model           &model_;
-    const DynamicsOptions &options_;
-    ExplicitSolver        &solver_;
-    const Communicator    &communicator_;
-    Log                   &log_;
-    PairPreload            preload_;
+    const Model                &model_;
+    const DynamicsOptions      &options_;
+    ExplicitSolver             &solver_;
+    std::shared_ptr<Compliance> compliance_; ///< until prepare() has used it
+    const Communicator         &communicator_;
+    Log                        &log_;
+    PairPreload                 preload_;
   };
 } // namespace vfife
 

@@ -25,14 +25,16 @@ namespace vfife
   class PairStart
   {
   public:
-    /** Factorizes. @p penalties: of the model's contact pairs [N/mm^3]. Throws as Compliance and
-     * PairEquilibrium. */
-    PairStart(const Model               &model,
-              const DynamicsOptions     &options,
-              Relaxation                &relaxation,
-              const std::vector<double> &penalties,
-              const Communicator        &communicator,
-              Log                       &log);
+    /** @p penalties: of the model's contact pairs [N/mm^3]. @p compliance: of the model with
+     * make_fem_options(), in spin where Model::any_body_turns(); nullptr: is factorized here.
+     * Throws as Compliance and PairEquilibrium. */
+    PairStart(const Model                &model,
+              const DynamicsOptions      &options,
+              Relaxation                 &relaxation,
+              const std::vector<double>  &penalties,
+              std::shared_ptr<Compliance> compliance,
+              const Communicator         &communicator,
+              Log                        &log);
 
     /** Moves the positions of @p state into equilibrium and says in words how that went. Throws
      * NumericalError as Relaxation and PairEquilibrium. */
@@ -54,7 +56,7 @@ namespace vfife
     const Model                     &model_;
     Relaxation                      &relaxation_;
     const Communicator              &communicator_;
-    std::unique_ptr<Compliance>      compliance_;
+    std::shared_ptr<Compliance>      compliance_;
     std::unique_ptr<PairEquilibrium> pair_;
     double                           turn_ = 0; ///< of the driven body about its axis [rad]
   };

@@ -7,18 +7,21 @@
 namespace vfife
 {
   class Communicator;
+  class Compliance;
   class ExplicitSolver;
   class Log;
   class RunStart;
   struct DynamicsOptions;
   struct Model;
 
-  /** The start that Dynamics/start asks for. Everything given must outlive it. */
-  std::unique_ptr<RunStart> make_start(const Model           &model,
-                                       const DynamicsOptions &options,
-                                       ExplicitSolver        &solver,
-                                       const Communicator    &communicator,
-                                       Log                   &log);
+  /** The start that Dynamics/start asks for. Everything given must outlive it. @p compliance: of
+   * the model, as PairStart asks for, or nullptr. */
+  std::unique_ptr<RunStart> make_start(const Model                &model,
+                                       const DynamicsOptions      &options,
+                                       ExplicitSolver             &solver,
+                                       std::shared_ptr<Compliance> compliance,
+                                       const Communicator         &communicator,
+                                       Log                        &log);
 } // namespace vfife
 
 #endif

@@ -32,6 +32,9 @@ namespace vfife
     /** What limits the step, the penalties of contact, congruent elements. */
     void log_step(const Model &model, Log &log);
 
+    /** Of the points of the first contact, by the forces of its calibration [N/mm^3]. */
+    double mean_penalty(const Model &model);
+
     /** Seconds that @p n_steps will take, from some evaluations of the internal forces. */
     double expect_run_time(const State &state, double n_steps);
 

@@ -1,0 +1,25 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef vfife_study_pressure_calibrated_penalty_h
+#define vfife_study_pressure_calibrated_penalty_h
+
+namespace vfife
+{
+  class Case;
+  class Compliance;
+  class Log;
+  struct Model;
+
+  /** Whether calibrate_penalty() has something to do: the case leaves the penalty open, and its
+   * contact in one pass has a load. */
+  bool needs_calibration(const Case &the_case, const Model &model);
+
+  /**
+   * Gives the points of the loaded contact of a gear pair the penalties with which its teeth
+   * approach each other as on the contact's own grid (PenaltyCalibration) at positions over one
+   * tooth mesh, and the other contact their mean. @p compliance: of the @p model. Where the grid
+   * gives none, a warning says why, and the penalties stay. Collective.
+   */
+  void calibrate_penalty(const Case &the_case, Compliance &compliance, Log &log, Model &model);
+} // namespace vfife
+
+#endif

@@ -1,0 +1,341 @@
+// Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include <vfife/base/errors.h>
+#include <vfife/fem/pressure/penalty_calibration.h>
+#include <vfife/model/model.h>
+
+#include <Eigen/LU>
+#include <Eigen/SparseCore>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace vfife
+{
+  namespace
+  {
+    using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+    /** A tooth pair with less of the load does not count. */
+    constexpr double least_part = 0.01;
+    /** Bounds of penalties over the first one. Stiffer springs than the upper one only add to the
+     * rattling of explicit steps: what they would still change of the approach is small. */
+    constexpr double largest_factor = 1.5, least_factor = .02;
+    /** Gaps up to so many times the deepest penetration are looked at: softer springs have wider
+     * contacts. */
+    constexpr double       reach_factor = 6.;
+    constexpr unsigned int n_rounds     = 8;  ///< of penalties and their spreading over the points
+    constexpr unsigned int most_sets    = 60; ///< of points that press
+    constexpr unsigned int most_iterations = 60; ///< of the search for a factor
+
+    /** The rows of the flexibility that some points and forces need. */
+    class NeededRows
+    {
+    public:
+      explicit NeededRows(const Eigen::VectorXd &forces)
+      {
+        for (Eigen::Index k = 0; k < forces.size(); ++k)
+          if (forces[k] != 0.)
+            first_.emplace(k / 3, 0);
+      }
+
+      void add(const ElasticContact &contact, const ContactCell &cell)
+      {
+        for (unsigned int side = 0; side < 2; ++side)
+          for (const unsigned int node : cell.feet[side].nodes)
+            first_.emplace(contact.flanks[side].places[node], 0);
+      }
+
+      std::vector<unsigned int> number()
+      {
+        std::vector<unsigned int> rows;
+        for (auto &place : first_)
+          {
+            place.second = rows.size();
+            for (unsigned int c = 0; c < 3; ++c)
+              rows.push_back(3 * place.first + c);
+          }
+        return rows;
+      }
+
+      /** Changes of the gaps at cells by displacements at the rows. */
+      SparseRows find_gaps(const ElasticContact                   &contact,
+                           const std::vector<const ContactCell *> &cells) const
+      {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+          for (unsigned int side = 0; side < 2; ++side)
+            {
+              const ElasticFlank &flank = contact.flanks[side];
+              const Vector3       along =
+                (side == 0 ? 1. : -1.) * (flank.rotation.transpose() * cells[i]->normal);
+              const CellFoot &foot = cells[i]->feet[side];
+              for (unsigned int k = 0; k < 4; ++k)
+                for (unsigned int c = 0; c < 3; ++c)
+                  entries.emplace_back(i,
+                                       first_.at(flank.places[foot.nodes[k]]) + c,
+                                       foot.weights[k] * along[c]);
+            }
+        SparseRows gaps(cells.size(), 3 * first_.size());
+        gaps.setFromTriplets(entries.begin(), entries.end());
+        return gaps;
+      }
+
+    private:
+      std::map<unsigned int, unsigned int> first_; ///< by place
+    };
+
+    /** Six digits: then any number of ranks has the same penalties, whose sums differ in the last
+     * digits. */
+    double round_digits(const double x)
+    {
+      const double unit = std::pow(10., std::floor(std::log10(x)) - 5.);
+      return std::round(x / unit) * unit;
+    }
+
+    /** Normal forces of the cells of a grid [N]. */
+    Eigen::VectorXd find_cell_forces(const GridPressure &grid)
+    {
+      Eigen::VectorXd forces(grid.cells.size());
+      for (std::size_t i = 0; i < grid.cells.size(); ++i)
+        forces[i] =
+          grid.pressures[i] * grid.plane.sides.prod() / grid.cells[i].normal.dot(grid.plane.normal);
+      return forces;
+    }
+
+    std::vector<const ContactCell *> list_cells(const GridPressure &grid)
+    {
+      std::vector<const ContactCell *> cells;
+      for (const ContactCell &cell : grid.cells)
+        cells.push_back(&cell);
+      return cells;
+    }
+  } // namespace
+
+
+  PenaltyCalibration::PenaltyCalibration(const ContactPair &pair, const double penalty)
+    : pair_(pair)
+    , penalty_(penalty)
+    , rule_(facet_quadrature(pair.options.discretization, pair.options.points_per_facet.number))
+  {
+  }
+
+
+  void PenaltyCalibration::add(const std::vector<ElasticContact> &contacts,
+                               const ContactLoad                 &load,
+                               const std::vector<GridPressure>   &grids)
+  {
+    // 1. The points that springs may press, and all rows that act there.
+    double deepest = 0;
+    for (const GridPressure &grid : grids)
+      if (grid.carries())
+        deepest = std::max(deepest, grid.pressures[grid.largest()] / penalty_);
+    NeededRows                            needed(load.forces);
+    std::vector<std::vector<FacingPoint>> points;
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      {
+        points.push_back(find_facing_points(
+          contacts[i].surfaces, rule_, pair_.options.edge_fading, reach_factor * deepest));
+        for (const FacingPoint &point : points.back())
+          needed.add(contacts[i], point.cell);
+        for (const ContactCell &cell : grids[i].cells)
+          needed.add(contacts[i], cell);
+      }
+    const std::vector<unsigned int> rows        = needed.number();
+    const Eigen::MatrixXd           flexibility = load.flexibility(rows);
+
+    // 2. The forces of the grids take the place of those with which the state was found.
+    std::vector<Eigen::VectorXd> own;
+    Eigen::VectorXd              change(rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      change[k] = -load.forces[rows[k]];
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      {
+        own.push_back(needed.find_gaps(contacts[i], list_cells(grids[i])).transpose() *
+                      find_cell_forces(grids[i]));
+        change += own.back();
+      }
+
+    // 3. Gaps of the points under all forces but those of their own tooth pair.
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      {
+        if (!(grids[i].moment > least_part * load.load) || points[i].empty())
+          continue;
+        Touch                            touch;
+        std::vector<const ContactCell *> cells;
+        const Eigen::Index               n = points[i].size();
+        touch.areas.resize(n);
+        touch.arms.resize(n);
+        touch.gaps.resize(n);
+        for (Eigen::Index k = 0; k < n; ++k)
+          {
+            const FacingPoint &point = points[i][k];
+            cells.push_back(&point.cell);
+            touch.points.push_back(point.cell.place[0] * rule_.size() + point.cell.place[1]);
+            touch.areas[k] = point.area;
+            touch.arms[k]  = load.arm(point.cell.position, point.cell.normal);
+            touch.gaps[k]  = point.cell.gap - grids[i].closing * touch.arms[k];
+          }
+        const SparseRows gaps = needed.find_gaps(contacts[i], cells);
+        touch.gaps += gaps * (flexibility * (change - own[i]));
+        touch.flexibility = gaps * flexibility * gaps.transpose();
+        touch.moment      = grids[i].moment;
+        touch.width       = grids[i].width;
+        touches_.push_back(std::move(touch));
+      }
+
+    if (places_.empty() && !contacts.empty())
+      {
+        const SurfaceGeometry &slave = *contacts.front().surfaces.slave;
+        for (const unsigned int f : slave.group_facets(0))
+          for (const FacetQuadraturePoint &q : rule_)
+            {
+              Vector3 x = Vector3::Zero();
+              for (unsigned int k = 0; k < 4; ++k)
+                x += q.shape[k] * slave.reference(slave.corners(f)[k]);
+              places_.push_back(x);
+            }
+      }
+  }
+
+
+  Eigen::VectorXd PenaltyCalibration::Touch::press(const Eigen::VectorXd &penalties) const
+  {
+    // h = -(gaps + flexibility f) and f = penalty area h, for the points with h > 0.
+    const Eigen::Index        n = gaps.size();
+    std::vector<Eigen::Index> active;
+    for (Eigen::Index k = 0; k < n; ++k)
+      if (gaps[k] < 0.)
+        active.push_back(k);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(n);
+    for (unsigned int i = 0; i < most_sets; ++i)
+      {
+        const Eigen::Index m = active.size();
+        Eigen::MatrixXd    matrix(m, m);
+        Eigen::VectorXd    right(m);
+        for (Eigen::Index a = 0; a < m; ++a)
+          {
+            for (Eigen::Index b = 0; b < m; ++b)
+              matrix(a, b) = flexibility(active[a], active[b]);
+            matrix(a, a) += 1. / (penalties[active[a]] * areas[active[a]]);
+            right[a] = -gaps[active[a]];
+          }
+        const Eigen::VectorXd found = matrix.partialPivLu().solve(right);
+        forces.setZero();
+        for (Eigen::Index a = 0; a < m; ++a)
+          forces[active[a]] = std::max(0., found[a]);
+        const Eigen::VectorXd     opened = gaps + flexibility * forces;
+        std::vector<Eigen::Index> next;
+        for (Eigen::Index k = 0; k < n; ++k)
+          if (forces[k] > 0. || (opened[k] < 0. && forces[k] == 0.))
+            next.push_back(k);
+        // What a solution without tension presses is found when nothing else is added.
+        const bool settled = next == active && found.size() > 0 && found.minCoeff() >= 0.;
+        active             = std::move(next);
+        if (settled || active.empty())
+          break;
+      }
+    return forces;
+  }
+
+
+  double PenaltyCalibration::Touch::find_factor(const Eigen::VectorXd &penalties) const
+  {
+    // The moment grows with the penalty.
+    const auto lack = [&](const double log_factor) {
+      return press(std::exp(log_factor) * penalties).dot(arms) / moment - 1.;
+    };
+    const double low = std::log(least_factor), high = std::log(1. / least_factor);
+    const double at_low = lack(low), at_high = lack(high);
+    if (at_low >= 0.)
+      return std::exp(low);
+    if (at_high <= 0.)
+      return std::exp(high);
+    std::uintmax_t iterations = most_iterations;
+    const auto     ends       = boost::math::tools::toms748_solve(
+      lack, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(30), iterations);
+    return std::exp(.5 * (ends.first + ends.second));
+  }
+
+
+  std::vector<double> PenaltyCalibration::spread(const std::vector<double>          &levels,
+                                                 const std::vector<Eigen::VectorXd> &forces) const
+  {
+    std::vector<double> values;
+    for (const Vector3 &x : places_)
+      {
+        // The nearest point counts for 1, so that points far from all contacts have its value.
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t t = 0; t < touches_.size(); ++t)
+          for (Eigen::Index k = 0; k < forces[t].size(); ++k)
+            if (forces[t][k] > 0.)
+              nearest = std::min(nearest,
+                                 (places_[touches_[t].points[k]] - x).squaredNorm() /
+                                   (touches_[t].width * touches_[t].width));
+        double sum = 0, weights = 0;
+        for (std::size_t t = 0; t < touches_.size(); ++t)
+          for (Eigen::Index k = 0; k < forces[t].size(); ++k)
+            if (forces[t][k] > 0.)
+              {
+                const double distance = (places_[touches_[t].points[k]] - x).squaredNorm() /
+                                        (touches_[t].width * touches_[t].width);
+                const double weight = forces[t][k] * std::exp(-2. * (distance - nearest));
+                sum += weight * levels[t];
+                weights += weight;
+              }
+        values.push_back(sum / weights);
+      }
+    return values;
+  }
+
+
+  PointPenalties PenaltyCalibration::find() const
+  {
+    if (touches_.empty())
+      throw NumericalError("no tooth pair carries a load by which its penalty could be found");
+    // The points have one field, each touch asks for a factor of it: a few rounds agree.
+    const double lowest  = std::log(penalty_ * least_factor),
+                 highest = std::log(penalty_ * largest_factor);
+    std::vector<double>          levels(touches_.size(), std::log(penalty_));
+    std::vector<double>          field(places_.size(), std::log(penalty_));
+    std::vector<Eigen::VectorXd> forces(touches_.size());
+    PointPenalties               found;
+    const auto                   penalties_of = [&](const Touch &touch) {
+      Eigen::VectorXd penalties(touch.points.size());
+      for (Eigen::Index k = 0; k < penalties.size(); ++k)
+        penalties[k] = std::exp(field[touch.points[k]]);
+      return penalties;
+    };
+    for (unsigned int round = 0; round < n_rounds; ++round)
+      {
+        for (std::size_t t = 0; t < touches_.size(); ++t)
+          {
+            const Eigen::VectorXd penalties = penalties_of(touches_[t]);
+            const double          factor    = touches_[t].find_factor(penalties);
+            levels[t] = std::min(highest, std::max(lowest, levels[t] + std::log(factor)));
+            forces[t] = touches_[t].press(factor * penalties);
+          }
+        field = spread(levels, forces);
+      }
+    double sum = 0, forces_sum = 0, moments = 0;
+    for (const Touch &touch : touches_)
+      {
+        const Eigen::VectorXd penalties = penalties_of(touch), f = touch.press(penalties);
+        found.left += std::abs(f.dot(touch.arms) - touch.moment);
+        moments += touch.moment;
+        sum += f.dot(penalties);
+        forces_sum += f.sum();
+      }
+    found.left /= moments;
+    found.mean      = forces_sum > 0. ? sum / forces_sum : penalty_;
+    const auto ends = std::minmax_element(field.begin(), field.end());
+    found.least     = std::exp(*ends.first);
+    found.largest   = std::exp(*ends.second);
+    for (const double value : field)
+      found.stiffness.push_back(round_digits(std::exp(value - *ends.second)));
+    found.largest = round_digits(found.largest);
+    return found;
+  }
+} // namespace vfife
