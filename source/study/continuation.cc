@@ -99,8 +99,7 @@ namespace vfife
       return path.rfind("Model/", 0) == 0
                ? ""
                : "is found by the contact's own grid now, and the run was begun with the penalty "
-                 "of an "
-                 "earlier version; go on with that version, or begin anew without --restart";
+                 "of an earlier version; go on with that version, or begin anew without --restart";
     }
 
     void refuse_changes(const DeclaredSection          &now,

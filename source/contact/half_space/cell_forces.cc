@@ -14,10 +14,10 @@ namespace vfife
   namespace
   {
     /** Beyond so many gradients the cells that carry are found one set after the other; the
-     * elements' part of the flexibility may be so badly conditioned that gradients stagnate. */
-    constexpr unsigned int most_gradients = 600;
-    constexpr unsigned int most_sets      = 400;
-    /** More cells take minutes. */
+     * elements' part of the flexibility may be so badly conditioned that gradients stagnate. Sets
+     * of more cells take minutes: there gradients go on. */
+    constexpr unsigned int most_gradients = 600, most_gradients_of_many = 5000;
+    constexpr unsigned int most_sets  = 400;
     constexpr Eigen::Index most_cells = 2000;
     /** From this set on only the worst cell is added, which ends cycles. */
     constexpr unsigned int first_single_set = 50;
@@ -112,11 +112,7 @@ namespace vfife
                             const Eigen::VectorXd &q)
     {
       const Eigen::Index n = gaps.size();
-      if (n > most_cells)
-        throw NumericalError("the pressures of a contact's own grid of " + std::to_string(n) +
-                             " cells are not found in " + std::to_string(most_gradients) +
-                             " iterations");
-      Eigen::MatrixXd flexibility(n, n);
+      Eigen::MatrixXd    flexibility(n, n);
       for (Eigen::Index i = 0; i < n; ++i)
         flexibility.col(i) = deflect(Eigen::VectorXd::Unit(n, i));
       std::vector<char> carries(n);
@@ -195,7 +191,10 @@ namespace vfife
             result.closing = now.closing;
             return result;
           }
-        if (result.iterations == most_gradients)
+        if (result.iterations == most_gradients_of_many)
+          throw NumericalError("the pressures of a contact's own grid are not found in " +
+                               std::to_string(most_gradients_of_many) + " iterations");
+        if (result.iterations == most_gradients && n <= most_cells)
           {
             result        = find_by_sets(deflect, scaled, load, now.q);
             result.forces = result.forces.cwiseQuotient(arms);

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contact_rows.h"
 #include "grid_contact_parts.h"
 
 #include <vfife/base/errors.h>
@@ -32,6 +33,13 @@ namespace vfife
   std::size_t GridPressure::largest() const
   {
     return std::max_element(pressures.begin(), pressures.end()) - pressures.begin();
+  }
+
+
+  double GridPressure::force_of(const std::size_t cell) const
+  {
+    // The surface is inclined against the plane: the cell's area on it is larger.
+    return pressures[cell] * plane.sides.prod() / cells[cell].normal.dot(plane.normal);
   }
 
 
@@ -196,48 +204,27 @@ namespace vfife
 
     void JoinedGrids::collect_rows()
     {
-      std::set<unsigned int> places;
-      Eigen::Index           n = 0;
+      ContactRows  rows(load_);
+      Eigen::Index n = 0;
       for (const GridOfContact &grid : grids_)
         {
           for (std::size_t i = 0; i < grid.n_taken; ++i)
-            for (unsigned int side = 0; side < 2; ++side)
-              for (const unsigned int node : grid.cells[i].feet[side].nodes)
-                places.insert(grid.contact->flanks[side].places[node]);
+            rows.add(*grid.contact, grid.cells[i]);
           n += grid.n_taken;
         }
-      for (Eigen::Index k = 0; k < load_.forces.size(); ++k)
-        if (load_.forces[k] != 0)
-          places.insert(k / 3);
-      std::map<unsigned int, unsigned int> first;
-      for (const unsigned int place : places)
-        {
-          first[place] = rows_.size();
-          for (unsigned int c = 0; c < 3; ++c)
-            rows_.push_back(3 * place + c);
-        }
+      rows_ = rows.number();
 
       gaps_.resize(n);
       arms_.resize(n);
-      std::vector<Eigen::Triplet<double>> entries;
-      Eigen::Index                        row = 0;
+      ContactRows::Entries entries;
+      Eigen::Index         row = 0;
       for (const GridOfContact &grid : grids_)
         for (std::size_t i = 0; i < grid.n_taken; ++i, ++row)
           {
             const ContactCell &cell = grid.cells[i];
             gaps_[row]              = cell.gap;
             arms_[row]              = load_.arm(cell.position, cell.normal);
-            for (unsigned int side = 0; side < 2; ++side)
-              {
-                const ElasticFlank &flank = grid.contact->flanks[side];
-                const Vector3       along =
-                  (side == 0 ? 1. : -1.) * (flank.rotation.transpose() * cell.normal);
-                for (unsigned int k = 0; k < 4; ++k)
-                  for (unsigned int c = 0; c < 3; ++c)
-                    entries.emplace_back(row,
-                                         first.at(flank.places[cell.feet[side].nodes[k]]) + c,
-                                         cell.feet[side].weights[k] * along[c]);
-              }
+            rows.append_gap(*grid.contact, cell, row, entries);
           }
       gap_of_.resize(n, rows_.size());
       gap_of_.setFromTriplets(entries.begin(), entries.end());

@@ -144,15 +144,11 @@ namespace vfife
       throw NumericalError("the teeth do not press each other");
     GridPressure grid = find_grid_pressures({contact}, load, cells_across_).front();
     // Its arms were those of an approach along the resultant.
-    const double area = grid.plane.sides.prod();
-    grid.force        = grid.moment;
-    grid.moment       = 0.;
+    grid.force  = grid.moment;
+    grid.moment = 0.;
     for (std::size_t i = 0; i < grid.cells.size(); ++i)
-      {
-        const ContactCell &cell = grid.cells[i];
-        grid.moment += grid.pressures[i] * area / cell.normal.dot(grid.plane.normal) *
-                       flanks_.torque_arm(cell.position, cell.normal);
-      }
+      grid.moment +=
+        grid.force_of(i) * flanks_.torque_arm(grid.cells[i].position, grid.cells[i].normal);
     return flanks_.describe(slave_group, master_group, std::move(grid));
   }
 } // namespace vfife

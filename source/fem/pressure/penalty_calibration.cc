@@ -1,4 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
+#include "contact_rows.h"
+
 #include <vfife/base/errors.h>
 #include <vfife/fem/pressure/penalty_calibration.h>
 #include <vfife/model/model.h>
@@ -10,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace vfife
 {
@@ -30,63 +31,6 @@ namespace vfife
     constexpr unsigned int most_sets    = 60; ///< of points that press
     constexpr unsigned int most_iterations = 60; ///< of the search for a factor
 
-    /** The rows of the flexibility that some points and forces need. */
-    class NeededRows
-    {
-    public:
-      explicit NeededRows(const Eigen::VectorXd &forces)
-      {
-        for (Eigen::Index k = 0; k < forces.size(); ++k)
-          if (forces[k] != 0.)
-            first_.emplace(k / 3, 0);
-      }
-
-      void add(const ElasticContact &contact, const ContactCell &cell)
-      {
-        for (unsigned int side = 0; side < 2; ++side)
-          for (const unsigned int node : cell.feet[side].nodes)
-            first_.emplace(contact.flanks[side].places[node], 0);
-      }
-
-      std::vector<unsigned int> number()
-      {
-        std::vector<unsigned int> rows;
-        for (auto &place : first_)
-          {
-            place.second = rows.size();
-            for (unsigned int c = 0; c < 3; ++c)
-              rows.push_back(3 * place.first + c);
-          }
-        return rows;
-      }
-
-      /** Changes of the gaps at cells by displacements at the rows. */
-      SparseRows find_gaps(const ElasticContact                   &contact,
-                           const std::vector<const ContactCell *> &cells) const
-      {
-        std::vector<Eigen::Triplet<double>> entries;
-        for (std::size_t i = 0; i < cells.size(); ++i)
-          for (unsigned int side = 0; side < 2; ++side)
-            {
-              const ElasticFlank &flank = contact.flanks[side];
-              const Vector3       along =
-                (side == 0 ? 1. : -1.) * (flank.rotation.transpose() * cells[i]->normal);
-              const CellFoot &foot = cells[i]->feet[side];
-              for (unsigned int k = 0; k < 4; ++k)
-                for (unsigned int c = 0; c < 3; ++c)
-                  entries.emplace_back(i,
-                                       first_.at(flank.places[foot.nodes[k]]) + c,
-                                       foot.weights[k] * along[c]);
-            }
-        SparseRows gaps(cells.size(), 3 * first_.size());
-        gaps.setFromTriplets(entries.begin(), entries.end());
-        return gaps;
-      }
-
-    private:
-      std::map<unsigned int, unsigned int> first_; ///< by place
-    };
-
     /** Six digits: then any number of ranks has the same penalties, whose sums differ in the last
      * digits. */
     double round_digits(const double x)
@@ -95,22 +39,20 @@ namespace vfife
       return std::round(x / unit) * unit;
     }
 
-    /** Normal forces of the cells of a grid [N]. */
-    Eigen::VectorXd find_cell_forces(const GridPressure &grid)
+    /** Changes of the gaps at @p n cells, which @p cell_of has, by displacements at the @p rows. */
+    template <typename CellOf>
+    SparseRows make_gaps(const ElasticContact &contact,
+                         const ContactRows    &rows,
+                         const std::size_t     n_rows,
+                         const std::size_t     n,
+                         const CellOf         &cell_of)
     {
-      Eigen::VectorXd forces(grid.cells.size());
-      for (std::size_t i = 0; i < grid.cells.size(); ++i)
-        forces[i] =
-          grid.pressures[i] * grid.plane.sides.prod() / grid.cells[i].normal.dot(grid.plane.normal);
-      return forces;
-    }
-
-    std::vector<const ContactCell *> list_cells(const GridPressure &grid)
-    {
-      std::vector<const ContactCell *> cells;
-      for (const ContactCell &cell : grid.cells)
-        cells.push_back(&cell);
-      return cells;
+      ContactRows::Entries entries;
+      for (std::size_t i = 0; i < n; ++i)
+        rows.append_gap(contact, cell_of(i), i, entries);
+      SparseRows gaps(n, n_rows);
+      gaps.setFromTriplets(entries.begin(), entries.end());
+      return gaps;
     }
   } // namespace
 
@@ -132,7 +74,7 @@ namespace vfife
     for (const GridPressure &grid : grids)
       if (grid.carries())
         deepest = std::max(deepest, grid.pressures[grid.largest()] / penalty_);
-    NeededRows                            needed(load.forces);
+    ContactRows                           needed(load);
     std::vector<std::vector<FacingPoint>> points;
     for (std::size_t i = 0; i < contacts.size(); ++i)
       {
@@ -153,8 +95,15 @@ namespace vfife
       change[k] = -load.forces[rows[k]];
     for (std::size_t i = 0; i < contacts.size(); ++i)
       {
-        own.push_back(needed.find_gaps(contacts[i], list_cells(grids[i])).transpose() *
-                      find_cell_forces(grids[i]));
+        const GridPressure &grid = grids[i];
+        const std::size_t   n    = grid.cells.size();
+        Eigen::VectorXd     forces(n);
+        for (std::size_t k = 0; k < n; ++k)
+          forces[k] = grid.force_of(k);
+        const auto cell_of = [&](const std::size_t k) -> const ContactCell & {
+          return grid.cells[k];
+        };
+        own.push_back(make_gaps(contacts[i], needed, rows.size(), n, cell_of).transpose() * forces);
         change += own.back();
       }
 
@@ -163,22 +112,23 @@ namespace vfife
       {
         if (!(grids[i].moment > least_part * load.load) || points[i].empty())
           continue;
-        Touch                            touch;
-        std::vector<const ContactCell *> cells;
-        const Eigen::Index               n = points[i].size();
+        Touch              touch;
+        const Eigen::Index n = points[i].size();
         touch.areas.resize(n);
         touch.arms.resize(n);
         touch.gaps.resize(n);
         for (Eigen::Index k = 0; k < n; ++k)
           {
             const FacingPoint &point = points[i][k];
-            cells.push_back(&point.cell);
             touch.points.push_back(point.cell.place[0] * rule_.size() + point.cell.place[1]);
             touch.areas[k] = point.area;
             touch.arms[k]  = load.arm(point.cell.position, point.cell.normal);
             touch.gaps[k]  = point.cell.gap - grids[i].closing * touch.arms[k];
           }
-        const SparseRows gaps = needed.find_gaps(contacts[i], cells);
+        const auto cell_of = [&](const std::size_t k) -> const ContactCell & {
+          return points[i][k].cell;
+        };
+        const SparseRows gaps = make_gaps(contacts[i], needed, rows.size(), n, cell_of);
         touch.gaps += gaps * (flexibility * (change - own[i]));
         touch.flexibility = gaps * flexibility * gaps.transpose();
         touch.moment      = grids[i].moment;
