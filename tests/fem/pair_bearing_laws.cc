@@ -206,7 +206,7 @@ namespace
   void too_soft(Communicator &world)
   {
     Model      model = make_held_pair(world, rigid_steel);
-    const auto law   = linear_bearing(2e-2 * soft_front);
+    const auto law   = linear_bearing(5e-3 * soft_front);
     hang_in_bearings(model, {law, law, law, law}, 5e8);
     Compliance      compliance(model, lumped_masses(), false, world);
     PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});

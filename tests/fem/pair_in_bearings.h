@@ -2,8 +2,8 @@
 #ifndef vfife_tests_fem_pair_in_bearings_h
 #define vfife_tests_fem_pair_in_bearings_h
 
+#include "../study/few_teeth.h"
 #include "../study/gear_model.h"
-#include "../study/quick_pair.h"
 
 #include <vfife/bearing/bearing_law.h>
 #include <vfife/bearing/shaft_seat.h>
@@ -14,14 +14,15 @@
 #include <memory>
 #include <vector>
 
-/** The coarse pair without a web, 800 N m, both bodies held at the underside of the rim; @p more:
+/** A coarse pair without a web, 800 N m, both bodies held at the underside of the rim; @p more:
  * sections of a parameter file. */
 inline vfife::Model make_held_pair(const vfife::Communicator &world, const std::string &more = "")
 {
-  const std::string all = quick_pair("set web = none", "set rim rows = 2", "1e-5");
   return make_gear_model("in_bearings.prm",
-                         all.substr(0, all.find("subsection Dynamics")) +
-                           "subsection Operation\n set hub = rigid hub\nend\n" + more,
+                         few_teeth("set web = none", "set rim rows = 2") +
+                           "subsection Operation\nset speed = 20000 rpm\nset torque = 800 N m\n"
+                           "set tooth meshes = 1\nset hub = rigid hub\nend\n" +
+                           more,
                          world);
 }
 

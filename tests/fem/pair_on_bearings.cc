@@ -316,11 +316,11 @@ namespace
     Compliance      compliance(model, lumped_masses(), false, world);
     PairEquilibrium equilibrium(model, compliance, {3e4, 3e4}, {0.});
     double          before = 0;
-    for (const double factor : {1., .1})
+    for (const double factor : {.1, .01})
       {
         const double moment =
           unbalanced_moment(model, compliance, equilibrium.solve(0., factor), factor);
-        if (factor < 1)
+        if (before > 0)
           {
             check_below("moments", moment, 1e-6);
             check_close("the less, the less is displaced", before / moment, 10., 1.);

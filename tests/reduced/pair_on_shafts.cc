@@ -23,7 +23,7 @@ namespace
                    const Communicator     &world)
   {
     return make_gear_model(name + ".prm",
-                           shaft_pair::pair_on_shafts("", laws) +
+                           shaft_pair::pair_on_shafts("", laws, shaft_pair::many_teeth(), "12") +
                              "subsection Operation\nset speed = " + speed +
                              "\nset torque = 800 N m\nset end time = 1 ms\nend\n",
                            world);

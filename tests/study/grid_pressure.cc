@@ -84,8 +84,8 @@ int main(int argc, char **argv)
                     read("grid_pressure_hard", "pressure.csv"));
   check_tables("grid_pressure_hard");
   std::ofstream("grid_pressure_shafts.prm")
-    << shaft_pair::pair_on_shafts() << shaft_pair::operation("60 rpm")
-    << shaft_pair::kind("loaded tooth contact analysis")
+    << shaft_pair::pair_on_shafts("", shaft_pair::Laws(), shaft_pair::many_teeth())
+    << shaft_pair::operation("60 rpm") << shaft_pair::kind("loaded tooth contact analysis")
     << "subsection Loaded contact\n set positions = 1\n set pressure cells = 8\nend\n";
   // On bearings the redistribution sees their linear stiffness alone.
   run_pair("grid_pressure_shafts.prm",

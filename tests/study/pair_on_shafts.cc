@@ -176,7 +176,7 @@ namespace
                              "set centrifugal = no\nend\n";
     const std::string rigid = "set kind = bearing\nset radial stiffness = 1e12\n"
                               "set axial stiffness = 1e12\nset tilting stiffness = 1e15\n";
-    run_pair(write("ideal_bores", coarse_pair("set web = conical\n", coarse_web) + rest),
+    run_pair(write("ideal_bores", few_teeth("set web = conical", coarse_web) + rest),
              "ideal_bores",
              world);
     run_pair(write("stiff_shafts", pair_on_shafts("", {rigid, rigid, rigid, rigid}) + rest),

@@ -2,7 +2,7 @@
 #ifndef vfife_tests_study_shaft_pair_h
 #define vfife_tests_study_shaft_pair_h
 
-#include "quick_pair.h"
+#include "few_teeth.h"
 
 #include <vfife/base/types.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/** The coarse pair on shafts in five bearings, and what its tables say of these. */
+/** A coarse pair on shafts in five bearings, and what its tables say of these. */
 namespace shaft_pair
 {
   /** A bearing on a shaft; @p x: its x direction. */
@@ -50,22 +50,33 @@ namespace shaft_pair
     std::string straddle = cylindrical, axial = thrust;
   };
 
-  /** The coarse pair overhung and straddled, with entries in the section Gear pair. */
-  inline std::string pair_on_shafts(const std::string &entries = "", const Laws &laws = Laws())
+  /** The paper's pair: its teeth are fine enough for means over eight positions. */
+  inline std::string many_teeth()
+  {
+    return coarse_pair("set web = conical\n", coarse_web);
+  }
+
+  /** A pair overhung and straddled, with entries in the section Gear pair; @p cells: size of the
+   * shafts' cells [mm]. */
+  inline std::string pair_on_shafts(const std::string &entries = "",
+                                    const Laws        &laws    = Laws(),
+                                    const std::string &pair    = few_teeth("set web = conical",
+                                                                        coarse_web),
+                                    const std::string &cells   = "30")
   {
     const std::string across_pinion = "0, 1, 0", across_gear = "1, 0, 0";
-    return coarse_pair("set web = conical\n", coarse_web) + "subsection Gear pair\n" + entries +
+    return pair + "subsection Gear pair\n" + entries +
            "subsection Pinion\nsubsection Shaft\n"
-           "set sections = 98 160 40 20, 160 220 36 20\nset axial cell size = 12\n"
-           "set radial cell size = 12\nset bearings = front, rear\n" +
+           "set sections = 98 160 40 20, 160 220 36 20\nset axial cell size = " +
+           cells + "\nset radial cell size = " + cells + "\nset bearings = front, rear\n" +
            bearing("front", ring("140", "155"), across_pinion, laws.front) +
            bearing("rear", ring("190", "205"), across_pinion, laws.rear) + "subsection End\n" +
            ring("208", "220") +
            "set torsional stiffness = 1e9\nset torsional damping = 1e4\n"
            "end\nend\nend\n"
            "subsection Gear\nsubsection Shaft\n"
-           "set sections = -10 30 80 60, 30 120 100 60\nset axial cell size = 15\n"
-           "set radial cell size = 15\nset bearings = inner, outer, thrust\n" +
+           "set sections = -10 30 80 60, 30 120 100 60\nset axial cell size = " +
+           cells + "\nset radial cell size = " + cells + "\nset bearings = inner, outer, thrust\n" +
            bearing("inner", ring("-10", "10"), across_gear, laws.straddle) +
            bearing("outer", ring("85", "100"), across_gear, laws.straddle) +
            bearing("thrust", ring("100", "110"), across_gear, laws.axial) + "subsection End\n" +
