@@ -18,6 +18,7 @@ namespace vfife
     const Choices<bool> precisions = {{"double", false}, {"single", true}};
 
     const Choices<Start> starts = {{"static preload", Start::static_preload},
+                                   {"steady swing", Start::steady_swing},
                                    {"ramp", Start::ramp},
                                    {"undeformed", Start::undeformed}};
 

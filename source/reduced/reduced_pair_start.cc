@@ -21,7 +21,7 @@ namespace vfife
     constexpr unsigned int start_patience = 40;
   } // namespace
 
-  ReducedEquilibrium ReducedPair::start()
+  ReducedEquilibrium ReducedPair::start(const double part, const double rate)
   {
     time_ = driver_turn_ = 0;
     step_ = n_iterations_ = 0;
@@ -33,8 +33,11 @@ namespace vfife
         member.set_rate(speed_factor() * model_.bodies[b].rate);
         member.follow_rate(options_.step);
       }
-    load_ = members_[model_.transmission->driven]->axial.torque;
-    now_  = PressedState();
+    Member &driven = *members_[model_.transmission->driven];
+    load_          = part * driven.axial.torque;
+    // What the flanks have beyond the load accelerates the body.
+    driven.axial.acceleration = (1. - part) * driven.axial.torque / driven.inertia;
+    now_                      = PressedState();
     earlier_force_.resize(0);
     pair_.set_position(0.);
     search();
@@ -65,9 +68,12 @@ namespace vfife
     found.iterations         = n;
 
     stand();
-    now_.patience   = PressedState().patience;
-    rows_           = base + now_.deflection;
-    now_.deflection = answers_->answer(now_.force);
+    driven.motion.add_turn_rate(rate);
+    driven.axial.acceleration = 0.;
+    load_                     = driven.axial.torque;
+    now_.patience             = PressedState().patience;
+    rows_                     = base + now_.deflection;
+    now_.deflection           = answers_->answer(now_.force);
     set_bearings(rows_);
     check_reach(nodes_, displace_nodes(nodes_));
     restart_energy();

@@ -57,10 +57,10 @@ namespace
     // 79 teeth on a pitch diameter of 249 mm
     const double module = 2. * paper::gear().blank().outer_cone_distance *
                           std::sin(paper::gear().blank().pitch_angle) / 79.;
-    check("coarse, medium, fine: a module, a half, a third",
-          (sizes("coarse", 0) - module * Vector2::Ones()).norm() < 1e-3 * module &&
-            (sizes("medium", 0) - sizes("coarse", 0) / 2.).norm() < 1e-12 &&
-            (sizes("fine", 0) - sizes("coarse", 0) / 3.).norm() < 1e-12);
+    check("coarse, medium, fine: 2/3, 0.45, 0.3 modules",
+          (sizes("coarse", 0) - 2. / 3. * module * Vector2::Ones()).norm() < 1e-3 * module &&
+            (sizes("medium", 0) - .675 * sizes("coarse", 0)).norm() < 1e-12 &&
+            (sizes("fine", 0) - .45 * sizes("coarse", 0)).norm() < 1e-12);
     check("by members: numbers of cells hold", sizes("by members", 0).norm() == 0.);
     check("a member's own size holds", sizes("medium", 1.5)[1] == 1.5);
   }

@@ -4,6 +4,7 @@
 #include "model_text.h"
 
 #include <vfife/base/process/log.h>
+#include <vfife/contact/surface/smooth_patch.h>
 #include <vfife/model/options/bodies_at_start.h>
 
 #include <algorithm>
@@ -190,9 +191,21 @@ namespace
           pair.side == "touch" && pair.slave_body == 1 && pair.slave_surface == "outer" &&
             pair.master_body == 0 && pair.master_surface == "x-");
     check("its options",
-          pair.options.surface == ContactSurfaceKind::flat_facets &&
+          pair.options.surface == ContactSurfaceKind::smooth_patches &&
             pair.options.penalty.value_for_step(1., 1.) == 2e4 &&
             pair.options.damping_ratio == .1 && pair.options.edge_fading == 0.);
+
+    FacetSurface corner;
+    corner.positions = {Vector3(0, 0, 0),
+                        Vector3(2, 0, 0),
+                        Vector3(2, 3, 0),
+                        Vector3(0, 3, 0),
+                        Vector3(2, 0, 4),
+                        Vector3(2, 3, 4)};
+    corner.facets    = {{{0, 1, 2, 3}}};
+    check("one facet has no edge inside", !has_sharp_edges(corner));
+    corner.facets.push_back({{1, 4, 5, 2}});
+    check("two across a corner have", has_sharp_edges(corner));
 
     const Model      model = make_model(contact(
       of_bar + "set kind = wall\nset nodes = z-\nset where = x > 8.5\nset wall point = 1, 2, -0.5\n"

@@ -44,7 +44,9 @@ namespace
     run_pair(source_folder() + "/../../" + file,
              folder,
              world,
-             {"Dynamics/largest number of steps=1", "Output/pictures=no"});
+             {"Dynamics/largest number of steps=1",
+              "Dynamics/start=static preload",
+              "Output/pictures=no"});
     return read_columns(folder + "/history.csv")["dte"].front();
   }
 } // namespace

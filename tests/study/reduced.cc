@@ -30,7 +30,10 @@ namespace
   Columns run_pair_of_kind(const std::string &kind, Communicator &world)
   {
     std::ofstream(kind + "_pair.prm") << pair_text(kind);
-    run_pair(kind + "_pair.prm", kind + "_pair", world, {"Operation/tooth meshes=2"});
+    run_pair(kind + "_pair.prm",
+             kind + "_pair",
+             world,
+             {"Operation/tooth meshes=2", "Dynamics/start=static preload"});
     return read_columns(kind + "_pair/history.csv");
   }
 
@@ -231,6 +234,7 @@ namespace
                world,
                {"Operation/speed=" + speed,
                 "Operation/tooth meshes=1",
+                "Dynamics/start=static preload",
                 "Reduced/cutoff frequency=20 kHz",
                 "Reduced/store=bodies_to_20_kHz",
                 "Fillets/teeth=all",

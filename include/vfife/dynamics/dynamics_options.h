@@ -30,6 +30,7 @@ namespace vfife
 
   enum class Start
   {
+    steady_swing,   ///< static_preload, but a gear pair swings as it does when the swing is steady
     static_preload, ///< rotating-frame equilibrium under centrifugal force, torque and contact,
                     ///< then release
     ramp,           ///< centrifugal equilibrium, then the torque grows linearly

@@ -50,6 +50,8 @@ namespace vfife
     /** Across the narrower way, that of a strip with Hertz's pressures and the same second moment
      * of the points' pressures about their centre [mm]. */
     double width = 0;
+    /** Of the slave's facets that are pressed, in the mean by pressure [mm]. */
+    double facet_width = 0;
   };
 
   struct ProbeValue

@@ -89,6 +89,12 @@ namespace vfife
      * turn is set to @p turn, at rest. */
     void stand(const ModalForces &forces, double turn, double sector_rate);
 
+    /** [rad/s] */
+    void add_turn_rate(const double rate)
+    {
+      turn_rate_ += rate;
+    }
+
     const Eigen::VectorXcd &coordinates(const std::size_t i) const
     {
       return harmonics_[i].position;

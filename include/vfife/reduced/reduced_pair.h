@@ -31,8 +31,7 @@ namespace vfife
     double tolerance = 1e-7;
   };
 
-  /** Throws InputError where the model is no gear pair, and for friction or damping of its contact.
-   */
+  /** Throws InputError where the model is no gear pair, and for friction or damping there. */
   void require_reducible(const Model &model);
 
   /** The equilibrium from which a reduced pair starts. */
@@ -64,8 +63,10 @@ namespace vfife
                 const ReducedPairOptions  &options);
     ~ReducedPair();
 
-    /** The equilibrium at time zero, which stands still in space. Throws NumericalError. */
-    ReducedEquilibrium start();
+    /** The equilibrium at time zero, which stands still in space. @p part of the load on the
+     * flanks, the rest accelerates the driven body, which has the @p rate [rad/s] beyond its
+     * kinematic one. Throws NumericalError. */
+    ReducedEquilibrium start(double part = 1., double rate = 0.);
 
     /** From now on a driver of constant rate turns at @p driver_rate [rad/s, drive direction], in
      * steps of @p step [s]; relative motion goes on. Throws NumericalError where unstable. */
@@ -97,8 +98,7 @@ namespace vfife
     /** What @p probes show, which are the model's or copies of them in other sectors. */
     std::vector<ProbeValue> measure_probes(const std::vector<Probe> &probes) const;
 
-    /** Coefficients of the rim's waves [um] with up to @p largest diameters, by component r, theta,
-     * z: c_0, c_1, s_1, c_2 ... as RimWaves has them. */
+    /** Coefficients of the rim's waves [um] up to @p largest diameters, as RimWaves has them. */
     std::vector<double> measure_rim(unsigned int largest);
 
     /** What the contact does to the modes of a body now, in the order of ReducedBody::harmonics. */

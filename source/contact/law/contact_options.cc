@@ -31,6 +31,7 @@ namespace vfife
   const Choices<ContactSurfaceKind> &contact_surface_kinds()
   {
     static const Choices<ContactSurfaceKind> choices = {
+      {"auto", ContactSurfaceKind::automatic},
       {"true flank", ContactSurfaceKind::true_flank},
       {"smooth patches", ContactSurfaceKind::smooth_patches},
       {"flat facets", ContactSurfaceKind::flat_facets}};
@@ -54,12 +55,14 @@ namespace vfife
                    contact_discretizations(),
                    "Where pressure is sampled: Gauss points of the slave's facets, the mean of "
                    "both directions, or the corners of the slave's facets");
-    declare_choice(prm,
-                   "surface",
-                   surface,
-                   contact_surface_kinds(),
-                   "What the facets stand for: the true surface by offsets and true normals, "
-                   "quadratic patches with the nodal normals, or themselves");
+    declare_choice(
+      prm,
+      "surface",
+      surface,
+      contact_surface_kinds(),
+      "What the facets stand for: the true surface by offsets and true normals, "
+      "quadratic patches with the nodal normals, or themselves; auto: the true flank of a gear, "
+      "patches of other bodies, flat facets of surfaces with edges");
     declare_number_or_word(
       prm,
       "points per facet",

@@ -4,7 +4,10 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace vfife
 {
@@ -139,5 +142,24 @@ namespace vfife
             }
       }
     return surface;
+  }
+
+  bool has_sharp_edges(const FacetSurface &surface)
+  {
+    const double least_cosine = std::cos(40. / 180. * pi);
+    std::map<std::pair<unsigned int, unsigned int>, Vector3> sides;
+    for (const auto &facet : surface.facets)
+      {
+        const auto corner = [&](const unsigned int k) { return surface.positions[facet[k % 4]]; };
+        const Vector3 normal = (corner(2) - corner(0)).cross(corner(3) - corner(1)).normalized();
+        for (unsigned int k = 0; k < 4; ++k)
+          {
+            const auto side  = std::minmax(facet[k], facet[(k + 1) % 4]);
+            const auto added = sides.emplace(side, normal);
+            if (!added.second && normal.dot(added.first->second) < least_cosine)
+              return true;
+          }
+      }
+    return false;
   }
 } // namespace vfife

@@ -80,6 +80,26 @@ namespace vfife
   }
 
 
+  void StandingPattern::add_turn(const State       &state,
+                                 const unsigned int b,
+                                 const double       rate,
+                                 const double       torque)
+  {
+    const Body                &body      = model_.bodies[b];
+    const std::vector<double> &mass      = body.node_masses();
+    const Partition           &partition = *state.partition;
+    const auto                 arm       = [&](const std::uint32_t i) {
+      return Vector3(body.axis.direction.cross(state.node_position(i) - body.axis.point));
+    };
+    double inertia = 0;
+    for (const std::uint32_t i : partition.owned_nodes(b))
+      inertia += mass[partition.global_node[i] - body.first_node] * arm(i).squaredNorm();
+    const double acceleration = torque / communicator_.sum(inertia);
+    for (const std::uint32_t i : partition.nodes(b))
+      nodes_.push_back({i, rate * arm(i), acceleration * arm(i)});
+  }
+
+
   void StandingPattern::add_forces(const std::vector<double> &masses, NodeField &forces) const
   {
     for (const Node &node : nodes_)

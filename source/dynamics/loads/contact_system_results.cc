@@ -1,7 +1,9 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
 // What ContactSystem tells of the last evaluation.
+
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/text/figure_text.h>
+#include <vfife/contact/surface/facet_integrals.h>
 #include <vfife/dynamics/loads/contact_of_pair.h>
 #include <vfife/dynamics/loads/contact_system.h>
 #include <vfife/model/tooth_contact.h>
@@ -20,8 +22,16 @@ namespace vfife
     constexpr double clearly_coarser = 1.5;
 
     /** Of the pressed points of a pair of groups by their pressure: 1, x, y, z, xx, yy, zz, xy, yz,
-     * zx. */
-    using PatchMoments = std::array<double, 10>;
+     * zx, width of the slave's facet. */
+    using PatchMoments = std::array<double, 11>;
+
+    double width_of(const FacetSurface &surface, const unsigned int facet)
+    {
+      std::array<Vector3, 4> corners;
+      for (unsigned int k = 0; k < 4; ++k)
+        corners[k] = surface.positions[surface.facets[facet][k]];
+      return facet_width(corners);
+    }
 
     std::vector<PatchMoments> add_patches(const ContactOfPair &pair)
     {
@@ -47,7 +57,8 @@ namespace vfife
                                              x[2] * x[2],
                                              x[0] * x[1],
                                              x[1] * x[2],
-                                             x[2] * x[0]}};
+                                             x[2] * x[0],
+                                             width_of(from, point.slave_facet)}};
                 for (std::size_t k = 0; k < added.size(); ++k)
                   patches[i][k] += point.pressure * added[k];
               }
@@ -271,7 +282,11 @@ namespace vfife
             sum.largest_penetration = largest[1];
             teeth.push_back(make_tooth_contact(model_, pairs_[p]->definition, sum));
             if (!patches.empty())
-              teeth.back().width = compute_width(patches[p][i]);
+              {
+                const PatchMoments &patch = patches[p][i];
+                teeth.back().width        = compute_width(patch);
+                teeth.back().facet_width  = patch[0] > 0. ? patch[10] / patch[0] : 0.;
+              }
           }
       }
     return teeth;

@@ -197,15 +197,30 @@ namespace vfife
     const auto lack = [&](const double log_factor) {
       return press(std::exp(log_factor) * penalties).dot(arms) / moment - 1.;
     };
-    const double low = std::log(least_factor), high = std::log(1. / least_factor);
-    const double at_low = lack(low), at_high = lack(high);
+    // The factor of a later round is near one: the bracket grows from there.
+    const double end = std::log(1. / least_factor);
+    double       low = -.05, high = .05, at_low = lack(low), at_high = lack(high);
+    while (at_low >= 0. && low > -end)
+      {
+        high    = low;
+        at_high = at_low;
+        low     = std::max(-end, 4. * low);
+        at_low  = lack(low);
+      }
+    while (at_high <= 0. && high < end)
+      {
+        low     = high;
+        at_low  = at_high;
+        high    = std::min(end, 4. * high);
+        at_high = lack(high);
+      }
     if (at_low >= 0.)
       return std::exp(low);
     if (at_high <= 0.)
       return std::exp(high);
     std::uintmax_t iterations = most_iterations;
     const auto     ends       = boost::math::tools::toms748_solve(
-      lack, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(30), iterations);
+      lack, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(24), iterations);
     return std::exp(.5 * (ends.first + ends.second));
   }
 

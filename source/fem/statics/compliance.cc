@@ -179,6 +179,8 @@ namespace vfife
 
   void Compliance::watch(std::vector<unsigned int> points, std::vector<PointMotion> motions)
   {
+    if (points == watched_ && motions.empty() && motions_.empty() && !columns_.empty())
+      return;
     watched_           = std::move(points);
     motions_           = std::move(motions);
     std::size_t n_rows = 3 * watched_.size();

@@ -34,11 +34,11 @@ namespace vfife
                                          GearBodyOptions          &pinion,
                                          GearBodyOptions          &gear)
   {
-    // Edges in modules. A third is about what the counts of the full mesh make of most blanks.
+    // Edges in modules (doc/mesh.md, Fineness, has what each of them leaves as error).
     static const Choices<double> edges = {{"by members", 0.},
-                                          {"coarse", 1.},
-                                          {"medium", 1. / 2.},
-                                          {"fine", 1. / 3.}};
+                                          {"coarse", 2. / 3.},
+                                          {"medium", .45},
+                                          {"fine", .3}};
     std::vector<std::string>     words;
     for (const auto &edge : edges)
       words.push_back(edge.first);
@@ -51,7 +51,9 @@ namespace vfife
         pinion.edge_in_modules = gear.edge_in_modules = edges[chosen].second;
       },
       "Cells of both bodies where a member states no element size: as its numbers of cells say, or "
-      "edges of one outer transverse module, a half, a third. Coarse is for a first look");
+      "edges of about two thirds of the outer transverse module, 0.45 and 0.3 modules. A coarse "
+      "mesh "
+      "has a mean transmission error within some 2 %");
   }
 
   void GearBodyOptions::leave_sizes_open()
@@ -98,7 +100,10 @@ namespace vfife
     fill(sized.bore_radius, web == WebKind::solid ? 0.64 * root : sized.hub_radius * 5. / 6.);
     fill(sized.hub_length, std::max(0.379 * root, 1.2 * sized.foot_on_hub(blank)));
     if (element_size == 0.)
-      sized.element_size = edge_in_modules * module;
+      {
+        sized.element_size = edge_in_modules * module;
+        sized.has_fineness = edge_in_modules > 0.;
+      }
     return sized;
   }
 
@@ -107,29 +112,34 @@ namespace vfife
     GearBodyOptions sized = *this;
     if (element_size == 0.)
       return sized;
-    const auto count = [this](const double length, const unsigned int least) {
-      return std::max<unsigned int>(least, std::lround(length / element_size));
+    // Of a fineness the edges differ by what they change of the transmission error per element: the
+    // root bends over few flank rows, a rim without a web below it over few of its rows, and the
+    // layers of a web do little.
+    const auto count = [this](const double length, const unsigned int least, const double factor) {
+      const double edge = has_fineness ? factor * element_size : element_size;
+      return std::max<unsigned int>(least, std::lround(length / edge));
     };
-    const BlankOutline &blank = gear.blank();
-    const double        L     = blank.mean_cone_distance;
-    sized.element_size        = 0.;
+    const BlankOutline &blank  = gear.blank();
+    const double        L      = blank.mean_cone_distance;
+    const bool          on_web = web == WebKind::conical;
+    sized.element_size         = 0.;
 
     // teeth at mid-face, then what lies under them, down to bore, underside or hub
-    sized.cells_lengthwise = count(blank.face_width, 1);
-    sized.cells_across     = count(gear.tooth_thickness(L, 0.), 2);
-    sized.flank_rows       = count(blank.addendum(L) + blank.dedendum(L), 1);
+    sized.cells_lengthwise = count(blank.face_width, 1, on_web ? 1.25 : 1.);
+    sized.cells_across     = count(gear.tooth_thickness(L, 0.), 2, 1.25);
+    sized.flank_rows       = count(blank.addendum(L) + blank.dedendum(L), 1, .9);
     if (web == WebKind::solid)
       {
         const double root = blank.meridian_point({L, -blank.dedendum(L)})[0];
-        sized.rim_rows    = count((root - bore_radius) / std::cos(blank.pitch_angle), 1);
+        sized.rim_rows    = count((root - bore_radius) / std::cos(blank.pitch_angle), 1, 1.25);
         return sized;
       }
-    sized.rim_rows = count(rim_thickness, 1);
-    if (web != WebKind::conical)
+    sized.rim_rows = count(rim_thickness, 1, on_web ? 1. : .8);
+    if (!on_web)
       return sized;
     // 2, 5, 8 ... cells across let the web be coarser than the teeth.
     sized.cells_across = std::max(2u, (sized.cells_across + 2) / 3 * 3 - 1);
-    sized.web_layers   = count(web_thickness, 1);
+    sized.web_layers   = count(web_thickness, has_fineness ? 2 : 1, 1.5);
     (web_attachment == WebAttachment::toe ? sized.rim_rows : sized.cells_lengthwise) =
       std::max(web_attachment == WebAttachment::toe ? sized.rim_rows : sized.cells_lengthwise,
                sized.web_layers + 2);
@@ -137,9 +147,9 @@ namespace vfife
                           *this,
                           -blank.dedendum(blank.inner_cone_distance()),
                           -blank.dedendum(blank.outer_cone_distance));
-    sized.web_rows       = count(cone.length(), 2);
-    sized.hub_rows       = count(hub_radius - bore_radius, 1);
-    sized.hub_side_cells = count(.5 * (hub_length - web_thickness / std::sin(web_angle)), 1);
+    sized.web_rows       = count(cone.length(), has_fineness ? 6 : 2, 2.5);
+    sized.hub_rows       = count(hub_radius - bore_radius, 1, 1.25);
+    sized.hub_side_cells = count(.5 * (hub_length - web_thickness / std::sin(web_angle)), 1, 1.25);
     return sized;
   }
 } // namespace vfife

@@ -2,6 +2,7 @@
 #include <vfife/base/errors.h>
 #include <vfife/base/parameters/parameters.h>
 #include <vfife/contact/law/facet_penalty.h>
+#include <vfife/contact/surface/smooth_patch.h>
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/options/contact_pair_options.h>
 
@@ -27,8 +28,7 @@ namespace vfife
 
   ContactPairOptions::ContactPairOptions()
   {
-    // Primitives have no other surface than their facets.
-    contact.surface = ContactSurfaceKind::flat_facets;
+    contact.surface = ContactSurfaceKind::automatic;
     derive_from_facets(contact.penalty);
     derive_from_facets(wall.penalty);
     // Friction excites the vibrations of bodies that nothing else damps.
@@ -103,6 +103,18 @@ namespace vfife
                                             master_surface,
                                             section + "/master surface");
     pair.options        = contact;
+    if (contact.surface == ContactSurfaceKind::automatic)
+      {
+        const auto has_edges = [&model](const unsigned int body, const std::string &surface) {
+          const auto &surfaces = model.bodies[body].mesh().surfaces;
+          const auto  found    = surfaces.find(surface);
+          return found != surfaces.end() && has_sharp_edges(found->second);
+        };
+        pair.options.surface = has_edges(pair.slave_body, pair.slave_surface) ||
+                                   has_edges(pair.master_body, pair.master_surface)
+                                 ? ContactSurfaceKind::flat_facets
+                                 : ContactSurfaceKind::smooth_patches;
+      }
     model.contacts.push_back(pair);
   }
 } // namespace vfife

@@ -25,6 +25,11 @@ namespace vfife
         }
       return sum / surface.facets.size();
     }
+    /** Of the approach over the square of the facets' width over the contact's half-width, and over
+     * that ratio (doc/contact.md, General models). */
+    constexpr double flat_error = .32, patch_error = .1;
+    /** Of the approach over that ratio: of the springs alone. */
+    constexpr double spring_error = .1;
   } // namespace
 
   ContactResolution::ContactResolution(const Model       &model,
@@ -35,6 +40,37 @@ namespace vfife
         compute_facet_width(model.bodies[pair.slave_body].mesh().surfaces.at(pair.slave_surface)))
     , spacing(facet / pair.options.points_per_facet.number)
   {
+  }
+
+  ContactResolution::ContactResolution(const ContactPair &pair,
+                                       const double       contact_width,
+                                       const double       facet_width)
+    : width(contact_width)
+    , facet(facet_width)
+    , spacing(facet / pair.options.points_per_facet.number)
+  {
+  }
+
+  double ContactResolution::find_approach_error(const ContactSurfaceKind surface) const
+  {
+    // Facets over the half-width. Flat facets stand off the true surface by the square of their
+    // width; patches miss the pressure where they are wider than the contact's half.
+    const double ratio = facet / (.5 * width);
+    if (surface == ContactSurfaceKind::flat_facets)
+      return std::max(flat_error * ratio * ratio, spring_error * ratio);
+    return ratio > 1. ? patch_error * ratio : 0.;
+  }
+
+  std::string ContactResolution::describe_error(const std::string &contact,
+                                                const double       error) const
+  {
+    std::ostringstream text;
+    set_figure_digits(text, 2);
+    text << contact << " is " << width << " mm wide, the facets of its slave " << facet
+         << " mm: its approach is off by up to " << 100. * error
+         << " %. Refine the facets to a quarter of that width with flat facets, to a half with "
+            "smooth patches";
+    return text.str();
   }
 
   std::string ContactResolution::describe_points(const std::string &contact) const

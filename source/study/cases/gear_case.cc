@@ -141,7 +141,8 @@ namespace vfife
                          std::to_string(std::lround(std::min(1e9, 1e2 * ring_strain()))) +
                          " %: no solid body holds together there");
     contact_.check("Contact");
-    if (contact_.surface == ContactSurfaceKind::true_flank)
+    if (contact_.surface == ContactSurfaceKind::true_flank ||
+        contact_.surface == ContactSurfaceKind::automatic)
       return;
     // Errors are part of the offsets to the true flank: facets and patches know nothing of them.
     const GearPair pair(pair_);

@@ -156,8 +156,8 @@ namespace vfife
   {
     if (dynamics.start == Start::undeformed)
       throw InputError("Dynamics/start",
-                       "a gear pair starts by \"static preload\" or \"ramp\"; \"undeformed\" is "
-                       "for models of the section Model");
+                       "expected \"static preload\", \"steady swing\" or \"ramp\" for a gear pair, "
+                       "got \"undeformed\", which is for models of the section Model");
     check_histories(dynamics);
     check_dampers(dynamics);
   }

@@ -79,9 +79,10 @@ namespace vfife
 
   void ModelCase::check_dynamics(const DynamicsOptions &dynamics) const
   {
-    if (dynamics.start == Start::ramp)
+    if (dynamics.start == Start::ramp || dynamics.start == Start::steady_swing)
       throw InputError("Dynamics/start",
-                       "a ramp of the torque is for gear pairs; loads of a model have histories");
+                       "expected \"undeformed\" or \"static preload\" for a model of the section "
+                       "Model, got a start of gear pairs");
     if (dynamics.mesh_damping > 0)
       throw InputError("Dynamics/mesh damping", "there is no gear pair in the model");
   }

@@ -16,27 +16,55 @@ namespace vfife
   {
     /** Cells over the width of a contact, with which its approach is known to a thousandth. */
     constexpr unsigned int cells_across = 10;
-    /** Over one tooth mesh; contacts that lie between two of them have penalties between theirs. */
+    /** Over one gear mesh; contacts that lie between two of them have penalties between theirs. */
     constexpr unsigned int n_positions = 8;
+    /** Of the static transmission error; a multiple of n_positions. */
+    constexpr unsigned int n_turns = 16;
 
-    PointPenalties find_penalties(const Case &the_case, Compliance &compliance, const Model &model)
+    double error_of(const Compliance &compliance, const PairEquilibriumResult &result)
     {
-      std::vector<double> first, turns;
+      return lead_of_driven(compliance.discretization(), result.turn, result.displacements);
+    }
+
+    /** @p errors: of the contact's own grid [rad]. */
+    PointPenalties find_penalties(const Case          &the_case,
+                                  Compliance          &compliance,
+                                  const Model         &model,
+                                  std::vector<double> &errors)
+    {
+      std::vector<double> first;
       for (const ContactPair &pair : model.contacts)
         first.push_back(pair.options.penalty.value);
-      for (unsigned int i = 0; i < n_positions; ++i)
-        turns.push_back(2. * pi / model.transmission->driver_teeth * i / n_positions);
-      PairEquilibrium    equilibrium(model, compliance, first, turns);
-      PairPressure       pressure(compliance,
+      const std::vector<double> turns = turns_over_mesh(*model.transmission);
+      PairEquilibrium           equilibrium(model, compliance, first, turns);
+      PairPressure              pressure(compliance,
                             choose_pressure_depth(0., model, the_case.hertz_contact()),
                             cells_across);
-      PenaltyCalibration calibration(model.contacts.front(), first.front());
-      for (const double turn : turns)
+      PenaltyCalibration        calibration(model.contacts.front(), first.front());
+      for (unsigned int i = 0; i < n_turns; i += n_turns / n_positions)
         {
-          const PairEquilibriumResult result = equilibrium.solve(turn, 1.);
-          pressure.solve(equilibrium, result, &calibration);
+          const PairEquilibriumResult result = equilibrium.solve(turns[i], 1.);
+          errors.push_back(error_of(compliance, result) +
+                           pressure.solve(equilibrium, result, &calibration).lead);
         }
       return calibration.find();
+    }
+
+    /** Of the springs less @p grid_errors. */
+    std::vector<double> find_spring_errors(Compliance                &compliance,
+                                           const Model               &model,
+                                           const std::vector<double> &grid_errors)
+    {
+      std::vector<double> penalties, errors;
+      for (const ContactPair &pair : model.contacts)
+        penalties.push_back(pair.options.penalty.value);
+      const std::vector<double> turns = turns_over_mesh(*model.transmission);
+      PairEquilibrium           equilibrium(model, compliance, penalties, turns);
+      for (std::size_t i = 0; i < grid_errors.size(); ++i)
+        errors.push_back(
+          error_of(compliance, equilibrium.solve(turns[i * n_turns / n_positions], 1.)) -
+          grid_errors[i]);
+      return errors;
     }
 
     void keep_penalties(const std::string &why, const Model &model, Log &log)
@@ -48,6 +76,14 @@ namespace vfife
     }
   } // namespace
 
+  std::vector<double> turns_over_mesh(const Transmission &transmission)
+  {
+    std::vector<double> turns;
+    for (unsigned int i = 0; i < n_turns; ++i)
+      turns.push_back(2. * pi / transmission.driver_teeth * i / n_turns);
+    return turns;
+  }
+
   bool needs_calibration(const Case &the_case, const Model &model)
   {
     return model.transmission && !model.contacts.empty() && the_case.leaves_penalty_open() &&
@@ -57,11 +93,12 @@ namespace vfife
 
   void calibrate_penalty(const Case &the_case, Compliance &compliance, Log &log, Model &model)
   {
-    const auto     start = WallClock::now();
-    PointPenalties found;
+    const auto          start = WallClock::now();
+    PointPenalties      found;
+    std::vector<double> grid_errors;
     try
       {
-        found = find_penalties(the_case, compliance, model);
+        found = find_penalties(the_case, compliance, model, grid_errors);
       }
     catch (const InputError &error)
       {
@@ -77,6 +114,7 @@ namespace vfife
     loaded.mean_stiffness        = found.mean / found.largest;
     for (std::size_t i = 1; i < model.contacts.size(); ++i)
       model.contacts[i].options.penalty.value = found.mean;
+    loaded.spring_errors = find_spring_errors(compliance, model, grid_errors);
     log.line("contact penalty by the contact's own grid at ",
              n_positions,
              " positions: mean ",

@@ -8,11 +8,14 @@
 #include <vfife/output/files/result_places.h>
 #include <vfife/output/observers/progress_line.h>
 #include <vfife/reduced/body_rings.h>
+#include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/reduced/reduced_run.h>
 #include <vfife/study/run/pair_preload.h>
+#include <vfife/study/run/steady_swing.h>
 #include <vfife/study/whole_partition.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -82,6 +85,31 @@ namespace vfife
         observer->observe(model_, state_);
   }
 
+  void ReducedRun::start_swing(const double step)
+  {
+    const Transmission &t = *model_.transmission;
+    // As many positions as the start of an explicit run has.
+    const std::size_t   n = turns_over_mesh(t).size();
+    std::vector<double> errors(1, start_.transmission_error);
+    pair_.set_speed(t.driver_rate, 1. / (n * t.mesh_frequency()));
+    while (errors.size() < n)
+      {
+        pair_.step_standing();
+        pair_.measure(state_);
+        errors.push_back(state_.measured.transmission_error);
+      }
+    pair_.set_speed(t.driver_rate, step);
+    const SwingMotion swing =
+      find_steady_swing(errors, swing_of(start_), t.mesh_frequency(), mesh_damping_, start_.torque);
+    pair_.start(swing.torque, t.driven_sense * swing.rate);
+    pair_.measure(state_);
+    log_.line("the swing starts in its steady vibration: transmission error ",
+              swing.error / arcsecond,
+              " arcsec beyond that at rest, flanks with ",
+              swing.torque,
+              " of the torque");
+  }
+
   void ReducedRun::run(const Checkpoint            *checkpoint,
                        const std::uint64_t          n_steps,
                        const double                 step,
@@ -118,6 +146,8 @@ namespace vfife
             start_.transmission_error = state_.measured.transmission_error;
             start_.contact_energy     = state_.measured.energy.contact;
             start_.torque             = std::abs(pair_.load());
+            if (std::isfinite(mesh_damping_))
+              start_swing(step);
             prepared();
           }
         checkpoints_.start_clocks();

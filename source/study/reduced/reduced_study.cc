@@ -37,6 +37,7 @@
 #include <vfife/study/run/pair_results.h>
 #include <vfife/study/run/pair_start.h>
 #include <vfife/study/run/run_penalties.h>
+#include <vfife/study/run/steady_swing.h>
 #include <vfife/study/start_summary.h>
 #include <vfife/study/stress_waves/stress_wave_places.h>
 
@@ -74,8 +75,11 @@ namespace vfife
         dynamics_.check("Dynamics");
         output_.check("Output");
         sweep_.check("Reduced");
-        if (dynamics_.start != Start::static_preload)
-          throw InputError("Dynamics/start", "a reduced pair starts from its static preload");
+        if (dynamics_.start == Start::ramp)
+          throw InputError(
+            "Dynamics/start",
+            "expected \"steady swing\" or \"static preload\" for a reduced pair, got "
+            "\"ramp\"");
         fillets_.check();
         instants_.check();
         if (!is_motion() && instants_.asked_for())
@@ -299,7 +303,9 @@ namespace vfife
         find_end(&*model.transmission, gear_case_.end_time(), history_steps * h);
       const std::uint64_t whole = std::llround(end_time / h), largest = dynamics_.largest_steps,
                           n_steps = largest > 0 ? std::min(whole, largest) : whole;
-      ReducedRun   run(folder, log, model, pair, output_);
+      ReducedRun run(folder, log, model, pair, output_);
+      if (dynamics_.start == Start::steady_swing && !PairMounting::changes(model))
+        run.start_swinging(dynamics_.mesh_damping);
       const auto   impulse = [&] { return pair.contact_impulse(); };
       const Table &history =
         run.observers().add<HistoryWriter>(model, history_steps, impulse).table();
@@ -344,6 +350,7 @@ namespace vfife
       const auto complete = [&] {
         const ReducedStart &start = run.start();
         describe_start(start, PairMounting::changes(model), summary);
+        add_spring_excitation(model, swing_of(start), dynamics_.mesh_damping, summary, log);
         if (const double swing = swing_of(start).frequency(); swing > 0 && history.n_rows() > 1)
           {
             results.find_steady(history, swing, dynamics_, summary, log);

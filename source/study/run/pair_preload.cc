@@ -141,23 +141,9 @@ namespace vfife
     preload_.swing       = probe.compute_swing(state, torque);
 
     // 3. Where the run begins.
-    StandingPattern pattern(model_, communicator_);
-    if (options_.start == Start::ramp)
-      {
-        // So little torque closes the flanks of the spun shapes and hardly deforms them.
-        Relaxation::Loads touching;
-        touching.torque = touching_load;
-        relax("touching", touching);
-      }
-    else
-      // The pattern follows from the shape and its forces of inertia change the shape: in turn.
-      for (unsigned int round = 0; round < pattern_rounds; ++round)
-        {
-          pattern.update(state);
-          Relaxation::Loads standing;
-          standing.pattern = &pattern;
-          relax("standing in space", standing);
-        }
+    StandingPattern   pattern(model_, communicator_);
+    const SwingMotion swing = find_swing(factors ? &*factors : nullptr, torque);
+    begin(swing, torque, relax, pattern, state);
     log_.line("  took ", duration_text(seconds_since(start)));
     // Velocities come last, of the places found: omega x r, and Omega u' of the standing pattern,
     // which a ramp has not.
@@ -165,6 +151,52 @@ namespace vfife
     solver_.set_initial_velocities(state);
     pattern.add_velocities(state.velocity);
     log_preload();
+  }
+
+  SwingMotion PreloadedPair::find_swing(const PairStart *const factors, const double torque) const
+  {
+    if (factors == nullptr || factors->static_errors().empty() || PairMounting::changes(model_))
+      return {};
+    const SwingMotion swing = find_steady_swing(factors->static_errors(),
+                                                preload_.swing,
+                                                model_.transmission->mesh_frequency(),
+                                                options_.mesh_damping,
+                                                torque);
+    log_.line("  the swing starts in its steady vibration: transmission error ",
+              swing.error / arcsecond,
+              " arcsec beyond that at rest, flanks with ",
+              swing.torque,
+              " of the torque");
+    return swing;
+  }
+
+  void PreloadedPair::begin(const SwingMotion &swing,
+                            const double       torque,
+                            const Relax       &relax,
+                            StandingPattern   &pattern,
+                            State             &state) const
+  {
+    if (options_.start == Start::ramp)
+      {
+        // So little torque closes the flanks of the spun shapes and hardly deforms them.
+        Relaxation::Loads touching;
+        touching.torque = touching_load;
+        relax("touching", touching);
+        return;
+      }
+    const Transmission &t = *model_.transmission;
+    // The pattern follows from the shape and its forces of inertia change the shape: in turn.
+    for (unsigned int round = 0; round < pattern_rounds; ++round)
+      {
+        pattern.update(state);
+        pattern.add_turn(state,
+                         t.driven,
+                         t.driven_sense * swing.rate,
+                         t.driven_sense * (swing.torque - 1.) * torque);
+        Relaxation::Loads standing;
+        standing.pattern = &pattern;
+        relax("standing in space", standing);
+      }
   }
 
   void PreloadedPair::serialize(ByteStream &stream)

@@ -20,9 +20,9 @@
 #include <vfife/study/cases/run_plan.h>
 #include <vfife/study/continuation.h>
 #include <vfife/study/nearest_wave_summary.h>
+#include <vfife/study/pressure/contact_width_watch.h>
 #include <vfife/study/pressure/instant_options.h>
 #include <vfife/study/pressure/pressure_writer.h>
-#include <vfife/study/run/contact_width_watch.h>
 #include <vfife/study/run/pair_preload.h>
 #include <vfife/study/run/pair_probes.h>
 #include <vfife/study/run/pair_results.h>
@@ -31,6 +31,7 @@
 #include <vfife/study/run/run_start.h>
 #include <vfife/study/run/run_study.h>
 #include <vfife/study/run/start_kinds.h>
+#include <vfife/study/run/steady_swing.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/run/stepping.h>
 #include <vfife/study/start_summary.h>
@@ -60,10 +61,10 @@ namespace vfife
 
     /** Adds what follows from the equilibrium and the history of a run that has ended, or failed.
      */
-    void complete_pair(const PairResults     &pair,
+    void complete_pair(const Model           &model,
+                       const PairResults     &pair,
                        const PairPreload     &preload,
                        const Table           &history,
-                       const bool             on_shafts,
                        const DynamicsOptions &dynamics,
                        RunSummary            &summary,
                        Log                   &log)
@@ -72,7 +73,8 @@ namespace vfife
       const double swing = preload.swing.frequency();
       if (swing > 0)
         {
-          add_preload(preload, on_shafts, summary);
+          add_preload(preload, PairMounting::changes(model), summary);
+          add_spring_excitation(model, preload.swing, dynamics.mesh_damping, summary, log);
           if (history.n_rows() > 1)
             pair.find_steady(history, swing, dynamics, summary, log);
         }
@@ -355,15 +357,14 @@ namespace vfife
       make_start(model, dynamics_, stepped.solver, std::move(compliance), communicator, log);
     const auto prepared = [&] {
       // With a ramp the torque is still to come, and with it what the copies would tell.
-      if (probes && dynamics_.start == Start::static_preload)
+      if (probes && dynamics_.start != Start::ramp)
         probes->choose();
       if (probes)
         probes->log_passages();
     };
     const auto complete = [&] {
       if (pair && start->preload() != nullptr)
-        complete_pair(
-          *pair, *start->preload(), history, PairMounting::changes(model), dynamics_, summary, log);
+        complete_pair(model, *pair, *start->preload(), history, dynamics_, summary, log);
       if (pair)
         pair->write_orders(folder, history);
       if (summary.status == "failed")

@@ -14,7 +14,7 @@
 #include <vfife/output/output_options.h>
 #include <vfife/output/pictures.h>
 #include <vfife/study/cases/model_case.h>
-#include <vfife/study/run/contact_width_watch.h>
+#include <vfife/study/pressure/contact_width_watch.h>
 #include <vfife/study/run/static_study.h>
 #include <vfife/study/run/stepped_solver.h>
 #include <vfife/study/start_summary.h>

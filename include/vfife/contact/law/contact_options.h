@@ -23,6 +23,8 @@ namespace vfife
   /** What the facets stand for. */
   enum class ContactSurfaceKind
   {
+    automatic,  ///< true_flank; of general models smooth_patches, or flat_facets where there are
+                ///< edges
     true_flank, ///< offsets to the true surface and its normals, carried along by the deformation
     smooth_patches, ///< offsets to quadratic patches with the nodal normals (smooth_patch.h)
     flat_facets     ///< the bilinear facets themselves with averaged facet normals

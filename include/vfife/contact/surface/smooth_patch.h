@@ -18,6 +18,10 @@ namespace vfife
    * are replaced.
    */
   FacetSurface with_smooth_patches(FacetSurface surface);
+
+  /** Whether two facets of a surface that share a side are inclined by more than 40 degrees:
+   * patches would round that edge off. */
+  bool has_sharp_edges(const FacetSurface &surface);
 } // namespace vfife
 
 #endif

@@ -29,6 +29,10 @@ namespace vfife
     /** Takes the pattern from the positions of @p state at time zero. Collective. */
     void update(const State &state);
 
+    /** Body @p b also turns about its axis beyond its rate, at @p rate [rad/s], and the moment @p
+     * torque accelerates it so [N mm]: as a rigid body. Until the next update(). */
+    void add_turn(const State &state, unsigned int b, double rate, double torque);
+
     /** Adds the force of inertia -m Omega^2 (u'' + 2 e x u') to @p forces [N]. */
     void add_forces(const std::vector<double> &masses, NodeField &forces) const;
 

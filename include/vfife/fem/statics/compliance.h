@@ -82,7 +82,8 @@ namespace vfife
     }
 
     /** Points and motions of points at which displacements under unit forces are kept: 3 rows a
-     * point, in this order, behind them those of the motions. Forgets what is known. */
+     * point, in this order, behind them those of the motions. Forgets what is known, but for the
+     * points that are watched already where there are no motions. */
     void watch(std::vector<unsigned int> points, std::vector<PointMotion> motions = {});
 
     const std::vector<unsigned int> &watched() const

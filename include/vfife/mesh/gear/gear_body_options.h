@@ -36,6 +36,7 @@ namespace vfife
 
     double element_size    = 0.; ///< target edge length [mm]; 0: the counts below, as they stand
     double edge_in_modules = 0.; ///< where that is open: the same in modules of the blank; 0: none
+    bool   has_fineness    = false; ///< element_size is of edge_in_modules: edges differ by place
 
     unsigned int cells_lengthwise = 12; ///< along the face width
     unsigned int cells_across     = 5;  ///< across a tooth

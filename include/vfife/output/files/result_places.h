@@ -73,6 +73,11 @@ namespace vfife
     constexpr char order_near_cutoff[] = "mesh order near the cut-off";
     constexpr char error_near_cutoff[] = "transmission error near the cut-off";
 
+    // What the springs of the contact points add to the excitation, peak to peak.
+    constexpr char spring_error_at_rest[] = "transmission error by the contact points, at rest";
+    constexpr char spring_error[]         = "transmission error by the contact points";
+    constexpr char spring_force[]         = "contact force by the contact points";
+
     // Of a sweep over speeds.
     constexpr char lowest_speed[]   = "lowest speed";
     constexpr char highest_speed[]  = "highest speed";

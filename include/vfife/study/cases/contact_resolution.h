@@ -2,6 +2,8 @@
 #ifndef vfife_study_cases_contact_resolution_h
 #define vfife_study_cases_contact_resolution_h
 
+#include <vfife/contact/law/contact_options.h>
+
 #include <string>
 
 namespace vfife
@@ -15,10 +17,13 @@ namespace vfife
   struct ContactResolution
   {
     double width   = 0; ///< of the contact across its narrower way
-    double facet   = 0; ///< mean length of the shorter sides of the slave's facets
+    double facet   = 0; ///< width of the slave's facets
     double spacing = 0; ///< of the points of a facet
 
+    /** By the mean of all facets of the slave. */
     ContactResolution(const Model &model, const ContactPair &pair, double width);
+    /** By facets of a given width. */
+    ContactResolution(const ContactPair &pair, double width, double facet_width);
 
     /** Fewer than two points across the contact are single forces. */
     bool has_single_points() const
@@ -29,6 +34,13 @@ namespace vfife
     /** The distance of the points over the width of the contact, in words: @p contact is "Hertz's
      * contact" or the like. */
     std::string describe_points(const std::string &contact) const;
+
+    /** Largest error of the approach of two bodies, over it, by facets of this width with the
+     * penalty of general models: tests/contact/default_penalty has it for spheres and cylinders. */
+    double find_approach_error(ContactSurfaceKind surface) const;
+
+    /** The same in words, with what mends it. */
+    std::string describe_error(const std::string &contact, double error) const;
   };
 
   /** Area of a surface's undeformed facets [mm^2]. */

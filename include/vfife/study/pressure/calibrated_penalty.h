@@ -2,12 +2,20 @@
 #ifndef vfife_study_pressure_calibrated_penalty_h
 #define vfife_study_pressure_calibrated_penalty_h
 
+#include <vector>
+
 namespace vfife
 {
   class Case;
   class Compliance;
   class Log;
   struct Model;
+  struct Transmission;
+
+  /** Turns of the driver at equal positions over one gear mesh, from zero [rad]: those of a static
+   * transmission error. calibrate_penalty() uses every second one and leaves the compliance with
+   * what all of them need. */
+  std::vector<double> turns_over_mesh(const Transmission &transmission);
 
   /** Whether calibrate_penalty() has something to do: the case leaves the penalty open, and its
    * contact in one pass has a load. */

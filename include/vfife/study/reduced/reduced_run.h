@@ -63,6 +63,13 @@ namespace vfife
       return start_;
     }
 
+    /** The motion begins in the steady vibration of the swing, damped by @p mesh_damping [1/s],
+     * instead of at rest (find_steady_swing()). */
+    void start_swinging(const double mesh_damping)
+    {
+      mesh_damping_ = mesh_damping;
+    }
+
     /**
      * Finds the equilibrium and calls @p prepared in it, or goes on from @p checkpoint (nullptr:
      * none), and does the steps up to @p n_steps; @p complete fills in @p summary, also of a run
@@ -80,6 +87,8 @@ namespace vfife
   private:
     void serialize(ByteStream &stream);
     void show(bool last);
+    /** Follows the equilibrium over one gear mesh, then starts anew. */
+    void start_swing(double step);
 
     const OutputFolder &folder_;
     Log                &log_;
@@ -88,6 +97,7 @@ namespace vfife
     RunObservers        observers_;
     State               state_;
     ReducedStart        start_;
+    double              mesh_damping_ = not_known;
     RunCheckpoints      checkpoints_;
   };
 } // namespace vfife

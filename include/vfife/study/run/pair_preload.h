@@ -2,10 +2,13 @@
 #ifndef vfife_study_run_pair_preload_h
 #define vfife_study_run_pair_preload_h
 
+#include <vfife/dynamics/equilibrium/relaxation.h>
 #include <vfife/output/measures/mounting.h>
 #include <vfife/study/run/deflection_parts.h>
 #include <vfife/study/run/run_start.h>
+#include <vfife/study/run/steady_swing.h>
 
+#include <functional>
 #include <memory>
 
 namespace vfife
@@ -14,6 +17,8 @@ namespace vfife
   class Compliance;
   class ExplicitSolver;
   class Log;
+  class PairStart;
+  class StandingPattern;
   struct DynamicsOptions;
   struct Model;
   struct RunSummary;
@@ -50,7 +55,9 @@ namespace vfife
    * Start of a gear pair (doc/dynamics.md, The preloaded start): equilibrium in the turning frames,
    * spun, then under a part of the torque, then under all of it, each telling a part of the
    * transmission error. A run with `static preload` begins in the loaded one, with the deformation
-   * standing still in space; one with `ramp` where the flanks of the spun shapes just touch.
+   * standing still in space; one with `steady swing` there as well, but where the steady vibration
+   * of the swing has it, unless the pair is on shafts; one with `ramp` where the flanks of the spun
+   * shapes just touch.
    */
   class PreloadedPair : public RunStart
   {
@@ -69,6 +76,16 @@ namespace vfife
     const PairPreload *preload() const override;
 
   private:
+    using Relax = std::function<void(const char *name, const Relaxation::Loads &loads)>;
+
+    /** That of `steady swing`, or none; @p torque: the load [N mm]. */
+    SwingMotion find_swing(const PairStart *factors, double torque) const;
+    /** From the loaded state to where the run begins; @p pattern: of that. */
+    void begin(const SwingMotion &swing,
+               double             torque,
+               const Relax       &relax,
+               StandingPattern   &pattern,
+               State             &state) const;
     void log_preload() const;
 
     const Model                &model_;

@@ -40,6 +40,13 @@ namespace vfife
      * NumericalError as Relaxation and PairEquilibrium. */
     std::string solve(State &state, const Relaxation::Loads &loads);
 
+    /** Static transmission errors under the whole torque at turns_over_mesh() [rad]: of the linear
+     * bodies on the springs of the contact; empty unless the start is `steady swing`. */
+    const std::vector<double> &static_errors() const
+    {
+      return static_errors_;
+    }
+
   private:
     using NodeVector = std::function<Vector3(unsigned int body, std::uint32_t local)>;
 
@@ -57,6 +64,7 @@ namespace vfife
     Relaxation                      &relaxation_;
     const Communicator              &communicator_;
     std::shared_ptr<Compliance>      compliance_;
+    std::vector<double>              static_errors_;
     std::unique_ptr<PairEquilibrium> pair_;
     double                           turn_ = 0; ///< of the driven body about its axis [rad]
   };

@@ -1,6 +1,6 @@
 // Copyright (C) 2026 by the vfife authors. SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef vfife_study_run_contact_width_watch_h
-#define vfife_study_run_contact_width_watch_h
+#ifndef vfife_study_pressure_contact_width_watch_h
+#define vfife_study_pressure_contact_width_watch_h
 
 #include <vfife/model/observer.h>
 #include <vfife/model/state.h>
@@ -13,9 +13,9 @@ namespace vfife
   class OutputFolder;
   struct Model;
 
-  /** Looks how wide the contacts of a general model are at their largest force, and warns at the
-   * end where the mesh is too coarse for them. Contacts that fill a whole surface have any width.
-   */
+  /** Looks how wide the contacts of a general model are at their largest force. Where facets are so
+   * wide that the approach is off by more than 3 % (find_approach_error()), it warns at the end
+   * with the size of the error. Contacts that fill a whole surface have any width. */
   class ContactWidthWatch : public Observer
   {
   public:
@@ -40,6 +40,9 @@ namespace vfife
     std::uint64_t        steps_between_;
     Log                 &log_;
     std::vector<Contact> largest_; ///< each at its largest normal force
+    /** Widths of their facets [mm]; 0 after a restart, which knows the mean of the slave's alone.
+     */
+    std::vector<double> facets_;
   };
 } // namespace vfife
 

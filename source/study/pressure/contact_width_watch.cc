@@ -4,7 +4,7 @@
 #include <vfife/mesh/body_mesh.h>
 #include <vfife/model/model.h>
 #include <vfife/study/cases/contact_resolution.h>
-#include <vfife/study/run/contact_width_watch.h>
+#include <vfife/study/pressure/contact_width_watch.h>
 
 #include <algorithm>
 
@@ -12,6 +12,8 @@ namespace vfife
 {
   namespace
   {
+    /** Of the approach, from which on the user is told. */
+    constexpr double largest_error = 0.03;
     /** Part of a surface from which on a contact fills it. */
     constexpr double filled = 0.9;
   } // namespace
@@ -23,6 +25,7 @@ namespace vfife
     : steps_between_(steps_between)
     , log_(log)
     , largest_(model.contacts.size())
+    , facets_(model.contacts.size(), 0.)
   {
   }
 
@@ -36,7 +39,10 @@ namespace vfife
     for (std::size_t i = 0; i < largest_.size(); ++i)
       for (const ToothContact &contact : state.measured.teeth)
         if (contact.side == model.contacts[i].side && contact.normal_force > largest_[i].force)
-          largest_[i] = {contact.normal_force, contact.area, contact.width};
+          {
+            largest_[i] = {contact.normal_force, contact.area, contact.width};
+            facets_[i]  = contact.facet_width;
+          }
   }
 
   std::string ContactWidthWatch::part_name() const
@@ -61,17 +67,15 @@ namespace vfife
                                       area_of(pair.master_body, pair.master_surface));
         if (!(largest_[i].force > 0) || largest_[i].area > filled * whole)
           continue;
-        const ContactResolution seen(model, pair, largest_[i].width);
-        const std::string       name = "contact " + pair.side;
+        ContactResolution seen(model, pair, largest_[i].width);
+        if (facets_[i] > 0.)
+          seen = ContactResolution(pair, largest_[i].width, facets_[i]);
+        const std::string name  = "contact " + pair.side;
+        const double      error = seen.find_approach_error(pair.options.surface);
         if (seen.has_single_points())
           log_.warning(seen.describe_points(name));
-        else if (seen.facet > 0.5 * seen.width)
-          log_.warning(name,
-                       " is ",
-                       seen.width,
-                       " mm wide, less than two facets of ",
-                       seen.facet,
-                       " mm of its slave: forces and pressures are those of the mesh");
+        else if (error > largest_error)
+          log_.warning(seen.describe_error(name, error));
       }
   }
 } // namespace vfife
