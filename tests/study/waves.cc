@@ -229,7 +229,6 @@ end
              world,
              {"Study/kind=reduced",
               "Fillets/teeth=all",
-              "Dynamics/start=static preload",
               "Operation/speed=" + std::to_string(lines.at("speed in contact")[0]) + " rpm",
               "Operation/tooth meshes=1"});
     const Table roots = read_result_table("fillets/root_stress.csv");

@@ -50,23 +50,6 @@ namespace vfife
       return calibration.find();
     }
 
-    /** Of the springs less @p grid_errors. */
-    std::vector<double> find_spring_errors(Compliance                &compliance,
-                                           const Model               &model,
-                                           const std::vector<double> &grid_errors)
-    {
-      std::vector<double> penalties, errors;
-      for (const ContactPair &pair : model.contacts)
-        penalties.push_back(pair.options.penalty.value);
-      const std::vector<double> turns = turns_over_mesh(*model.transmission);
-      PairEquilibrium           equilibrium(model, compliance, penalties, turns);
-      for (std::size_t i = 0; i < grid_errors.size(); ++i)
-        errors.push_back(
-          error_of(compliance, equilibrium.solve(turns[i * n_turns / n_positions], 1.)) -
-          grid_errors[i]);
-      return errors;
-    }
-
     void keep_penalties(const std::string &why, const Model &model, Log &log)
     {
       log.warning("Contact/penalty: the contact's own grid gives none (" + why +
@@ -82,6 +65,19 @@ namespace vfife
     for (unsigned int i = 0; i < n_turns; ++i)
       turns.push_back(2. * pi / transmission.driver_teeth * i / n_turns);
     return turns;
+  }
+
+  std::vector<double> find_static_errors(Compliance                &compliance,
+                                         const Model               &model,
+                                         const std::vector<double> &penalties,
+                                         const unsigned int         every)
+  {
+    const std::vector<double> turns = turns_over_mesh(*model.transmission);
+    PairEquilibrium           equilibrium(model, compliance, penalties, turns);
+    std::vector<double>       errors;
+    for (std::size_t i = 0; i < turns.size(); i += every)
+      errors.push_back(error_of(compliance, equilibrium.solve(turns[i], 1.)));
+    return errors;
   }
 
   bool needs_calibration(const Case &the_case, const Model &model)
@@ -114,7 +110,12 @@ namespace vfife
     loaded.mean_stiffness        = found.mean / found.largest;
     for (std::size_t i = 1; i < model.contacts.size(); ++i)
       model.contacts[i].options.penalty.value = found.mean;
-    loaded.spring_errors = find_spring_errors(compliance, model, grid_errors);
+    std::vector<double> penalties;
+    for (const ContactPair &pair : model.contacts)
+      penalties.push_back(pair.options.penalty.value);
+    loaded.spring_errors = find_static_errors(compliance, model, penalties, n_turns / n_positions);
+    for (std::size_t i = 0; i < grid_errors.size(); ++i)
+      loaded.spring_errors[i] -= grid_errors[i];
     log.line("contact penalty by the contact's own grid at ",
              n_positions,
              " positions: mean ",

@@ -155,7 +155,7 @@ namespace vfife
 
   SwingMotion PreloadedPair::find_swing(const PairStart *const factors, const double torque) const
   {
-    if (factors == nullptr || factors->static_errors().empty() || PairMounting::changes(model_))
+    if (factors == nullptr || factors->static_errors().empty())
       return {};
     const SwingMotion swing = find_steady_swing(factors->static_errors(),
                                                 preload_.swing,

@@ -2,6 +2,7 @@
 #include <vfife/base/process/communicator.h>
 #include <vfife/base/process/log.h>
 #include <vfife/base/process/wall_clock.h>
+#include <vfife/output/measures/pair_mounting.h>
 #include <vfife/study/pressure/calibrated_penalty.h>
 #include <vfife/study/run/pair_start.h>
 
@@ -18,22 +19,6 @@ namespace vfife
     /** Of two rounds: large rotations of slender parts leave membrane forces, which the next round
      * takes away. */
     constexpr double least_gain = 0.5;
-
-    std::vector<double> find_static_errors(const Model               &model,
-                                           Compliance                &compliance,
-                                           const std::vector<double> &penalties)
-    {
-      const std::vector<double> turns = turns_over_mesh(*model.transmission);
-      PairEquilibrium           pair(model, compliance, penalties, turns);
-      std::vector<double>       errors;
-      for (const double turn : turns)
-        {
-          const PairEquilibriumResult result = pair.solve(turn, 1.);
-          errors.push_back(
-            lead_of_driven(compliance.discretization(), result.turn, result.displacements));
-        }
-      return errors;
-    }
   } // namespace
 
   FemOptions make_fem_options(const DynamicsOptions &options)
@@ -64,8 +49,8 @@ namespace vfife
                                                  make_fem_options(options),
                                                  model.any_body_turns(),
                                                  communicator);
-    if (options.start == Start::steady_swing)
-      static_errors_ = find_static_errors(model, *compliance_, penalties);
+    if (options.start == Start::steady_swing && !PairMounting::changes(model))
+      static_errors_ = find_static_errors(*compliance_, model, penalties);
     // One position, the driver as it stands at time zero: nodes that may touch there are watched.
     pair_ =
       std::make_unique<PairEquilibrium>(model, *compliance_, penalties, std::vector<double>(1, 0.));

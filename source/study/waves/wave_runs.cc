@@ -109,8 +109,6 @@ namespace vfife
                                      "Operation/speed=" + number_text(speed * 30. / pi) + " rpm",
                                      "Operation/tooth meshes=" + std::to_string(n_meshes),
                                      std::string("Operation/end time=0 s"),
-                                     // Stresses without waves are those of the equilibrium.
-                                     std::string("Dynamics/start=static preload"),
                                      "Output/stress waves=" + std::to_string(diameters),
                                      std::string("Output/fields every=0"),
                                      std::string("Output/pictures=no")})

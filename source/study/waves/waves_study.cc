@@ -185,11 +185,8 @@ namespace vfife
 
     void WavesStudy::check_run() const
     {
-      if (dynamics_.start == Start::ramp)
-        throw InputError(
-          "Dynamics/start",
-          "expected \"steady swing\" or \"static preload\" for runs that drive waves, "
-          "got \"ramp\"");
+      if (dynamics_.start != Start::static_preload)
+        throw InputError("Dynamics/start", "runs that drive waves start from their static preload");
       // Before hours of runs, not behind them.
       constexpr unsigned int least = 8;
       if (reduced_.settling_meshes + reduced_.counted_meshes < least)

@@ -40,8 +40,7 @@ namespace vfife
      * NumericalError as Relaxation and PairEquilibrium. */
     std::string solve(State &state, const Relaxation::Loads &loads);
 
-    /** Static transmission errors under the whole torque at turns_over_mesh() [rad]: of the linear
-     * bodies on the springs of the contact; empty unless the start is `steady swing`. */
+    /** find_static_errors(); empty unless the start is `steady swing`, and for pairs on shafts. */
     const std::vector<double> &static_errors() const
     {
       return static_errors_;
